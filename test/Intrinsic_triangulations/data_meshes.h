@@ -91,6 +91,20 @@ void for_each_data_mesh(std::uintmax_t largest_file, const Visit& visit)
   }
 }
 
+// Calls `visit(mesh)` for some of CGAL's meshes.
+template <typename Visit>
+void for_data_meshes(const std::vector<std::string>& names, const Visit& visit)
+{
+  if(data_meshes(1000000).empty())
+    GTEST_SKIP() << "CGAL's data files are not here";
+  for(const std::string& name : names) {
+    SCOPED_TRACE(name);
+    Mesh mesh;
+    ASSERT_TRUE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh));
+    visit(mesh);
+  }
+}
+
 // For tests of one mesh each.
 inline std::string test_name(const testing::TestParamInfo<std::string>& info)
 {

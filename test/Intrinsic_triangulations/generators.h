@@ -538,19 +538,22 @@ struct Named_complex
   Delta_complex mesh;
 };
 
+inline std::vector<Named_complex> glued_complexes()
+{
+  return {{"triangle", glue({{1, 2, 3}})}, {"pillow", glue({{1, 2, 3}, {-3, -2, -1}})},
+          {"cone", cone(false)},           {"mirrored cone", cone(true)},
+          {"spindle", spindle()},          {"bigon", bigon()},
+          {"double torus", double_torus()}};
+}
+
 // The connectivity of all of the above, and surfaces with loops and parallel edges.
 inline std::vector<Named_complex> complexes()
 {
   std::vector<Named_complex> result;
   for(const Named_mesh& m : meshes())
     result.push_back({m.name, IT::Intrinsic_triangulation<>(m.mesh).mesh()});
-  result.push_back({"triangle", glue({{1, 2, 3}})});
-  result.push_back({"pillow", glue({{1, 2, 3}, {-3, -2, -1}})});
-  result.push_back({"cone", cone(false)});
-  result.push_back({"mirrored cone", cone(true)});
-  result.push_back({"spindle", spindle()});
-  result.push_back({"bigon", bigon()});
-  result.push_back({"double torus", double_torus()});
+  for(const Named_complex& c : glued_complexes())
+    result.push_back(c);
   result.push_back({"torus with one vertex", flat_torus(1, 1, 0).mesh});
   result.push_back({"torus with two vertices", flat_torus(2, 1, 0).mesh});
   result.push_back({"annulus with two vertices", flat_cylinder(1, 0).mesh});

@@ -8,10 +8,14 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 // Surfaces whose geodesics have formulas.
@@ -131,6 +135,50 @@ inline std::vector<Cone> cones()
           Cone({2, 1.5, 2, 0.7}),
           Cone({2.5, 2.5, 2.5, 1}),
           Cone({1e-9, 1, 1e-9, 2, 0.01})};
+}
+
+// ---- Points of surfaces in space ----
+
+inline std::array<Point, 3> corners(Face_index f, const Mesh& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+          mesh.point(mesh.target(mesh.next(h)))};
+}
+
+inline Point place_in_space(const Location& p, const Mesh& mesh)
+{
+  Kernel::Vector_3 sum(0, 0, 0);
+  for(std::size_t s = 0; s < 3; ++s)
+    sum = sum + p.second[s] * (corners(p.first, mesh)[s] - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum;
+}
+
+// The location of a point in the first face that contains it.
+inline Location locate(const Point& p, const Mesh& mesh)
+{
+  for(Face_index f : mesh.faces()) {
+    const auto [a, b, c] = corners(f, mesh);
+    const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a);
+    const auto part = [&](const Point& q, const Point& r) {
+      return CGAL::cross_product(q - p, r - p) * n / n.squared_length();
+    };
+    const std::array<double, 3> w{part(b, c), part(c, a), part(a, b)};
+    if(std::abs((p - a) * n) < 1e-12 && *std::min_element(w.begin(), w.end()) >= 0)
+      return {f, w};
+  }
+  throw std::logic_error("the point is not on the surface");
+}
+
+// ---- All triangulations ----
+
+inline void check_all(void (&check)(Side, const Triangulation&))
+{
+  for(const Named_triangulation& t : triangulations())
+    for(Side side : both_sides) {
+      SCOPED_TRACE(t.name + (side == Side::input ? ", T1" : ", T2"));
+      check(side, t.triangulation);
+    }
 }
 
 } // namespace Test_surfaces

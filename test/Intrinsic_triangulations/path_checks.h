@@ -147,6 +147,23 @@ inline void expect_valid(const Path& path, const Flat_faces& faces, double toler
     << path.places.size();
 }
 
+// ---- Surfaces on which brute force finds distances ----
+
+inline std::vector<Named_mesh> small_meshes()
+{
+  return {
+    {"tetrahedron", tetrahedron()},
+    {"octahedron", octahedron()},
+    {"cube", cube()},
+    {"random sphere", random_sphere(9, 3)},
+    {"spikes", perturbed(random_sphere(9, 4), 0.8, 1)},
+    {"double disk", perturbed(bipyramid(5, 0), 0.2, 2)},
+    {"torus", embedded_torus(4, 3)},
+    {"rough torus", perturbed(embedded_torus(4, 3), 0.5, 3)},
+    {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})},
+    {"grid", perturbed(grid(3, 2, [](double x, double y) { return Point(x, y, 0); }), 0.4, 4)}};
+}
+
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_PATH_CHECKS_H

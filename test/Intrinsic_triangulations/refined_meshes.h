@@ -52,18 +52,15 @@ inline Subdivided subdivided(const Mesh& coarse, std::size_t n, double move = 0,
     const auto add = [&](const std::array<std::size_t, 3>& weight) {
       std::array<double, 3> w;
       double sum = 0;
+      Kernel::Vector_3 p(0, 0, 0);
       for(std::size_t k = 0; k < 3; ++k) {
         const bool is_free = weight[k] > 0 && weight[k] < n;
         w[k] = double(weight[k]) + (is_free ? random.get_double(-move, move) : 0.);
         sum += w[k];
-      }
-      Kernel::Vector_3 p(0, 0, 0);
-      for(std::size_t k = 0; k < 3; ++k) {
-        w[k] /= sum;
         p = p + w[k] * (coarse.point(corner[k]) - CGAL::ORIGIN);
       }
-      points.push_back(CGAL::ORIGIN + p);
-      result.on_coarse.push_back({f, w});
+      points.push_back(CGAL::ORIGIN + (1 / sum) * p);
+      result.on_coarse.push_back({f, {w[0] / sum, w[1] / sum, w[2] / sum}});
     };
     const auto number = [&](std::size_t i, std::size_t j) {
       const std::array weight{n - i - j, i, j};

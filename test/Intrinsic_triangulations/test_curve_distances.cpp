@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,14 +119,7 @@ void check_by_minima(Side side, const Triangulation& t, unsigned int seed)
 
 TEST(Curve_distances, are_least_distances)
 {
-  const std::vector<Named_mesh> small{
-    {"tetrahedron", tetrahedron()},
-    {"cube", cube()},
-    {"spikes", perturbed(random_sphere(9, 4), 0.8, 1)},
-    {"rough torus", perturbed(embedded_torus(4, 3), 0.5, 3)},
-    {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})},
-    {"grid", perturbed(grid(3, 2, [](double x, double y) { return Point(x, y, 0); }), 0.4, 4)}};
-  for(const Named_mesh& m : small)
+  for(const Named_mesh& m : small_meshes())
     for(unsigned int seed = 0; seed < 8; ++seed) {
       SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
       Triangulation t(m.mesh);
@@ -139,14 +131,7 @@ TEST(Curve_distances, are_least_distances)
 
 TEST(Curve_distances, are_least_distances_on_Delta_complexes)
 {
-  for(const auto& [name, mesh] :
-      std::vector<Named_complex>{{"triangle", glue({{1, 2, 3}})},
-                                 {"pillow", glue({{1, 2, 3}, {-3, -2, -1}})},
-                                 {"cone", cone(false)},
-                                 {"mirrored cone", cone(true)},
-                                 {"spindle", spindle()},
-                                 {"bigon", bigon()},
-                                 {"double torus", double_torus()}})
+  for(const auto& [name, mesh] : glued_complexes())
     for(unsigned int seed = 0; seed < 8; ++seed) {
       SCOPED_TRACE(name + std::string(", seed ") + std::to_string(seed));
       check_by_minima(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
@@ -155,30 +140,13 @@ TEST(Curve_distances, are_least_distances_on_Delta_complexes)
 
 // ---- Closed forms ----
 
-Location locate(const Point& p, const Triangulation& t, const Mesh& mesh)
-{
-  for(Face_index f : mesh.faces()) {
-    const auto h = IT::sides(f, t.input_mesh());
-    const auto corner = [&](std::size_t k) { return mesh.point(t.input_mesh().source(h[k % 3])); };
-    const auto area = [](const Point& a, const Point& b, const Point& c) {
-      return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
-    };
-    std::array<double, 3> b;
-    for(std::size_t k = 0; k < 3; ++k)
-      b[k] = area(p, corner(k + 1), corner(k + 2)) / area(corner(0), corner(1), corner(2));
-    if((std::min)({b[0], b[1], b[2]}) >= 0)
-      return {f, b};
-  }
-  throw std::logic_error("the point is not on the surface");
-}
-
 // The polyline through some points of a flat convex surface.
 Curve polyline(const Triangulation& t, const Mesh& mesh, const std::vector<Point>& points)
 {
   Curve result;
   for(std::size_t i = 0; i + 1 < points.size(); ++i) {
     const auto path =
-      IT::shortest_path(t.input(), locate(points[i], t, mesh), locate(points[i + 1], t, mesh));
+      IT::shortest_path(t.input(), locate(points[i], mesh), locate(points[i + 1], mesh));
     const Curve part = IT::curve_through(t.input(), path.places);
     result.insert(result.end(), part.begin(), part.end());
   }
@@ -227,7 +195,7 @@ TEST(Curve_distances, fine_circle_in_a_face)
   const int n = 200000;
   const auto at = [&](int k) {
     const double angle = 2 * pi * (k % n) / n;
-    return locate(Point(1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle), 0), t, mesh).second;
+    return locate(Point(1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle), 0), mesh).second;
   };
   Curve circle;
   for(int k = 0; k < n; ++k)
@@ -235,7 +203,7 @@ TEST(Curve_distances, fine_circle_in_a_face)
   const Paths paths = paths_from(t.input(), circle);
   EXPECT_NEAR(paths.distance(Vertex_index(0)), std::sqrt(2.) - 0.5, 1e-10);
   EXPECT_NEAR(paths.distance(Vertex_index(1)), std::sqrt(10.) - 0.5, 1e-10);
-  EXPECT_NEAR(paths.distance(locate(Point(1, 1, 0), t, mesh)), 0.5, 1e-10);
+  EXPECT_NEAR(paths.distance(locate(Point(1, 1, 0), mesh)), 0.5, 1e-10);
 }
 
 // All boundary edges of a square. On an even grid, many rays run along edges.

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "hard_meshes.h"
 #include "known_surfaces.h"
 
@@ -10,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -276,18 +276,12 @@ TEST(Edge_path_classes, are_kept_on_hard_meshes)
 
 TEST(Edge_path_classes, are_kept_on_data_meshes)
 {
-  if(data_meshes(1000000).empty())
-    GTEST_SKIP() << "CGAL's data files are not here";
-  for(const char* name : {"3torus.off", "anchor.off", "elephant.off", "pig.off"}) {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    ASSERT_TRUE(
-      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
+  for_data_meshes({"3torus.off", "anchor.off", "elephant.off", "pig.off"}, [](const Mesh& mesh) {
     if(CGAL::is_triangle_mesh(mesh)) {
       check_classes(mesh, 40, 2);
       check_classes(punctured(mesh, {5}), 40, 3); // a free group
     }
-  }
+  });
 }
 
 // ---- Truth ----

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "known_surfaces.h"
 #include "near_degenerate_meshes.h"
 #include "tied_meshes.h"
@@ -11,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -144,15 +144,8 @@ TEST(Edge_paths, random_paths_on_near_degenerate_meshes)
 
 TEST(Edge_paths, random_paths_on_data_meshes)
 {
-  if(data_meshes(1000000).empty())
-    GTEST_SKIP() << "CGAL's data files are not here";
-  for(const char* name : {"elephant.off", "pig.off", "anchor.off", "fandisk.off"}) {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    ASSERT_TRUE(
-      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
-    check_random_paths(Triangulation(mesh), 100, 3);
-  }
+  for_data_meshes({"elephant.off", "pig.off", "anchor.off", "fandisk.off"},
+                  [](const Mesh& mesh) { check_random_paths(Triangulation(mesh), 100, 3); });
 }
 
 // ---- Flat surfaces ----

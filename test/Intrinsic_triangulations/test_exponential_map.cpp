@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "known_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
@@ -10,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -186,15 +186,6 @@ void check_path(Side side, const Triangulation& t)
   }
 }
 
-void check_all(void (&check)(Side, const Triangulation&))
-{
-  for(const Named_triangulation& t : triangulations())
-    for(Side side : both_sides) {
-      SCOPED_TRACE(t.name + (side == Side::input ? ", T1" : ", T2"));
-      check(side, t.triangulation);
-    }
-}
-
 // ---- The two triangulations of one surface ----
 
 // Geodesics are equal on either side, from vertices.
@@ -269,23 +260,10 @@ Triangulation square()
   return Triangulation(grid(3, 3, [](double x, double y) { return Point(x, y, 0); }));
 }
 
-Point place_in_space(const Location& p, const Mesh& mesh)
-{
-  const Halfedge_index h = mesh.halfedge(p.first);
-  const std::array<Vertex_index, 3> corner{mesh.source(h), mesh.target(h),
-                                           mesh.target(mesh.next(h))};
-  Kernel::Vector_3 sum(0, 0, 0);
-  for(std::size_t s = 0; s < 3; ++s)
-    sum = sum + p.second[s] * (mesh.point(corner[s]) - CGAL::ORIGIN);
-  return CGAL::ORIGIN + sum;
-}
-
 // The frame coordinates of a vector in space that is in the plane of `f`.
 Complex in_frame(const Kernel::Vector_3& v, Face_index f, const Mesh& mesh)
 {
-  const Halfedge_index h = mesh.halfedge(f);
-  const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
-              &c = mesh.point(mesh.target(mesh.next(h)));
+  const auto [a, b, c] = corners(f, mesh);
   const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a), x = b - a,
                          y = CGAL::cross_product(n, x);
   return {v * x / std::sqrt(x.squared_length()), v * y / std::sqrt(y.squared_length())};
@@ -295,25 +273,6 @@ void expect_at(const Geodesic& g, const Point& p, const Mesh& mesh)
 {
   EXPECT_LT(CGAL::squared_distance(place_in_space(g.end, mesh), p), 1e-24)
     << place_in_space(g.end, mesh);
-}
-
-// The face and place of a point in the plane of the mesh's faces, the first that contains it.
-Location locate(const Point& p, const Mesh& mesh)
-{
-  for(Face_index f : mesh.faces()) {
-    const Halfedge_index h = mesh.halfedge(f);
-    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
-                &c = mesh.point(mesh.target(mesh.next(h)));
-    const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a);
-    const auto part = [&](const Point& q, const Point& r) {
-      return CGAL::cross_product(q - p, r - p) * n / n.squared_length();
-    };
-    const std::array<double, 3> w{part(b, c), part(c, a), part(a, b)};
-    if(std::abs((p - a) * n) < 1e-12 && *std::min_element(w.begin(), w.end()) >= 0)
-      return {f, w};
-  }
-  ADD_FAILURE() << "no face contains " << p;
-  return {};
 }
 
 Geodesic trace_in_space(const Point& p, const Kernel::Vector_3& v, const Mesh& mesh,
@@ -427,18 +386,13 @@ TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
 
 TEST(Exponential_map, same_on_both_triangulations_of_data)
 {
-  if(data_meshes(1000000).empty())
-    GTEST_SKIP() << "CGAL's data files are not here";
-  for(const char* name : {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off",
-                          "hand.off", "cheese.off"}) {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    ASSERT_TRUE(
-      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
-    Triangulation t(mesh);
-    IT::make_Delaunay(t);
-    check_independence(t, 100, 1e-9);
-  }
+  for_data_meshes(
+    {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off", "hand.off", "cheese.off"},
+    [](const Mesh& mesh) {
+      Triangulation t(mesh);
+      IT::make_Delaunay(t);
+      check_independence(t, 100, 1e-9);
+    });
 }
 
 TEST(Exponential_map, unrolled_cone)

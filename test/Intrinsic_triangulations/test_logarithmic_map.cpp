@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "known_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
@@ -9,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -140,15 +140,6 @@ void check_all_at_once(Side side, const Triangulation& t)
   }
 }
 
-void check_all(void (&check)(Side, const Triangulation&))
-{
-  for(const Named_triangulation& t : triangulations())
-    for(Side side : both_sides) {
-      SCOPED_TRACE(t.name + (side == Side::input ? ", T1" : ", T2"));
-      check(side, t.triangulation);
-    }
-}
-
 // ---- CGAL's shortest paths ----
 
 void check_with_CGAL(const Mesh& mesh)
@@ -203,15 +194,8 @@ TEST(Logarithmic_map, distances_as_in_CGAL)
 
 TEST(Logarithmic_map, distances_as_in_CGAL_on_data_meshes)
 {
-  if(data_meshes(1000000).empty())
-    GTEST_SKIP() << "CGAL's data files are not here";
-  for(const char* name : {"elephant.off", "pig.off", "anchor.off", "ALSTOM_TEST4.off"}) {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    ASSERT_TRUE(
-      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
-    check_with_CGAL(mesh);
-  }
+  for_data_meshes({"elephant.off", "pig.off", "anchor.off", "ALSTOM_TEST4.off"},
+                  [](const Mesh& mesh) { check_with_CGAL(mesh); });
 }
 
 // Below half the distance of the nearest vertex the exponential map of these spheres is one to one.

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "hard_meshes.h"
 #include "known_surfaces.h"
 #include "path_checks.h"
-#include "precise_unfolding.h"
 #include "tied_meshes.h"
 #include "unfolding.h"
 
@@ -15,14 +15,13 @@
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +30,7 @@ namespace Test_shortest_paths {
 using namespace Test_surfaces;
 using View = decltype(std::declval<Triangulation>().input());
 using Paths = IT::Shortest_paths<View>;
+using Quad = boost::multiprecision::cpp_bin_float_quad;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
@@ -47,7 +47,7 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
     points.push_back(random_location(mesh, random));
   for(int i = 0; i < 2; ++i)
     points.push_back(faces.on(faces.sides(points[std::size_t(i)].first)[1], random.get_double()));
-  const Unfolding truth(faces, points);
+  Unfolding<> unfolding(surface, points);
   const std::size_t n = mesh.number_of_vertices();
   const double tolerance = 1e-12 * static_cast<double>(faces.longest_edge());
   for(std::size_t i = 0; i < n + points.size(); ++i) {
@@ -55,13 +55,14 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
     i < n ? paths.add_source(Vertex_index(static_cast<unsigned>(i)))
           : paths.add_source(points[i - n]);
     paths.run();
+    const auto truth = unfolding.distances(i).value();
     for(std::size_t j = 0; j < n; ++j) {
       const Vertex_index v(static_cast<unsigned>(j));
-      EXPECT_NEAR(paths.distance(v), truth(i, j), tolerance) << i << " " << j;
+      EXPECT_NEAR(paths.distance(v), truth[j], tolerance) << i << " " << j;
       expect_valid(paths.path(v), faces, tolerance);
     }
     for(std::size_t j = n; j < n + points.size(); ++j) {
-      EXPECT_NEAR(paths.distance(points[j - n]), truth(i, j), tolerance) << i << " " << j;
+      EXPECT_NEAR(paths.distance(points[j - n]), truth[j], tolerance) << i << " " << j;
       const Path path = paths.path(points[j - n]);
       EXPECT_EQ(path.places.back().location, points[j - n]);
       expect_valid(path, faces, tolerance);
@@ -71,18 +72,7 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
 
 TEST(Shortest_paths, as_by_unfolding_all_sequences_of_faces)
 {
-  const std::vector<Named_mesh> small{
-    {"tetrahedron", tetrahedron()},
-    {"octahedron", octahedron()},
-    {"cube", cube()},
-    {"random sphere", random_sphere(9, 3)},
-    {"spikes", perturbed(random_sphere(9, 4), 0.8, 1)},
-    {"double disk", perturbed(bipyramid(5, 0), 0.2, 2)},
-    {"torus", embedded_torus(4, 3)},
-    {"rough torus", perturbed(embedded_torus(4, 3), 0.5, 3)},
-    {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})},
-    {"grid", perturbed(grid(3, 2, [](double x, double y) { return Point(x, y, 0); }), 0.4, 4)}};
-  for(const Named_mesh& m : small)
+  for(const Named_mesh& m : small_meshes())
     for(unsigned int seed = 0; seed < 2; ++seed) {
       SCOPED_TRACE(m.name);
       Triangulation t(m.mesh);
@@ -94,14 +84,7 @@ TEST(Shortest_paths, as_by_unfolding_all_sequences_of_faces)
 
 TEST(Shortest_paths, as_by_unfolding_on_Delta_complexes)
 {
-  for(const auto& [name, mesh] :
-      std::vector<Named_complex>{{"triangle", glue({{1, 2, 3}})},
-                                 {"pillow", glue({{1, 2, 3}, {-3, -2, -1}})},
-                                 {"cone", cone(false)},
-                                 {"mirrored cone", cone(true)},
-                                 {"spindle", spindle()},
-                                 {"bigon", bigon()},
-                                 {"double torus", double_torus()}})
+  for(const auto& [name, mesh] : glued_complexes())
     for(unsigned int seed = 0; seed < 3; ++seed) {
       SCOPED_TRACE(name);
       check_by_unfolding(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
@@ -173,16 +156,9 @@ TEST(Shortest_paths, from_three_points_as_in_CGAL)
 
 TEST(Shortest_paths, on_data_meshes_as_in_CGAL)
 {
-  if(data_meshes(1000000).empty())
-    GTEST_SKIP() << "CGAL's data files are not here";
-  for(const char* name :
-      {"elephant.off", "pig.off", "anchor.off", "ALSTOM_TEST4.off", "mech-holes-shark.off"}) {
-    SCOPED_TRACE(name);
-    Mesh mesh;
-    ASSERT_TRUE(
-      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
-    check_with_CGAL(mesh, 1);
-  }
+  for_data_meshes(
+    {"elephant.off", "pig.off", "anchor.off", "ALSTOM_TEST4.off", "mech-holes-shark.off"},
+    [](const Mesh& mesh) { check_with_CGAL(mesh, 1); });
 }
 
 TEST(Shortest_paths, on_near_degenerate_meshes)
@@ -229,7 +205,7 @@ bool is_as_in_many_digits(const Named_mesh& m, std::size_t source, std::size_t b
   SCOPED_TRACE(m.name + ", from " + std::to_string(source));
   const Triangulation t(m.mesh);
   const Vertex_index v(static_cast<unsigned>(source));
-  const auto truth = Precise_unfolding(t.input()).distances(v, bound);
+  const auto truth = Unfolding<Quad>(t.input()).distances(source, bound);
   if(!truth)
     return false;
   Paths paths(t.input());
@@ -270,24 +246,6 @@ TEST(Shortest_paths, with_ties)
   }
 }
 
-// the place of a point of the surface
-Location locate(const Point& p, const Flat_faces& faces, const Mesh& mesh)
-{
-  for(Face_index f : mesh.faces()) {
-    std::array<Point, 3> c;
-    for(std::size_t s = 0; s < 3; ++s)
-      c[s] = mesh.point(faces.mesh().source(faces.sides(f)[s]));
-    const Kernel::Vector_3 n = CGAL::cross_product(c[1] - c[0], c[2] - c[0]);
-    const auto part = [&](std::size_t s) {
-      return CGAL::cross_product(c[(s + 2) % 3] - c[(s + 1) % 3], p - c[(s + 1) % 3]) * n / (n * n);
-    };
-    const double b = part(1), d = part(2), a = 1 - b - d;
-    if(std::abs((p - c[0]) * n) < 1e-12 && (std::min)({a, b, d}) >= 0)
-      return {f, {a, b, d}};
-  }
-  throw std::logic_error("the point is not on the surface");
-}
-
 Mesh box(double x, double y, double z)
 {
   Mesh mesh = cube();
@@ -303,9 +261,9 @@ TEST(Shortest_paths, spider_and_fly)
   const Triangulation t(room);
   const Flat_faces faces(Side::input, t);
   Paths paths(t.input());
-  paths.add_source(locate({0, 6, 11}, faces, room));
+  paths.add_source(locate({0, 6, 11}, room));
   paths.run();
-  const Location fly = locate({30, 6, 1}, faces, room);
+  const Location fly = locate({30, 6, 1}, room);
   EXPECT_NEAR(paths.distance(fly), 40, 1e-13);
   expect_valid(paths.path(fly), faces, 1e-13);
 }
