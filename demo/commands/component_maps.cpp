@@ -87,7 +87,7 @@ double Component_maps::next_center(Statistics& statistics)
   return x;
 }
 
-int Component_maps::finish(const std::string& output, Mesh_format format)
+int Component_maps::finish(const Map_output& output)
 {
   if(m_number_left_out == size())
     throw Map_failure("no component has a map; the first is " + m_summaries.front());
@@ -95,7 +95,7 @@ int Component_maps::finish(const std::string& output, Mesh_format format)
     const Output_mesh mesh = m_joined.finish();
     describe_subdivision(m_run.statistics(), mesh.points.size(), mesh.edges.size(),
                          mesh.polygons.size());
-    m_run.add_output(output, mesh, format);
+    m_run.add_output(output.path, mesh, output.format);
   });
   std::string text = std::to_string(size()) + " components";
   const std::size_t shown = (std::min)(m_summaries.size(), greatest_table);

@@ -9,7 +9,6 @@
 #include "commands/Statistics.h"
 #include "commands/map_commands.h"
 #include "reading/component_meshes.h"
-#include "writing/Map_front.h"
 #include "writing/joined_components.h"
 
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
@@ -39,18 +38,17 @@ public:
   // Invalid_input or Map_failure; but if failures are written, leaves it out.
   void for_each(const std::function<std::string(const Component_mesh&, Statistics&)>& map);
 
-  // Adds a map; `more` are the arguments of `described_mesh()` after the front. Returns its
-  // summary. Throws Map_failure as `check_status()` does.
-  template <class Map, class... More>
+  // Adds a map. Returns its summary. Throws Map_failure as `check_status()` does.
+  template <class Map>
   std::string add(const Component_mesh& component, Statistics& statistics, const Map& map,
-                  const More&... more)
+                  const Map_output& output)
   {
     check_status(m_run, map, map.is_laid_out());
     m_exit_code = (std::max)(m_exit_code, exit_code(map));
-    const Map_front front(map, component.mesh);
-    Output_mesh mesh = described_mesh(statistics, map, front, more...);
+    const Map_part part(map, m_run.input().mesh, &component);
+    Output_mesh mesh = described_mesh(statistics, map, part, output);
     typedef CGAL::Discrete_conformal_maps::Spherical_conformal_map Spherical_map;
-    m_joined.add(component, front, std::move(mesh),
+    m_joined.add(component, std::move(mesh),
                  std::is_same<Map, Spherical_map>::value ? next_center(statistics) : 0);
     return summary_of(map, statistics);
   }
@@ -60,7 +58,7 @@ public:
 
   // Adds the mesh to the outputs, and ends the run. Returns the exit code. Throws Map_failure if no
   // component has a map.
-  int finish(const std::string& output, Mesh_format format);
+  int finish(const Map_output& output);
 
 private:
   void leave_out(std::size_t component, const std::exception& e, Statistics& statistics);

@@ -33,7 +33,7 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
       show(page, run, triangulation, subdivision, mesh);
       develop_if_large(page, run, triangulation, subdivision);
     });
-    add_input_data(run.input(), subdivision, mesh);
+    add_input_data(run.input(), mesh);
     run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });

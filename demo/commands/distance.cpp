@@ -493,7 +493,7 @@ private:
     });
     if(!m_subdivision_format)
       return;
-    add_input_data(m_run.input(), subdivision, mesh);
+    add_input_data(m_run.input(), mesh);
     m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
   }
 

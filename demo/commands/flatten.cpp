@@ -10,7 +10,7 @@
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 #include "writing/Mesh_writer.h"
-#include "writing/flat_mesh.h"
+#include "writing/flat_triangles.h"
 #include "writing/matrix_market.h"
 
 #include <CGAL/Discrete_conformal_maps/certify.h>
@@ -83,9 +83,11 @@ public:
       if(!m_options.matrix.empty())
         m_run.add_output(
           m_options.matrix,
-          matrix_market(Map_front(map, mesh()).interpolation_matrix(), Matrix_symmetry::GENERAL));
+          matrix_market(Map_part(map, mesh()).interpolation_matrix(), Matrix_symmetry::GENERAL));
     });
-    return finish(m_run, m_options, m_format, map, m_visitor.iterations, cones(map));
+    Map_output output{m_options.output, m_format, m_options.is_homogeneous, cones(map)};
+    output.iterations = m_visitor.iterations;
+    return finish(m_run, output, map);
   }
 
 private:
@@ -201,18 +203,6 @@ void describe_overlap(Statistics& statistics, const DCM::Planar_conformal_map& m
     statistics["overlapping_charts"].push_back({pair.first, pair.second});
 }
 
-void describe(Statistics& statistics, const DCM::Planar_conformal_map& map, const Map_front& front,
-              const Output_mesh& result, std::size_t iterations, std::size_t number_of_cones)
-{
-  statistics["cones"] = number_of_cones;
-  statistics["iterations"] = iterations;
-  describe_status(statistics, map);
-  statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
-  describe_triangles(statistics, result);
-  describe_overlap(statistics, map);
-  describe_sizes(statistics, map, front.input(), result);
-}
-
 } // namespace
 
 std::string summary_of(const DCM::Planar_conformal_map&, const Statistics& s)
@@ -230,33 +220,25 @@ std::string summary_of(const DCM::Planar_conformal_map&, const Statistics& s)
 }
 
 Output_mesh described_mesh(Statistics& statistics, const DCM::Planar_conformal_map& map,
-                           const Map_front& front, std::size_t iterations,
-                           const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
+                           const Map_part& part, const Map_output& output)
 {
-  Output_mesh result = flat_mesh(map, front, cones, is_homogeneous);
-  describe(statistics, map, front, result, iterations, cones.size());
+  const Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
+  describe_minimization(statistics, map, output);
+  statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
+  describe_triangles(statistics, result);
+  describe_overlap(statistics, map);
+  describe_sizes(statistics, map, part, result);
   return result;
 }
 
-int finish(Command_run& run, const Texture_options& options, Mesh_format format,
-           const DCM::Planar_conformal_map& map, std::size_t iterations,
-           const std::vector<Mesh::Vertex_index>& cones)
+void show(View_page& page, Command_run& run, const DCM::Planar_conformal_map& map,
+          const Map_part& part, const Output_mesh& mesh, const Map_output& output)
 {
-  check_status(run, map, map.is_laid_out());
-  run.timed("write", [&] {
-    const Map_front front(map, run.input().mesh);
-    Output_mesh result =
-      described_mesh(run.statistics(), map, front, iterations, cones, options.is_homogeneous);
-    run.show([&](View_page& page) {
-      show(page, run, map, front, flat_mesh(map, front, cones, true), Image_kind::plane);
-      page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
-    });
-    add_input_data(run.input(), front, result);
-    run.add_output(options.output, result, format);
-  });
-  run.finish(summary_of(map, run.statistics()));
-  return exit_code(map);
+  show(page, run, part, flat_mesh(map, part, output.cones, true), Image_kind::plane);
+  page.add_marks({"flipped triangles", true, flipped_polygons(mesh), {}, {}});
 }
+
+void add_files(Command_run&, const DCM::Planar_conformal_map&, const Map_output&) {}
 
 int flatten(const Common_options& common, const Flatten_options& options)
 {

@@ -11,7 +11,7 @@
 #include "commands/triangulation_stages.h"
 #include "pictures/disk_picture.h"
 #include "writing/Mesh_writer.h"
-#include "writing/flat_mesh.h"
+#include "writing/flat_triangles.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 
@@ -26,9 +26,9 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-std::vector<Mesh::Vertex_index> cones_of(const Conditions& conditions, const Mesh& mesh)
+Cones cones_of(const Conditions& conditions, const Mesh& mesh)
 {
-  std::vector<Mesh::Vertex_index> result;
+  Cones result;
   for(const Mesh::Vertex_index v : mesh.vertices())
     if(conditions[v].value != 0)
       result.push_back(v);
@@ -97,24 +97,6 @@ Statistics description(const DCM::Hyperbolic_conformal_map& map, std::size_t com
   return result;
 }
 
-void describe(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
-              const Map_front& front, const std::vector<Mesh::Vertex_index>& cones)
-{
-  statistics["cones"] = cones.size();
-  statistics["iterations"] = map.minimization().iterations;
-  describe_status(statistics, map);
-  statistics["max_gluing_error"] = map.max_gluing_error();
-  statistics["area"] = map.area();
-  statistics["radius"] = map.radius();
-  // edges are straight in Klein's disk
-  const Output_mesh straight = flat_mesh(map, front, cones, true);
-  describe_triangles(statistics, straight);
-  describe_sizes(statistics, map, front.input(), straight);
-  statistics["groups"] = Statistics::array();
-  for(std::size_t c = 0; c < map.number_of_components(); ++c)
-    statistics["groups"].push_back(description(map, c));
-}
-
 } // namespace
 
 std::string summary_of(const DCM::Hyperbolic_conformal_map&, const Statistics& s)
@@ -132,12 +114,21 @@ std::string summary_of(const DCM::Hyperbolic_conformal_map&, const Statistics& s
   return text.str();
 }
 
+// Edges are straight in Klein's disk.
 Output_mesh described_mesh(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
-                           const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
-                           bool is_homogeneous)
+                           const Map_part& part, const Map_output& output)
 {
-  describe(statistics, map, front, cones);
-  return flat_mesh(map, front, cones, is_homogeneous);
+  describe_minimization(statistics, map, output);
+  statistics["max_gluing_error"] = map.max_gluing_error();
+  statistics["area"] = map.area();
+  statistics["radius"] = map.radius();
+  const Output_mesh straight = flat_mesh(map, part, output.cones, true);
+  describe_triangles(statistics, straight);
+  describe_sizes(statistics, map, part, straight);
+  statistics["groups"] = Statistics::array();
+  for(std::size_t c = 0; c < map.number_of_components(); ++c)
+    statistics["groups"].push_back(description(map, c));
+  return flat_mesh(map, part, output.cones, output.is_homogeneous);
 }
 
 namespace {
@@ -157,47 +148,39 @@ std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conf
   return result;
 }
 
-// that of the tiling in the picture
-constexpr int default_depth = 3;
+} // namespace
 
 // Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
 // Poincare's.
-void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
-                  const Map_front& front, const std::vector<Mesh::Vertex_index>& cones, int depth)
+void show(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
+          const Map_part& part, const Output_mesh&, const Map_output& output)
 {
-  const Output_mesh straight = flat_mesh(map, front, cones, true);
-  show(page, run, map, front, straight, Image_kind::disk);
-  page.set_image(Image_kind::disk, positions_in_disks(map, flat_mesh(map, front, cones, false)));
-  page.set_outlines(disk_outlines(map, depth));
+  const Output_mesh straight = flat_mesh(map, part, output.cones, true);
+  show(page, run, part, straight, Image_kind::disk);
+  page.set_image(Image_kind::disk,
+                 positions_in_disks(map, flat_mesh(map, part, output.cones, false)));
+  page.set_outlines(disk_outlines(map, output.depth));
   page.add_marks({"flipped triangles", true, flipped_polygons(straight), {}, {}});
 }
 
-} // namespace
+void add_files(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const Map_output& output)
+{
+  if(!output.picture.empty())
+    run.add_output(output.picture, disk_picture(map, output.depth));
+}
+
+Map_output map_output(const Hyperbolic_options& options, Mesh_format format, const Cones& cones)
+{
+  Map_output result{options.output, format, options.is_homogeneous, cones};
+  result.picture = options.picture;
+  result.depth = options.depth.value_or(result.depth);
+  return result;
+}
 
 void check_tiling(const Common_options& common, const Hyperbolic_options& options)
 {
   if(options.depth && options.picture.empty() && common.view.empty())
     throw Program_error("--tiles is for --svg and --view; leave it out, or add one of them");
-}
-
-int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
-           const DCM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
-{
-  check_status(run, map, map.is_laid_out());
-  run.timed("write", [&] {
-    const Map_front front(map, run.input().mesh);
-    Output_mesh result =
-      described_mesh(run.statistics(), map, front, cones, options.is_homogeneous);
-    add_input_data(run.input(), front, result);
-    run.add_output(options.output, result, format);
-    run.show([&](View_page& page) {
-      show_in_disk(page, run, map, front, cones, options.depth.value_or(default_depth));
-    });
-    if(!options.picture.empty())
-      run.add_output(options.picture, disk_picture(map, options.depth.value_or(default_depth)));
-  });
-  run.finish(summary_of(map, run.statistics()));
-  return exit_code(map);
 }
 
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
@@ -213,8 +196,8 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
     return options.cones.empty() ? Conditions(mesh.number_of_vertices())
                                  : prescribed_curvatures(options.cones, mesh);
   });
-  const std::vector<Mesh::Vertex_index> cones = cones_of(conditions, mesh);
+  const Cones cones = cones_of(conditions, mesh);
   if(options.depth && !cones.empty())
     throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
-  return finish(run, options, format, uniformized(run, epsilon, conditions), cones);
+  return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions));
 }

@@ -110,6 +110,14 @@ int exit_code(const DCM::Discrete_conformal_map& map)
   return map.status() == DCM::Map_status::success ? 0 : 3;
 }
 
+void describe_minimization(Statistics& statistics, const DCM::Discrete_conformal_map& map,
+                           const Map_output& output)
+{
+  statistics["cones"] = output.cones.size();
+  statistics["iterations"] = output.iterations.value_or(map.minimization().iterations);
+  describe_status(statistics, map);
+}
+
 void describe_status(Statistics& statistics, const DCM::Discrete_conformal_map& map)
 {
   statistics["status"] = DCM::to_string(map.status());
@@ -120,8 +128,9 @@ void describe_status(Statistics& statistics, const DCM::Discrete_conformal_map& 
 }
 
 void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& map,
-                    const Mesh& input, const Output_mesh& result)
+                    const Map_part& part, const Output_mesh& result)
 {
+  const Mesh& input = part.mapped_mesh();
   std::vector<double> u;
   for(const Mesh::Vertex_index v : input.vertices())
     if(!input.is_isolated(v))
@@ -140,14 +149,14 @@ void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& m
                        result.polygons.size());
 }
 
-void show(View_page& page, Command_run& run, const DCM::Discrete_conformal_map& map,
-          const Map_front& front, Output_mesh mesh, Image_kind kind)
+void show(View_page& page, Command_run& run, const Map_part& part, Output_mesh mesh,
+          Image_kind kind)
 {
-  const Mesh& input = run.input().mesh;
-  mesh.point_data.push_back({"curvature", front.interpolated(curvatures(run))});
+  const auto& Delaunay = part.map().Delaunay();
+  mesh.point_data.push_back({"curvature", part.interpolated(curvatures(run))});
   add_distortion(mesh, kind);
-  add_input_data(run.input(), front, mesh);
+  add_input_data(run.input(), mesh);
   page.add_surface("surface", mesh);
-  show_angles(page, "input", input, edge_lengths(run));
-  show_angles(page, "intrinsic", map.Delaunay().mesh(), map.Delaunay().length_map());
+  show_angles(page, "input", run.input().mesh, edge_lengths(run));
+  show_angles(page, "intrinsic", Delaunay.mesh(), Delaunay.length_map());
 }

@@ -8,9 +8,10 @@
 #include "commands/Command_run.h"
 #include "commands/Statistics.h"
 #include "commands/commands.h"
-#include "writing/Map_front.h"
+#include "writing/Map_part.h"
 #include "writing/Mesh_writer.h"
 #include "writing/Output_mesh.h"
+#include "writing/map_mesh.h"
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +60,27 @@ void check_status(Command_run& run,
 // 0 for a success, 3 for a failure that is written.
 int exit_code(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
 
+// What is written of a map, and how.
+struct Map_output
+{
+  std::string path;
+  Mesh_format format;
+  bool is_homogeneous = false;                // the texture
+  Cones cones = {};                           // the vertices with a curvature that is not zero
+  std::optional<std::size_t> iterations = {}; // those of the map if not given
+  std::string precise = {}; // of a sphere: a file of positions; empty if it is not wanted
+  std::string picture = {}; // of the hyperbolic plane: an SVG file; empty if it is not wanted
+  int depth = 3;            // of the tiling there and on the page
+};
+
+Map_output map_output(const Hyperbolic_options& options, Mesh_format format,
+                      const Cones& cones = {});
+
+// Adds the numbers of cones and iterations, and what `describe_status()` adds.
+void describe_minimization(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                           const Map_output& output);
+
 // Adds the status, the errors of what is promised and the greatest error of curvatures.
 void describe_status(Statistics& statistics,
                      const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
@@ -66,31 +89,45 @@ void describe_status(Statistics& statistics,
 // numbers of flips and the size of the output.
 void describe_sizes(Statistics& statistics,
                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                    const Mesh& input, const Output_mesh& result);
+                    const Map_part& part, const Output_mesh& result);
 
 // Shows the common subdivision of a map on a page, with scale factors, the curvature of the input
 // and the distortion of the map, and histograms of the angles of the input and its intrinsic
 // Delaunay triangulation.
-void show(View_page& page, Command_run& run,
-          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, const Map_front& front,
-          Output_mesh mesh, Image_kind kind);
+void show(View_page& page, Command_run& run, const Map_part& part, Output_mesh mesh,
+          Image_kind kind);
 
-// Describe a map, and return the mesh that is written for it.
+// ---- For each kind of maps ----
 
+// Describes a map, and returns the mesh that is written for it.
 Output_mesh described_mesh(Statistics& statistics,
                            const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
-                           const Map_front& front);
-
-// `cones` are the vertices with a curvature that is not zero.
+                           const Map_part& part, const Map_output& output);
 Output_mesh described_mesh(Statistics& statistics,
                            const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                           const Map_front& front, std::size_t iterations,
-                           const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous);
-
+                           const Map_part& part, const Map_output& output);
 Output_mesh described_mesh(Statistics& statistics,
                            const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-                           const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
-                           bool is_homogeneous);
+                           const Map_part& part, const Map_output& output);
+
+// Shows a map of which `mesh` is written.
+void show(View_page& page, Command_run& run,
+          const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map, const Map_part& part,
+          const Output_mesh& mesh, const Map_output& output);
+void show(View_page& page, Command_run& run,
+          const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, const Map_part& part,
+          const Output_mesh& mesh, const Map_output& output);
+void show(View_page& page, Command_run& run,
+          const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map, const Map_part& part,
+          const Output_mesh& mesh, const Map_output& output);
+
+// Adds other files than that of the mesh.
+void add_files(Command_run& run, const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
+               const Map_output& output);
+void add_files(Command_run& run, const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+               const Map_output& output);
+void add_files(Command_run& run, const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+               const Map_output& output);
 
 // What `described_mesh()` has found, in one line.
 std::string summary_of(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
@@ -100,20 +137,23 @@ std::string summary_of(const CGAL::Discrete_conformal_maps::Planar_conformal_map
 std::string summary_of(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                        const Statistics& statistics);
 
-// The ends of the commands: check the map, add it to the outputs in `format` and its properties to
-// the statistics, and finish the run. Return the exit code. Throw Map_failure as `check_status()`
+// The end of a command: checks the map, adds it to the outputs and its properties to the
+// statistics, and finishes the run. Returns the exit code. Throws Map_failure as `check_status()`
 // does.
-
-// `cones` are the vertices with a curvature that is not zero.
-int finish(Command_run& run, const Texture_options& options, Mesh_format format,
-           const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, std::size_t iterations,
-           const std::vector<Mesh::Vertex_index>& cones);
-
-int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
-           const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-           const std::vector<Mesh::Vertex_index>& cones);
-
-int finish(Command_run& run, const Sphere_options& options, Mesh_format format,
-           const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map);
+template <class Map>
+int finish(Command_run& run, const Map_output& output, const Map& map)
+{
+  check_status(run, map, map.is_laid_out());
+  run.timed("write", [&] {
+    const Map_part part(map, run.input().mesh);
+    Output_mesh mesh = described_mesh(run.statistics(), map, part, output);
+    run.show([&](View_page& page) { show(page, run, map, part, mesh, output); });
+    add_input_data(run.input(), mesh);
+    run.add_output(output.path, mesh, output.format);
+    add_files(run, map, output);
+  });
+  run.finish(summary_of(map, run.statistics()));
+  return exit_code(map);
+}
 
 #endif // INTRINSIC_MAP_COMMANDS_H

@@ -42,24 +42,21 @@ faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refi
 
 // Data of a corner are those of the input where its face begins there, counterclockwise. No face
 // crosses a seam.
-void add_input_data(const Input_mesh& input, const Triangulation& triangulation, Output_mesh& mesh)
+Placement placement_of(const Triangulation& triangulation)
 {
-  if(input.data.empty())
-    return;
   typedef Mesh::size_type Size;
   const IT::Delta_complex& own = triangulation.mesh();
-  const auto weights = [&](std::size_t i) {
+  const auto weights = [&](std::size_t i) -> Placement::Weights {
     const IT::Vertex_index v(static_cast<Size>(i));
-    return input.weights(
-      triangulation.is_inserted(v)
-        ? IT::vertex_weights(triangulation.inserted_vertex(v), triangulation.input_mesh())
-        : IT::Vertex_weights<double>{1, {v}, {1}});
+    if(!triangulation.is_inserted(v))
+      return {1, {v}, {1}};
+    return IT::vertex_weights(triangulation.inserted_vertex(v), triangulation.input_mesh());
   };
-  const auto triangle = [&](std::size_t i, std::size_t k) {
+  const auto face = [&](std::size_t i, std::size_t k) {
     const auto side = IT::sides(IT::Face_index(static_cast<Size>(i)), own);
-    return input.triangle(triangulation.input_location(side[k]).first);
+    return triangulation.input_location(side[k]).first;
   };
-  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
+  return {own.number_of_vertices(), weights, face};
 }
 
 // The faces of the triangulation itself, flat in space.
@@ -74,7 +71,8 @@ Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& inpu
   result.point_data = {attribute("kind", mesh.vertices(), kind)};
   result.edge_data = {
     attribute("length", mesh.edges(), [&](IT::Edge_index e) { return triangulation.length(e); })};
-  add_input_data(input, triangulation, result);
+  result.placement = placement_of(triangulation);
+  add_input_data(input, result);
   return result;
 }
 
@@ -113,7 +111,7 @@ int refine(const Common_options& common, const Refine_options& options)
     if(options.bounds.is_simplicial)
       mesh = own_faces(triangulation, run.input());
     else
-      add_input_data(run.input(), subdivision, mesh);
+      add_input_data(run.input(), mesh);
     run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });

@@ -32,13 +32,13 @@ public:
   // Whether there are such functions.
   bool has_functions() const;
 
-  // Gives each function a value at one more vertex, which `value()` finds from those that it has.
-  template <class Value>
-  void add_vertex(const Value& value)
+  // Calls `visit(values)` with each component of each function, which it may change.
+  template <class Visit>
+  void for_each_function(const Visit& visit)
   {
     for(auto& [name, components] : m_functions)
       for(std::vector<double>& values : components)
-        values.push_back(value(values));
+        visit(values);
   }
 
   // The cost of removals from the surface.

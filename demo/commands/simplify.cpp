@@ -9,9 +9,9 @@
 #include "commands/mended_topology.h"
 #include "commands/removal_cost.h"
 #include "commands/triangulation_stages.h"
+#include "writing/Fine_level.h"
 #include "writing/Mesh_writer.h"
 #include "writing/coarse_mesh.h"
-#include "writing/fine_data.h"
 #include "writing/matrix_market.h"
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
@@ -28,7 +28,6 @@
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
-#include <CGAL/centroid.h>
 
 #include <algorithm>
 #include <array>
@@ -145,7 +144,7 @@ public:
     read_functions();
     if(m_options.refinement.minimum_angle > 0)
       refine();
-    Triangulation start = m_run.timed("build", [&] { return mended(built()); });
+    Triangulation start = m_run.timed("build", [&] { return built(); });
     IS::Evolving_surface surface(start);
     m_levels.emplace_back(surface);
     if(m_run.options().is_exact)
@@ -189,44 +188,25 @@ private:
     m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
   }
 
-  // The fine level with positions of its vertices. Its faces are those of the input, or parts of
-  // them.
+  // The fine level. Its first faces are those of the input, or parts of them.
   Triangulation built()
   {
-    const auto& points = m_run.input().mesh.points();
-    m_points.assign(points.begin(), points.end());
-    if(m_triangulation) {
+    if(m_triangulation)
       m_triangulation = IT::input_with_inserted_vertices(*m_triangulation);
-      for(const IT::Vertex_index v : m_triangulation->mesh().vertices())
-        if(m_triangulation->is_inserted(v))
-          add_vertex(m_triangulation->inserted_vertex(v).location);
-      return *m_triangulation;
-    }
-    return make_triangulation(m_run);
+    m_fine.emplace(m_run.input().mesh, m_triangulation ? &*m_triangulation : nullptr);
+    Triangulation result = mended(m_triangulation ? *m_triangulation : make_triangulation(m_run));
+    m_points = m_fine->points();
+    m_weights.for_each_function([&](std::vector<double>& f) { m_fine->extend(f, 0.); });
+    return result;
   }
 
-  // Its faces and edges come first after that, with their indices.
-  Triangulation mended(Triangulation start)
+  Triangulation mended(const Triangulation& start)
   {
-    m_fine_edges = start.mesh().number_of_edges();
-    m_fine_faces = start.mesh().number_of_faces();
     if(m_options.closed_length <= 0 && m_options.pinched_length <= 0)
       return start;
     const Mended_topology topology(start, m_options.closed_length, m_options.pinched_length);
     topology.describe(m_run.statistics());
-    m_sources = topology.sources_of_new_vertices();
-    for(const std::vector<Mesh::Vertex_index>& sources : m_sources) {
-      std::vector<Point> points;
-      for(const Mesh::Vertex_index v : sources)
-        points.push_back(m_points[v]);
-      m_points.push_back(CGAL::centroid(points.begin(), points.end()));
-      m_weights.add_vertex([&](const std::vector<double>& values) {
-        double sum = 0;
-        for(const Mesh::Vertex_index v : sources)
-          sum += values[v];
-        return sum / double(sources.size());
-      });
-    }
+    m_fine->set_sources(topology.sources_of_new_vertices());
     return topology.triangulation();
   }
 
@@ -352,13 +332,12 @@ private:
     const Mesh& mesh = subdivision.mesh();
     describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
                          mesh.number_of_faces());
-    Output_mesh result = coarse_mesh(subdivision, origin());
-    if(!m_run.input().data.empty())
-      m_data = data_of_coarse_mesh(
-        subdivision,
-        fine_data(m_run.input(), {m_levels[0].mesh(), m_triangulation ? &*m_triangulation : nullptr,
-                                  m_sources, [&](IT::Face_index f) { return input_face(f); }}),
-        result);
+    Output_mesh result = coarse_mesh(subdivision, *m_fine);
+    if(!m_run.input().data.empty()) {
+      const IS::Delta_complex& fine = m_levels[0].mesh();
+      m_data =
+        data_of_coarse_mesh(m_fine->data(m_run.input(), polygons_of(fine, fine.faces())), result);
+    }
     return result;
   }
 
@@ -422,7 +401,7 @@ private:
   // That of the input at the vertices of the subdivision, if the fine level is the input.
   void set_curvature(const Coarse_subdivision& subdivision)
   {
-    if(m_triangulation || m_levels[0].mesh().number_of_faces() > m_fine_faces)
+    if(!m_fine->is_input())
       return;
     const std::vector<double> values = curvatures(m_run);
     m_curvature.resize(subdivision.mesh().number_of_vertices());
@@ -446,77 +425,21 @@ private:
       }
   }
 
-  Fine_origin origin()
-  {
-    Fine_origin result{m_run.input().mesh.number_of_vertices(), {}, {}};
-    const IS::Delta_complex& mesh = m_levels[0].mesh();
-    for(const IT::Edge_index e : mesh.edges())
-      result.edges.push_back(number_of(input_edge(e)));
-    for(const IT::Face_index f : mesh.faces())
-      result.faces.push_back(number_of(input_face(f)));
-    return result;
-  }
-
-  // Null if `f` is in a disk that closes a loop.
-  IT::Face_index input_face(IT::Face_index f) const
-  {
-    if(f.idx() >= m_fine_faces)
-      return IT::Face_index();
-    return m_triangulation
-             ? m_triangulation->input_location(m_triangulation->mesh().halfedge(f)).first
-             : f;
-  }
-
-  // Null if `e` is inside a face, in a disk, or has been made by a cut.
-  IT::Edge_index input_edge(IT::Edge_index e) const
-  {
-    if(e.idx() >= m_fine_edges)
-      return IT::Edge_index();
-    if(!m_triangulation)
-      return e;
-    if(!m_triangulation->coordinates().is_shared(e))
-      return IT::Edge_index();
-    const IT::Halfedge_index h = m_triangulation->mesh().halfedge(e);
-    return IT::Edge_index(m_triangulation->input_spoke_before(h));
-  }
-
   // where the vertices of the subdivision are in space
   void set_points(Coarse_subdivision& subdivision)
   {
     for(const Mesh::Vertex_index v : subdivision.mesh().vertices())
-      subdivision.mesh().point(v) =
-        subdivision.is_vertex(IS::Level::fine, v)
-          ? m_points[v]
-          : point_at(subdivision.place(IS::Level::fine, v).location, m_levels[0].mesh());
+      subdivision.mesh().point(v) = subdivision.is_vertex(IS::Level::fine, v)
+                                      ? m_points[v]
+                                      : point_at(subdivision.place(IS::Level::fine, v).location);
   }
 
-  // `mesh` is the input or the fine level.
-  template <class Any_mesh>
-  Point point_at(const IT::Face_location<double>& p, const Any_mesh& mesh) const
+  Point point_at(const IT::Face_location<double>& p) const
   {
-    const auto [u, v, w] = corners(p.first, mesh);
-    return CGAL::barycenter(m_points[u], p.second[0], m_points[v], p.second[1], m_points[w],
-                            p.second[2]);
-  }
-
-  // Functions are linear on the faces of the input.
-  void add_vertex(const IT::Face_location<double>& p)
-  {
-    m_points.push_back(point_at(p, m_run.input().mesh));
-    const auto vertices = corners(p.first, m_run.input().mesh);
-    m_weights.add_vertex([&](const std::vector<double>& values) {
-      double sum = 0;
-      for(std::size_t c = 0; c < 3; ++c)
-        sum += p.second[c] * values[vertices[c]];
-      return sum;
-    });
-  }
-
-  template <class Any_mesh>
-  static std::array<Mesh::Vertex_index, 3> corners(Mesh::Face_index f, const Any_mesh& mesh)
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+    const IS::Delta_complex& mesh = m_levels[0].mesh();
+    const IT::Halfedge_index h = mesh.halfedge(p.first);
+    return CGAL::barycenter(m_points[mesh.source(h)], p.second[0], m_points[mesh.target(h)],
+                            p.second[1], m_points[mesh.target(mesh.next(h))], p.second[2]);
   }
 
   // None if they are not wanted.
@@ -587,12 +510,11 @@ private:
   Command_run m_run;
   std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
   std::vector<Point> m_points;                  // of the vertices of the fine level
-  std::vector<std::vector<Mesh::Vertex_index>> m_sources; // of vertices that mending added
-  Mesh_data m_data;                                       // of the output
-  std::size_t m_fine_edges = 0, m_fine_faces = 0; // of the fine level, without cuts and disks
-  std::vector<double> m_curvature;                // at the vertices of the subdivision, for a page
-  std::vector<double> m_area_change;              // of its polygons, for a page
-  std::vector<IS::Surface_level> m_levels;        // from the fine one to the coarse one
+  std::optional<Fine_level> m_fine;             // and how it came from the input
+  Mesh_data m_data;                             // of the output
+  std::vector<double> m_curvature;              // at the vertices of the subdivision, for a page
+  std::vector<double> m_area_change;            // of its polygons, for a page
+  std::vector<IS::Surface_level> m_levels;      // from the fine one to the coarse one
 };
 
 } // namespace

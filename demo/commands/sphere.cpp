@@ -9,13 +9,15 @@
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 #include "writing/Mesh_writer.h"
-#include "writing/sphere_mesh.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -24,6 +26,18 @@
 namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
+
+// A line "x y z", with all digits that the map has, for a vertex of the input.
+std::string precise_position(const DCM::Spherical_conformal_map& map, Mesh::Vertex_index v)
+{
+  // Digits that are computed are more than those that are written, all of which hold.
+  typedef boost::multiprecision::cpp_bin_float_50 Number;
+  std::ostringstream text;
+  text.precision(std::numeric_limits<DCM::Spherical_conformal_map::Extended>::digits10);
+  const auto p = map.position_in<Number>(DCM::Vertex_index(v.idx()));
+  text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  return text.str();
+}
 
 DCM::Spherical_conformal_map mapped(Command_run& run, const Mesh& mesh, double epsilon)
 {
@@ -67,77 +81,65 @@ std::string summary_of(const DCM::Spherical_conformal_map&, const Statistics& s)
 }
 
 Output_mesh described_mesh(Statistics& statistics, const DCM::Spherical_conformal_map& map,
-                           const Map_front& front)
+                           const Map_part& part, const Map_output&)
 {
   describe(statistics, map);
-  Output_mesh result = sphere_mesh(map, front);
-  describe_sizes(statistics, map, front.input(), result);
+  Output_mesh result = sphere_mesh(map, part);
+  describe_sizes(statistics, map, part, result);
   return result;
 }
 
-namespace {
-
 // The surface is that of the input, with the sphere as its picture.
-void show_on_sphere(View_page& page, Command_run& run, const DCM::Spherical_conformal_map& map,
-                    const Map_front& front, const Output_mesh& on_sphere)
+void show(View_page& page, Command_run& run, const DCM::Spherical_conformal_map& map,
+          const Map_part& part, const Output_mesh& on_sphere, const Map_output&)
 {
   Output_mesh mesh = on_sphere;
   std::vector<std::array<double, 3>> positions;
   for(const Point& p : on_sphere.points)
     positions.push_back({p.x(), p.y(), p.z()});
-  mesh.points = front.input_points();
+  mesh.points = part.input_points();
   std::vector<double> scales;
   for(const Mesh::Vertex_index v : run.input().mesh.vertices())
     scales.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
   for(Attribute& a : mesh.point_data)
     if(a.name == "log_scale")
-      a.values = front.interpolated(scales);
-  show(page, run, map, front, mesh, Image_kind::sphere);
+      a.values = part.interpolated(scales);
+  show(page, run, part, mesh, Image_kind::sphere);
   page.set_image(Image_kind::sphere, std::move(positions));
 }
 
-} // namespace
-
-int finish(Command_run& run, const Sphere_options& options, Mesh_format format,
-           const DCM::Spherical_conformal_map& map)
+void add_files(Command_run& run, const DCM::Spherical_conformal_map& map, const Map_output& output)
 {
-  check_status(run, map, map.is_laid_out());
-  run.timed("write", [&] {
-    const Map_front front(map, run.input().mesh);
-    Output_mesh result = described_mesh(run.statistics(), map, front);
-    run.show([&](View_page& page) { show_on_sphere(page, run, map, front, result); });
-    add_input_data(run.input(), front, result);
-    run.add_output(options.output, result, format);
-    if(!options.precise.empty())
-      run.add_output(options.precise, precise_positions(map, run.input().mesh));
-  });
-  run.finish(summary_of(map, run.statistics()));
-  return exit_code(map);
+  if(output.precise.empty())
+    return;
+  std::string lines;
+  for(const Mesh::Vertex_index v : run.input().mesh.vertices())
+    lines += std::to_string(v.idx()) + ' ' + precise_position(map, v);
+  run.add_output(output.precise, lines);
 }
 
 namespace {
 
 // Positions are those on each sphere, with its center in the origin.
-int map_components(Command_run& run, const Sphere_options& options, Mesh_format format,
-                   double epsilon)
+int map_components(Command_run& run, const Map_output& output, double epsilon)
 {
   Component_maps maps(run);
   std::map<std::size_t, std::string> positions; // of each vertex of the input
   maps.for_each([&](const Component_mesh& component, Statistics& statistics) {
     const DCM::Spherical_conformal_map map = mapped(run, component.mesh, epsilon);
-    const std::string summary = maps.add(component, statistics, map);
-    if(!options.precise.empty())
+    const std::string summary = maps.add(component, statistics, map, output);
+    if(!output.precise.empty())
       for(const Mesh::Vertex_index v : component.mesh.vertices())
         positions[component.vertices[v]] = precise_position(map, v);
     return summary;
   });
-  if(!options.precise.empty()) {
+  if(!output.precise.empty()) {
     std::string text;
     for(const auto& [v, position] : positions)
       text += std::to_string(v) + ' ' + position;
-    run.add_output(options.precise, text);
+    run.add_output(output.precise, text);
   }
-  return maps.finish(options.output, format);
+  return maps.finish(output);
 }
 
 } // namespace
@@ -148,7 +150,9 @@ int sphere(const Common_options& common, const Sphere_options& options)
   Command_run run("sphere", common, {options.output, options.precise});
   run.plan({{"build"}, map_stages(false)});
   const double epsilon = run.timed("build", [&] { return mollification(run); });
+  Map_output output{options.output, format};
+  output.precise = options.precise;
   if(component_faces(run.input().mesh).size() > 1)
-    return map_components(run, options, format, epsilon);
-  return finish(run, options, format, mapped(run, run.input().mesh, epsilon));
+    return map_components(run, output, epsilon);
+  return finish(run, output, mapped(run, run.input().mesh, epsilon));
 }

@@ -50,21 +50,6 @@ Edge_bool_map constrained_edges(Input_mesh& input, const Constraints& constraint
   return result;
 }
 
-// To a mesh with the vertices and faces of the input.
-void add_input_data(const Input_mesh& input, Output_mesh& mesh)
-{
-  if(input.data.empty())
-    return;
-  typedef Mesh::size_type Size;
-  const auto weights = [&](std::size_t i) {
-    return input.weights({1, {IT::Vertex_index(static_cast<Size>(i))}, {1}});
-  };
-  const auto triangle = [&](std::size_t i, std::size_t) {
-    return input.triangle(IT::Face_index(static_cast<Size>(i)));
-  };
-  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
-}
-
 IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
                               bool is_exact)
 {
@@ -253,7 +238,7 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
 {
   mesh.point_data.push_back(
     {"curvature", interpolated(IT::Side::input, curvatures(run), subdivision)});
-  add_input_data(run.input(), subdivision, mesh);
+  add_input_data(run.input(), mesh);
   page.add_surface("surface", mesh);
   show_angles(page, "input", run.input().mesh, edge_lengths(run));
   show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());

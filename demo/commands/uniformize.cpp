@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
+#include <variant>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
@@ -47,21 +47,15 @@ Statistics description(const std::complex<double>& modulus)
 
 // Maps a component, and returns its summary.
 std::string add(Component_maps& maps, const Component_mesh& component, Statistics& statistics,
-                const DCM::Uniformization& result, bool is_homogeneous)
+                const DCM::Uniformization& result, const Map_output& output)
 {
-  const std::vector<Mesh::Vertex_index> no_cones;
   const std::string type = DCM::to_string(result.type);
   statistics["surface_type"] = type;
-  if(result.hyperbolic())
-    return type + ": " +
-           maps.add(component, statistics, *result.hyperbolic(), no_cones, is_homogeneous);
-  if(result.spherical())
-    return maps.add(component, statistics, *result.spherical());
   if(result.modulus)
     statistics["modulus"] = description(*result.modulus);
-  return type + ": " +
-         maps.add(component, statistics, *result.flat(), result.flat()->minimization().iterations,
-                  no_cones, is_homogeneous);
+  const std::string summary = std::visit(
+    [&](const auto& map) { return maps.add(component, statistics, map, output); }, result.map);
+  return result.spherical() ? summary : type + ": " + summary;
 }
 
 double right_end(const Mesh& mesh)
@@ -93,9 +87,9 @@ int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_for
   const double epsilon = run.timed("build", [&] { return mollification(run); });
   maps.for_each([&](const Component_mesh& component, Statistics& statistics) {
     return add(maps, component, statistics, uniformized(run, component.mesh, epsilon),
-               options.is_homogeneous);
+               map_output(options, format));
   });
-  return maps.finish(options.output, format);
+  return maps.finish(map_output(options, format));
 }
 
 // Throws Program_error if an option is not for a surface of this type.
@@ -130,14 +124,8 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   run.plan({{"build"}, map_stages(is_flat(type))});
   const double epsilon = run.timed("build", [&] { return mollification(run); });
   const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon);
-  if(result.hyperbolic())
-    return finish(run, options, format, *result.hyperbolic(), {});
-  if(result.spherical()) {
-    Sphere_options sphere;
-    sphere.output = options.output;
-    return finish(run, sphere, format, *result.spherical());
-  }
+  const Map_output output = map_output(options, format);
   if(result.modulus)
     run.statistics()["modulus"] = description(*result.modulus);
-  return finish(run, options, format, *result.flat(), result.flat()->minimization().iterations, {});
+  return std::visit([&](const auto& map) { return finish(run, output, map); }, result.map);
 }

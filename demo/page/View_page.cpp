@@ -383,9 +383,7 @@ void View_page::add_surface(const std::string& name, Output_mesh mesh)
 {
   m_surfaces.emplace_back();
   m_surfaces.back().name = name;
-  for(auto* data : {&mesh.point_data, &mesh.edge_data, &mesh.polygon_data})
-    for(Attribute& a : *data)
-      a.keep(); // it outlives what the values are computed from
+  mesh.keep(); // it outlives what the values are computed from
   for(Attribute& a : mesh.point_data)
     a.resize(mesh.points.size());
   m_surfaces.back().mesh = std::move(mesh);

@@ -44,10 +44,21 @@ public:
     m_result.input.points.assign(input.points().begin(), input.points().end());
     for(const IT::Face_index f : m_tri.input_mesh().faces())
       add_input_face(f);
+    m_result.input.placement = {input.number_of_vertices(), as_vertex, as_face};
     return std::move(m_result);
   }
 
 private:
+  static Placement::Weights as_vertex(std::size_t i)
+  {
+    return {1, {IT::Vertex_index(static_cast<Mesh::size_type>(i))}, {1}};
+  }
+
+  static IT::Face_index as_face(std::size_t i, std::size_t)
+  {
+    return IT::Face_index(static_cast<Mesh::size_type>(i));
+  }
+
   IT::Halfedge_index first(IT::Face_index f) const
   {
     const IT::Halfedge_index h = m_mesh.halfedge(f);

@@ -17,6 +17,10 @@ struct Component_mesh
   std::vector<Mesh::Vertex_index> vertices;
   std::vector<Mesh::Edge_index> edges;
   std::vector<Mesh::Face_index> faces;
+
+  Mesh::Vertex_index parent(Mesh::Vertex_index v) const { return vertices[v]; }
+  Mesh::Edge_index parent(Mesh::Edge_index e) const { return edges[e]; }
+  Mesh::Face_index parent(Mesh::Face_index f) const { return faces[f]; }
 };
 
 // The faces of each connected component, in the order of their first faces; vertices without faces

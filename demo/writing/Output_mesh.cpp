@@ -4,6 +4,8 @@
 
 #include "writing/Output_mesh.h"
 
+#include "reading/Input_mesh.h"
+
 #include <algorithm>
 #include <set>
 
@@ -73,4 +75,19 @@ void add_data(Output_mesh& mesh, Mesh_data data)
     else
       mesh.point_data.push_back({name, std::move(f.values)});
   }
+}
+
+Mesh_data data_at(const Input_mesh& input, const Polygons& polygons, const Placement& placement)
+{
+  const auto weights = [&](std::size_t i) { return input.weights(placement.weights(i)); };
+  const auto triangle = [&](std::size_t i, std::size_t k) {
+    return input.triangle(placement.face(i, k));
+  };
+  return carried(input.data, {placement.number_of_points, polygons, weights, triangle});
+}
+
+void add_input_data(const Input_mesh& input, Output_mesh& mesh)
+{
+  if(!input.data.empty())
+    add_data(mesh, data_at(input, mesh.polygons, mesh.placement));
 }

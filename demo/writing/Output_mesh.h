@@ -8,6 +8,8 @@
 #include "reading/Mesh_data.h"
 #include "reading/Polygon_soup.h"
 
+#include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +20,8 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+struct Input_mesh;
 
 // Numbers that are kept, or computed each time one of them is asked for.
 template <class Number>
@@ -93,23 +97,11 @@ Attribute attribute(const char* name, const Range& range, const Value& value)
   return {name, std::move(values)};
 }
 
-// One value per element with an index below `n`, computed when it is asked for.
-template <class Index, class Value>
+// One value per index below `n`, computed when it is asked for.
+template <class Value>
 Attribute attribute_on_demand(const std::string& name, std::size_t n, const Value& value)
 {
-  typedef decltype(value(Index())) Number;
-  const auto number = [value](std::size_t i) {
-    return value(Index(static_cast<Mesh::size_type>(i)));
-  };
-  return {name, Values<Number>(n, number)};
-}
-
-// As `attribute()`, but values are computed when they are asked for; `range` must be there as long.
-template <class Range, class Value>
-Attribute attribute_on_demand(const std::string& name, const Range& range, const Value& value)
-{
-  return attribute_on_demand<Polygons::Index>(
-    name, range.size(), [&range, value](Polygons::Index i) { return value(range[i]); });
+  return {name, Values<decltype(value(n))>(n, value)};
 }
 
 // Of an element of a mesh; -1 for none.
@@ -118,6 +110,17 @@ std::int64_t number_of(Index i)
 {
   return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
 }
+
+// Where a mesh lies on the input.
+struct Placement
+{
+  typedef CGAL::Intrinsic_triangulations::Vertex_weights<double> Weights;
+
+  std::size_t number_of_points = 0;            // others may follow
+  std::function<Weights(std::size_t)> weights; // of a point, in vertices of the input
+  // The face in which corner k of polygon i lies; null if it is in none.
+  std::function<Mesh::Face_index(std::size_t i, std::size_t k)> face;
+};
 
 // A mesh with what is known about its elements, ready to be written.
 struct Output_mesh
@@ -133,6 +136,15 @@ struct Output_mesh
   Corner_data texture;                  // an image of the mesh; its name follows from its dimension
   std::vector<Corner_data> corner_data; // beside that
   Polygon_groups groups;
+  Placement placement; // of all but lines, if it is known
+
+  // Keeps all values, which then do not refer to what they are computed from.
+  void keep()
+  {
+    for(auto* data : {&point_data, &edge_data, &polygon_data})
+      for(Attribute& a : *data)
+        a.keep();
+  }
 };
 
 // That of a property of a file.
@@ -157,5 +169,11 @@ Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Fac
 // Adds data of its points, corners and polygons. A name that is taken already gets "input_" in
 // front.
 void add_data(Output_mesh& mesh, Mesh_data data);
+
+// The data of the input where points and polygons lie on it.
+Mesh_data data_at(const Input_mesh& input, const Polygons& polygons, const Placement& placement);
+
+// Adds the data of the input where the mesh lies on it.
+void add_input_data(const Input_mesh& input, Output_mesh& mesh);
 
 #endif // INTRINSIC_OUTPUT_MESH_H

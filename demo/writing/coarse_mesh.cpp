@@ -4,12 +4,16 @@
 
 #include "writing/coarse_mesh.h"
 
+#include "writing/subdivision_elements.h"
+
 #include <array>
 #include <vector>
 
 namespace IS = CGAL::Intrinsic_simplification;
 
 namespace {
+
+typedef Whole_subdivision<Coarse_subdivision> Coarse_part;
 
 constexpr std::size_t number_of_colors = 4; // a face has three neighbors at most
 constexpr std::array<std::array<std::int64_t, 3>, number_of_colors> palette{
@@ -33,16 +37,6 @@ std::vector<std::size_t> colors(const IS::Delta_complex& mesh)
   return result;
 }
 
-// The faces that have an area.
-std::vector<Mesh::Face_index> polygons(const Mesh& mesh)
-{
-  std::vector<Mesh::Face_index> result;
-  for(const Mesh::Face_index f : mesh.faces())
-    if(mesh.degree(f) > 2)
-      result.push_back(f);
-  return result;
-}
-
 Vertex_kind kind(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices,
                  IS::Vertex_index v)
 {
@@ -54,40 +48,26 @@ Vertex_kind kind(const Coarse_subdivision& subdivision, std::size_t number_of_in
                                                                 : Vertex_kind::bend;
 }
 
-std::vector<Attribute> edge_data(const Coarse_subdivision& subdivision, const Fine_origin& origin)
+void add_colors(const Coarse_part& part, Output_mesh& result)
 {
-  const Mesh& mesh = subdivision.mesh();
-  const auto parent = [&](IS::Level side, Mesh::Edge_index e) {
-    return number_of(IS::Edge_index(subdivision.parent_halfedge(side, mesh.halfedge(e))));
-  };
-  const auto input_edge = [&](Mesh::Edge_index e) {
-    const std::int64_t fine = parent(IS::Level::fine, e);
-    return fine < 0 ? fine : origin.edges[std::size_t(fine)];
-  };
-  return {attribute("input_edge", mesh.edges(), input_edge),
-          attribute("coarse_edge", mesh.edges(),
-                    [&](Mesh::Edge_index e) { return parent(IS::Level::coarse, e); })};
+  const Coarse_subdivision& subdivision = part.subdivision();
+  const std::vector<std::size_t> color = colors(subdivision.mesh(IS::Level::coarse));
+  const char* const channels[] = {"red", "green", "blue"};
+  for(std::size_t c = 0; c < 3; ++c)
+    add_attribute(result.polygon_data, channels[c], part, &Coarse_part::faces,
+                  [=, &subdivision](auto f) {
+                    return palette[color[subdivision.parent_face(IS::Level::coarse, f)]][c];
+                  });
 }
 
-std::vector<Attribute> polygon_data(const Coarse_subdivision& subdivision,
-                                    const std::vector<Mesh::Face_index>& faces,
-                                    const Fine_origin& origin)
+// Those of the fine level that are not parts of the input have no element there.
+Mesh::Edge_index input_element(Mesh::Edge_index e, const Fine_level& fine)
 {
-  const auto input_face = [&](Mesh::Face_index f) {
-    return origin.faces[subdivision.parent_face(IS::Level::fine, f)];
-  };
-  const auto coarse_face = [&](Mesh::Face_index f) {
-    return number_of(subdivision.parent_face(IS::Level::coarse, f));
-  };
-  const std::vector<std::size_t> color = colors(subdivision.level(IS::Level::coarse).mesh());
-  const auto channel = [&](std::size_t c) {
-    return [&, c](Mesh::Face_index f) {
-      return palette[color[subdivision.parent_face(IS::Level::coarse, f)]][c];
-    };
-  };
-  return {attribute("input_face", faces, input_face), attribute("coarse_face", faces, coarse_face),
-          attribute("red", faces, channel(0)), attribute("green", faces, channel(1)),
-          attribute("blue", faces, channel(2))};
+  return e.is_valid() ? fine.input_edge(e) : e;
+}
+Mesh::Face_index input_element(Mesh::Face_index f, const Fine_level& fine)
+{
+  return fine.input_face(f);
 }
 
 void add_coarse_edges(const Coarse_subdivision& subdivision, Output_mesh& result)
@@ -110,36 +90,39 @@ void add_coarse_edges(const Coarse_subdivision& subdivision, Output_mesh& result
 
 } // namespace
 
-Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin& origin)
+Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_level& fine)
 {
-  const Mesh& mesh = subdivision.mesh();
-  const std::vector<Mesh::Face_index> faces = polygons(mesh);
-  Output_mesh result = output_mesh_with_edges(mesh, faces);
-  result.point_data = {attribute("coarse_vertex", mesh.vertices(),
-                                 [&](Mesh::Vertex_index v) {
-                                   return number_of(
-                                     subdivision.parent_vertex(IS::Level::coarse, v));
-                                 }),
-                       attribute("kind", mesh.vertices(), [&](Mesh::Vertex_index v) {
-                         return std::int64_t(kind(subdivision, origin.number_of_vertices, v));
-                       })};
-  result.edge_data = edge_data(subdivision, origin);
-  result.polygon_data = polygon_data(subdivision, faces, origin);
+  const Coarse_part part(subdivision);
+  Output_mesh result;
+  result.points.assign(part.mesh().points().begin(), part.mesh().points().end());
+  add_edges_and_polygons(part, result);
+  add_attribute(result.point_data, "coarse_vertex", part, &Coarse_part::vertices,
+                [&](auto v) { return number_of(subdivision.parent_vertex(IS::Level::coarse, v)); });
+  add_attribute(result.point_data, "kind", part, &Coarse_part::vertices, [&](auto v) {
+    return std::int64_t(kind(subdivision, fine.number_of_input_vertices(), v));
+  });
+  add_parents(
+    part, IS::Level::fine, "input", [&](auto f) { return number_of(input_element(f, fine)); },
+    result);
+  add_parents(
+    part, IS::Level::coarse, "coarse", [](auto f) { return number_of(f); }, result);
+  add_colors(part, result);
   add_coarse_edges(subdivision, result);
+  set_placement(
+    part, [&](auto v) { return subdivision.weights(IS::Level::fine, v); },
+    [&](auto f) { return subdivision.parent_face(IS::Level::fine, f); }, result);
+  result.keep();
   return result;
 }
 
-Mesh_data data_of_coarse_mesh(const Coarse_subdivision& subdivision, const Triangle_data& fine,
-                              const Output_mesh& mesh)
+Mesh_data data_of_coarse_mesh(const Triangle_data& fine, const Output_mesh& mesh)
 {
-  const std::vector<Mesh::Face_index> faces = polygons(subdivision.mesh());
   const auto weights = [&](std::size_t i) {
-    const auto w =
-      subdivision.weights(IS::Level::fine, IS::Vertex_index(static_cast<Mesh::size_type>(i)));
+    const Placement::Weights w = mesh.placement.weights(i);
     return Point_weights{w.size, {w.vertex[0], w.vertex[1], w.vertex[2]}, w.weight};
   };
-  const auto triangle = [&](std::size_t i, std::size_t) {
-    return number_of(subdivision.parent_face(IS::Level::fine, faces[i]));
+  const auto triangle = [&](std::size_t i, std::size_t k) {
+    return number_of(mesh.placement.face(i, k));
   };
   return carried(fine, {mesh.points.size(), mesh.polygons, weights, triangle});
 }

@@ -5,23 +5,12 @@
 #ifndef INTRINSIC_COARSE_MESH_H
 #define INTRINSIC_COARSE_MESH_H
 
+#include "writing/Fine_level.h"
 #include "writing/Output_mesh.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 using Coarse_subdivision = CGAL::Intrinsic_simplification::Surface_subdivision<Point>;
-
-// Where the fine level comes from: of its faces and edges, those of the input of which they are
-// parts; -1 for none.
-struct Fine_origin
-{
-  std::size_t number_of_vertices; // of the input
-  std::vector<std::int64_t> edges, faces;
-};
 
 // A subdivision whose mesh has its points, with the origin of its elements, where -1 stands for
 // none:
@@ -31,10 +20,9 @@ struct Fine_origin
 // - of a face: the faces of both of which it is a part, and a color by which adjacent coarse faces
 // differ. Faces with two sides, which have no area, are left out. The lines are the coarse edges,
 // with their indices, in black.
-Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin& origin);
+Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_level& fine);
 
 // The data of that mesh, from those of the fine level.
-Mesh_data data_of_coarse_mesh(const Coarse_subdivision& subdivision, const Triangle_data& fine,
-                              const Output_mesh& mesh);
+Mesh_data data_of_coarse_mesh(const Triangle_data& fine, const Output_mesh& mesh);
 
 #endif // INTRINSIC_COARSE_MESH_H

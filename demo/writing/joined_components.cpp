@@ -21,14 +21,6 @@ std::vector<std::size_t> counted_from(std::size_t first, std::size_t n)
   return result;
 }
 
-template <class Index>
-std::int64_t number_in(const std::vector<Index>& elements, std::int64_t i)
-{
-  return i >= 0 && i < std::int64_t(elements.size())
-           ? static_cast<std::int64_t>(elements[std::size_t(i)].idx())
-           : -1;
-}
-
 // Zero, or -1 where it stands for none.
 template <class Number>
 constexpr Number missing = std::is_integral<Number>::value ? Number(-1) : Number(0);
@@ -49,14 +41,9 @@ Attribute& attribute_like(const Attribute& a, std::vector<Attribute>& all)
   return all.back();
 }
 
-void resize(Attribute& a, std::size_t size)
+bool ends_with(const std::string& text, const std::string& end)
 {
-  std::visit(
-    [&](auto& v) {
-      typedef typename std::decay_t<decltype(v.kept())>::value_type Number;
-      v.kept().resize(size, missing<Number>);
-    },
-    a.values);
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 // Puts value i of one at place i of the other. Precondition: both have values of one kind.
@@ -84,52 +71,45 @@ Joined_components::Joined_components(const Input_mesh& input) : m_input(input)
   m_result.point_data.push_back({"input_vertex", std::move(number)});
 }
 
-void Joined_components::add(const Component_mesh& component, const Map_front& front,
-                            Output_mesh part, double shift)
+void Joined_components::add(const Component_mesh& component, Output_mesh part, double shift)
 {
-  for(auto* data : {&part.point_data, &part.edge_data, &part.polygon_data})
-    for(Attribute& a : *data)
-      a.keep();
+  part.keep();
   const std::size_t edges = m_result.edges.size(), polygons = m_result.polygons.size();
-  add_points(component, front, part, shift);
-  for(const auto& e : part.edges)
-    m_result.edges.push_back({m_point[e[0]], m_point[e[1]]});
+  const std::vector<std::size_t> points = add_points(component, part, shift);
+  const auto point = [&](Polygons::Index p) { return static_cast<Polygons::Index>(points[p]); };
+  for(const auto& [v, w] : part.edges)
+    m_result.edges.push_back({point(v), point(w)});
   for(const Polygons::Polygon polygon : part.polygons) {
     for(const Polygons::Index p : polygon)
-      m_result.polygons.add_corner(m_point[p]);
+      m_result.polygons.add_corner(point(p));
     m_result.polygons.close();
   }
-  for(const Map_front::Face_index f : front.faces())
-    m_face.push_back(
-      number_in(component.faces,
-                front.subdivision().parent_face(CGAL::Discrete_conformal_maps::Layer::A, f).idx()));
+  for(std::size_t i = 0; i < part.polygons.size(); ++i)
+    m_faces.push_back(part.placement.face(i, 0));
   add_texture(part);
-  add_attributes(component, part.point_data, {m_point.begin(), m_point.end()},
-                 m_result.points.size(), m_result.point_data);
-  add_attributes(component, part.edge_data, counted_from(edges, part.edges.size()),
-                 m_result.edges.size(), m_result.edge_data);
-  add_attributes(component, part.polygon_data, counted_from(polygons, part.polygons.size()),
+  add_attributes(part.point_data, points, m_result.points.size(), m_result.point_data);
+  add_attributes(part.edge_data, counted_from(edges, part.edges.size()), m_result.edges.size(),
+                 m_result.edge_data);
+  add_attributes(part.polygon_data, counted_from(polygons, part.polygons.size()),
                  m_result.polygons.size(), m_result.polygon_data);
 }
 
-void Joined_components::add_points(const Component_mesh& component, const Map_front& front,
-                                   const Output_mesh& part, double shift)
+std::vector<std::size_t> Joined_components::add_points(const Component_mesh& component,
+                                                       const Output_mesh& part, double shift)
 {
-  m_point.clear();
+  std::vector<std::size_t> result;
   for(std::size_t i = 0; i < part.points.size(); ++i) {
     const Point p = part.points[i] + Kernel::Vector_3(shift, 0, 0);
     if(i < component.vertices.size()) {
-      m_point.push_back(component.vertices[i]);
-      m_result.points[component.vertices[i]] = p;
+      result.push_back(component.vertices[i]);
+      m_result.points[result.back()] = p;
       continue;
     }
-    m_point.push_back(static_cast<Polygons::Index>(m_result.points.size()));
+    result.push_back(m_result.points.size());
     m_result.points.push_back(p);
-    Weights w = front.input_weights(front.vertices()[i]);
-    for(std::size_t c = 0; c < w.size; ++c)
-      w.vertex[c] = component.vertices[w.vertex[c]];
-    m_weights.push_back(w);
+    m_weights.push_back(part.placement.weights(i));
   }
+  return result;
 }
 
 double Joined_components::texture_shift(const Corner_data& texture)
@@ -167,39 +147,42 @@ void Joined_components::add_texture(const Output_mesh& part)
   texture.dimension = (std::max)(texture.dimension, part.texture.dimension);
 }
 
-// The indices of elements, as they are in the whole; values that are none stay.
-std::vector<std::int64_t> Joined_components::parents(const Attribute& a,
-                                                     const Component_mesh& component)
+// Elements of triangulations other than the input are counted on.
+void Joined_components::count_on(Attribute& a)
 {
-  std::vector<std::int64_t> result = std::get<0>(a.values).kept();
-  const auto replace = [&](const auto& number) {
-    std::transform(result.begin(), result.end(), result.begin(), number);
-  };
-  if(a.name == "input_vertex")
-    replace([&](std::int64_t i) { return number_in(component.vertices, i); });
-  else if(a.name == "input_edge")
-    replace([&](std::int64_t i) { return number_in(component.edges, i); });
-  else if(a.name == "input_face")
-    replace([&](std::int64_t i) { return number_in(component.faces, i); });
-  else if(const std::size_t n = a.name.size();
-          n > 5 && (a.name.substr(n - 5) == "_edge" || a.name.substr(n - 5) == "_face")) {
-    std::int64_t& before = m_number_of_parents[a.name];
-    const std::int64_t greatest =
-      result.empty() ? -1 : *std::max_element(result.begin(), result.end());
-    replace([&](std::int64_t i) { return i < 0 ? i : i + before; });
-    before += greatest + 1;
+  if(a.name.compare(0, 6, "input_") == 0 ||
+     !(ends_with(a.name, "_edge") || ends_with(a.name, "_face")))
+    return;
+  std::int64_t& before = m_number_of_parents[a.name];
+  std::int64_t greatest = -1;
+  for(std::int64_t& i : std::get<0>(a.values).kept()) {
+    greatest = (std::max)(greatest, i);
+    i += i < 0 ? 0 : before;
   }
-  return result;
+  before += greatest + 1;
 }
 
-void Joined_components::add_attributes(const Component_mesh& component,
-                                       std::vector<Attribute>& from,
+// Points of which nothing is known are at their places in the input.
+void Joined_components::resize(Attribute& a, std::size_t size) const
+{
+  const auto resized = [&](auto& values) {
+    typedef typename std::decay_t<decltype(values)>::value_type Number;
+    const std::size_t before = values.size();
+    values.resize(size, missing<Number>);
+    for(int k = 0; k < 3; ++k)
+      if(a.name == std::string("input_") + "xyz"[k])
+        for(std::size_t i = before; i < size; ++i)
+          values[i] = static_cast<Number>(m_result.points[i][k]);
+  };
+  std::visit([&](auto& v) { resized(v.kept()); }, a.values);
+}
+
+void Joined_components::add_attributes(std::vector<Attribute>& from,
                                        const std::vector<std::size_t>& places, std::size_t size,
                                        std::vector<Attribute>& to)
 {
   for(Attribute& a : from) {
-    if(a.values.index() == 0)
-      a.values = Values<std::int64_t>(parents(a, component));
+    count_on(a);
     Attribute& all = attribute_like(a, to);
     resize(all, size);
     scatter(a, places, all);
@@ -208,37 +191,12 @@ void Joined_components::add_attributes(const Component_mesh& component,
     resize(a, size);
 }
 
-// Of all points, if those of spheres have them.
-void Joined_components::set_input_places()
-{
-  const char* const names[] = {"input_x", "input_y", "input_z"};
-  for(Attribute& a : m_result.point_data)
-    for(int k = 0; k < 3; ++k)
-      if(a.name == names[k])
-        for(std::size_t i = 0; i < m_weights.size(); ++i) {
-          double& x = std::get<1>(a.values).kept()[i] = 0;
-          for(std::size_t c = 0; c < m_weights[i].size; ++c)
-            x += m_weights[i].weight[c] * m_input.mesh.point(m_weights[i].vertex[c])[k];
-        }
-}
-
-void Joined_components::add_input_data()
-{
-  if(m_input.data.empty())
-    return;
-  const auto weights = [&](std::size_t i) { return m_input.weights(m_weights[i]); };
-  const auto triangle = [&](std::size_t i, std::size_t) {
-    return m_input.triangle(Mesh::Face_index(static_cast<Mesh::size_type>(m_face[i])));
-  };
-  add_data(m_result,
-           carried(m_input.data, {m_result.points.size(), m_result.polygons, weights, triangle}));
-}
-
 Output_mesh Joined_components::finish()
 {
   if(m_result.texture.dimension == 0)
     m_result.texture = Corner_data();
-  set_input_places();
-  add_input_data();
+  m_result.placement = {m_result.points.size(), [this](std::size_t i) { return m_weights[i]; },
+                        [this](std::size_t i, std::size_t) { return m_faces[i]; }};
+  ::add_input_data(m_input, m_result);
   return std::move(m_result);
 }

@@ -7,7 +7,6 @@
 
 #include "reading/Input_mesh.h"
 #include "reading/component_meshes.h"
-#include "writing/Map_front.h"
 #include "writing/Output_mesh.h"
 
 #include <cstddef>
@@ -26,32 +25,28 @@ public:
   // `input` must be there as long as this.
   explicit Joined_components(const Input_mesh& input);
 
-  // Adds the mesh of a map, with the vertices of `front`, after a shift of its points along the x
-  // axis. Its texture comes to the right of those before.
-  void add(const Component_mesh& component, const Map_front& front, Output_mesh part, double shift);
+  // Adds the mesh of a map, in which the vertices of the component come first, after a shift of its
+  // points along the x axis. Its texture comes to the right of those before.
+  void add(const Component_mesh& component, Output_mesh part, double shift);
 
   // The mesh with the data of the input. Nothing can be added after that.
   Output_mesh finish();
 
 private:
-  typedef CGAL::Intrinsic_triangulations::Vertex_weights<double> Weights;
-
-  void add_points(const Component_mesh& component, const Map_front& front, const Output_mesh& part,
-                  double shift);
+  // Returns the indices that the points have now.
+  std::vector<std::size_t> add_points(const Component_mesh& component, const Output_mesh& part,
+                                      double shift);
   void add_texture(const Output_mesh& part);
   double texture_shift(const Corner_data& texture);
-  std::vector<std::int64_t> parents(const Attribute& a, const Component_mesh& component);
-  void add_attributes(const Component_mesh& component, std::vector<Attribute>& from,
-                      const std::vector<std::size_t>& places, std::size_t size,
-                      std::vector<Attribute>& to);
-  void set_input_places();
-  void add_input_data();
+  void count_on(Attribute& a);
+  void resize(Attribute& a, std::size_t size) const;
+  void add_attributes(std::vector<Attribute>& from, const std::vector<std::size_t>& places,
+                      std::size_t size, std::vector<Attribute>& to);
 
   const Input_mesh& m_input;
   Output_mesh m_result;
-  std::vector<Polygons::Index> m_point; // of the component that is added last
-  std::vector<Weights> m_weights;       // of each point, in vertices of the input
-  std::vector<std::int64_t> m_face;     // of the input, of each polygon
+  std::vector<Placement::Weights> m_weights; // of each point
+  std::vector<Mesh::Face_index> m_faces;     // of the input, of each polygon
   std::map<std::string, std::int64_t> m_number_of_parents;
   double m_right = 0; // of the textures so far
 };

@@ -5,7 +5,6 @@
 #ifndef INTRINSIC_SUBDIVISION_MESH_H
 #define INTRINSIC_SUBDIVISION_MESH_H
 
-#include "reading/Input_mesh.h"
 #include "writing/Output_mesh.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -21,8 +20,5 @@ using Subdivision = CGAL::Intrinsic_triangulations::Common_subdivision<
 // - of a face: the faces of both triangulations of which it is a part.
 // These are computed when they are asked for: the subdivision must live as long.
 Output_mesh subdivision_mesh(const Subdivision& subdivision);
-
-// Adds the data of the input to the mesh of a subdivision.
-void add_input_data(const Input_mesh& input, const Subdivision& subdivision, Output_mesh& mesh);
 
 #endif // INTRINSIC_SUBDIVISION_MESH_H

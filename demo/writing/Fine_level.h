@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_FINE_LEVEL_H
+#define INTRINSIC_FINE_LEVEL_H
+
+#include "commands/triangulation_stages.h"
+#include "reading/Input_mesh.h"
+#include "writing/Output_mesh.h"
+
+#include <cstddef>
+#include <vector>
+
+// How the fine level of a simplification came from the input: vertices may have been inserted, which
+// split edges and faces, and then vertices may have been added by disks and cuts.
+class Fine_level
+{
+public:
+  // The vertices in the middle of which each vertex is that disks and cuts have added; one for a
+  // copy.
+  typedef std::vector<std::vector<Mesh::Vertex_index>> Sources;
+
+  // The input, or `split` unless it is null, with its inserted vertices. Both stay.
+  explicit Fine_level(const Mesh& input, const Triangulation* split = nullptr);
+
+  void set_sources(Sources sources) { m_sources = std::move(sources); }
+
+  bool is_input() const { return m_split == nullptr && m_sources.empty(); }
+  std::size_t number_of_input_vertices() const { return m_input->number_of_vertices(); }
+
+  // Null if `f` is in a disk.
+  Mesh::Face_index input_face(Mesh::Face_index f) const;
+
+  // Null if `e` is inside a face, in a disk, or has been made by a cut.
+  Mesh::Edge_index input_edge(Mesh::Edge_index e) const;
+
+  // Adds to values at the first vertices, those of the input or more, values at the others.
+  template <class Value>
+  void extend(std::vector<Value>& values, const Value& zero) const
+  {
+    for(std::size_t i = values.size(); i < m_vertices; ++i)
+      values.push_back(sum(weights(i), values, zero));
+    for(std::size_t i = values.size() - m_vertices; i < m_sources.size(); ++i) {
+      Value sum = zero;
+      for(const Mesh::Vertex_index v : m_sources[i])
+        sum = sum + values[v];
+      values.push_back(sum / static_cast<double>(m_sources[i].size()));
+    }
+  }
+
+  // The positions of the vertices.
+  std::vector<Point> points() const;
+
+  // The data of the input on the level, whose faces are `triangles`.
+  Triangle_data data(const Input_mesh& input, const Polygons& triangles) const;
+
+private:
+  // Of vertices that are in the middle of others, those of the first of these.
+  Placement::Weights weights(std::size_t i) const;
+
+  template <class Value>
+  static Value sum(const Placement::Weights& w, const std::vector<Value>& values, Value result)
+  {
+    for(std::size_t c = 0; c < w.size; ++c)
+      result = result + w.weight[c] * values[w.vertex[c]];
+    return result;
+  }
+
+  const Mesh* m_input;
+  const Triangulation* m_split;
+  std::size_t m_vertices, m_edges, m_faces; // without disks and cuts
+  Sources m_sources;
+};
+
+#endif // INTRINSIC_FINE_LEVEL_H
