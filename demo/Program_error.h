@@ -24,8 +24,4 @@ public:
   using Numerical_error::Numerical_error;
 };
 
-// Edges that were to be lengthened on trial are long enough.
-class Nothing_to_mollify : public std::exception
-{};
-
 #endif // INTRINSIC_PROGRAM_ERROR_H

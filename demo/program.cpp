@@ -18,8 +18,6 @@
 
 namespace {
 
-using CGAL::Intrinsic_triangulations::Numerical_error;
-
 // Help and version are not errors.
 int exit_code(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv)
 {
@@ -66,62 +64,6 @@ int run_command(const CLI::App& app, const Options& options)
   return operators(options.common, options.operators);
 }
 
-// Whether the lengths of the edges may be changed, where triangles that are almost flat leave no
-// other way to a result.
-bool can_be_mollified(const Common_options& options)
-{
-  return !options.is_exact && !options.is_strict && options.mollification == 0;
-}
-
-// Throws an error of the same kind with a longer message.
-[[noreturn]] void throw_again(const Numerical_error& e, const std::string& more)
-{
-  if(dynamic_cast<const Map_failure*>(&e))
-    throw Map_failure(e.what() + more);
-  throw Numerical_error(e.what() + more);
-}
-
-// What rounding makes impossible is tried again with longer edges, if triangles are almost flat. If
-// that fails, too, the error is that of the surface as it is.
-int run_mollified_if_needed(const CLI::App& app, const Options& options)
-{
-  try {
-    return run_command(app, options);
-  } catch(const Numerical_error& e) {
-    if(!can_be_mollified(options.common))
-      throw;
-    std::string advice;
-    Options changed = options;
-    changed.common.is_mollification_tried = true;
-    for(const char* epsilon : {"1e-8", "1e-6"})
-      try {
-        changed.common.mollification = std::stod(epsilon);
-        const int result = run_command(app, changed);
-        std::cerr << options.common.input << ": computed with --mollify " << epsilon << ": "
-                  << e.what() << '\n';
-        return result;
-      } catch(const Numerical_error&) {
-        advice = std::string("; nor is there a result with --mollify ") + epsilon;
-      } catch(const Nothing_to_mollify&) {
-      }
-    throw_again(e, advice);
-  }
-}
-
-// A map that is no success is written only if it is wanted and there is no other.
-int run_keeping_failures(const CLI::App& app, const Options& options)
-{
-  try {
-    return run_mollified_if_needed(app, options);
-  } catch(const Map_failure&) {
-    if(!options.common.is_failure_kept)
-      throw;
-    Options changed = options;
-    changed.common.is_failure_expected = true;
-    return run_command(app, changed);
-  }
-}
-
 // What can be tried if there is no map at all; empty for other commands.
 std::string advice(const CLI::App& app)
 {
@@ -135,7 +77,7 @@ int run(const CLI::App& app, const Options& options)
 {
   const Thread_limit limit(options.common.threads);
   try {
-    return run_keeping_failures(app, options);
+    return run_command(app, options);
   } catch(const Program_error& e) {
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {

@@ -31,22 +31,23 @@ std::vector<std::string> all_outputs(std::vector<std::string> outputs,
 
 Command_run::Command_run(const std::string& command, const Common_options& options,
                          std::vector<std::string> outputs, bool are_soups_allowed)
-  : m_options(options),
+  : m_command(command),
+    m_are_soups_allowed(are_soups_allowed),
+    m_options(options),
     m_output(options.input, all_outputs(std::move(outputs), options)),
     m_progress(options.is_quiet)
 {
   if(!options.view.empty())
     View_page::check_available();
   check_picture_available(options.picture);
-  if(!options.view.empty() || !options.picture.empty())
-    m_page.emplace();
-  read(command, are_soups_allowed);
+  read(options.is_quiet);
   if(!options.section.first.empty())
     choose_section();
+  restart(options.mollification);
 }
 
 // Has no progress bar: repairs and notes are printed meanwhile.
-void Command_run::read(const std::string& command, bool are_soups_allowed)
+void Command_run::read(bool is_quiet)
 {
   {
     const Timer timer(m_seconds["read"]);
@@ -55,12 +56,19 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
     tolerance.weld_distance = m_options.weld_distance;
     tolerance.is_strict = m_options.is_strict;
     tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
-    tolerance.are_soups_allowed = are_soups_allowed;
+    tolerance.are_soups_allowed = m_are_soups_allowed;
     tolerance.neighbors = m_options.number_of_neighbors;
-    const bool has_been_read = m_options.is_mollification_tried;
-    m_input = read_input(m_options.input, tolerance, m_options.is_quiet || has_been_read);
+    m_input = read_input(m_options.input, tolerance, is_quiet);
   }
-  m_statistics = common_statistics(command, m_options.input, m_input.diagnosis);
+  describe_input();
+  if(m_options.component || m_options.is_largest_chosen)
+    keep_chosen_component();
+  m_statistics_of_input = m_statistics;
+}
+
+void Command_run::describe_input()
+{
+  m_statistics = common_statistics(m_command, m_options.input, m_input.diagnosis);
   for(const auto& [what, count] : m_input.repairs)
     m_statistics["repairs"][what] = count;
   if(!m_input.parents.empty())
@@ -71,8 +79,21 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
     m_statistics["close_points"] = m_input.cracks.close;
   if(m_input.covered)
     describe_cover();
-  if(m_options.component || m_options.is_largest_chosen)
-    keep_chosen_component();
+}
+
+void Command_run::restart(double epsilon)
+{
+  end_stage();
+  m_options.mollification = epsilon;
+  m_output.clear();
+  m_progress.clear();
+  m_seconds = {{"read", m_seconds["read"]}};
+  if(m_input.mesh.number_of_faces() == 0) // they have been freed
+    read(true);
+  m_statistics = m_statistics_of_input;
+  m_page.reset();
+  if(!m_options.view.empty() || !m_options.picture.empty())
+    m_page.emplace();
 }
 
 // All vertices stay, with their indices.

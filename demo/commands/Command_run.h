@@ -32,6 +32,13 @@ public:
   Command_run(const std::string& command, const Common_options& options,
               std::vector<std::string> outputs, bool are_soups_allowed = false);
 
+  // Forgets what came after the input had been read; another result is to be computed, with
+  // lengths of edges mollified by `epsilon` unless it is zero.
+  void restart(double epsilon);
+
+  // Lets a map that is no success be written.
+  void set_failure_expected(bool is_expected) { m_options.is_failure_expected = is_expected; }
+
   // Sets the stages after the input has been read, except the last, "write".
   void plan(const std::vector<Stages>& parts);
 
@@ -109,7 +116,8 @@ private:
     Stopwatch m_watch;
   };
 
-  void read(const std::string& command, bool are_soups_allowed);
+  void read(bool is_quiet);
+  void describe_input();
   void keep_chosen_component();
   void choose_section();
   void describe_cover();
@@ -121,11 +129,13 @@ private:
 
   void end_stage() { m_timer.reset(); }
 
-  const Common_options& m_options;
+  const std::string m_command;
+  const bool m_are_soups_allowed;
+  Common_options m_options;
   Output m_output;
   Progress_bar m_progress;
   Input_mesh m_input;
-  Statistics m_statistics;
+  Statistics m_statistics_of_input, m_statistics;
   Statistics m_seconds;
   std::optional<View_page> m_page;          // if a page or a picture is wanted
   std::optional<Picture_section> m_section; // of the picture

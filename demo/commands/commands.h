@@ -44,7 +44,6 @@ struct Common_options
   std::string picture;                         // SVG or PNG
   std::pair<std::string, std::string> section; // of the picture: a point, empty for all; a radius
   double mollification = 0;
-  bool is_mollification_tried = false; // only if it changes lengths
   bool is_repair_wanted = false;
   double weld_distance = 0;             // zero for no repair by it
   bool is_strict = false;               // faces must be triangles, and keep their lengths

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/triangulation_stages.h"
 
 namespace {
@@ -16,13 +17,8 @@ std::string summary_of_flips(Command_run& run)
          s["subdivision"]["faces"].dump() + " faces in the common subdivision";
 }
 
-} // namespace
-
-int delaunay(const Common_options& common, const Delaunay_options& options)
+int write_triangulation(Command_run& run, const Delaunay_options& options, Mesh_format format)
 {
-  const Mesh_format format = output_format(options.output, options);
-  Command_run run("delaunay", common, {options.output});
-  run.plan({delaunay_stages, certificate_stages(common), subdivision_stages});
   const Triangulation triangulation = make_delaunay_triangulation(run, {options.constrained_angle});
   run.keep_points_only();
   describe(run, triangulation);
@@ -39,4 +35,14 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   });
   run.finish(summary_of_flips(run));
   return 0;
+}
+
+} // namespace
+
+int delaunay(const Common_options& common, const Delaunay_options& options)
+{
+  const Mesh_format format = output_format(options.output, options);
+  Command_run run("delaunay", common, {options.output});
+  run.plan({delaunay_stages, certificate_stages(common), subdivision_stages});
+  return attempt(run, [&] { return write_triangulation(run, options, format); });
 }

@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/triangulation_stages.h"
 #include "reading/surface_curves.h"
 #include "reading/surface_points.h"
@@ -359,7 +360,7 @@ public:
                 is_subdivision_wanted() ? subdivision_stages : Stages{}});
   }
 
-  void run()
+  int run()
   {
     m_sources = parsed_sources(m_options, m_run.options().input, m_run.input());
     Triangulation triangulation = make_delaunay_triangulation(m_run);
@@ -378,7 +379,10 @@ public:
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
     m_run.finish(summary_of_distances(m_run));
     warn_of_errors(m_run.statistics(), m_run.options(), m_options);
+    return 0;
   }
+
+  Command_run& command_run() { return m_run; }
 
 private:
   void check_options()
@@ -565,6 +569,6 @@ private:
 
 int distance(const Common_options& common, const Distance_options& options)
 {
-  Distance_command(common, options).run();
-  return 0;
+  Distance_command command(common, options);
+  return attempt(command.command_run(), [&] { return command.run(); });
 }

@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
@@ -71,6 +72,7 @@ public:
 
   int run()
   {
+    m_visitor.iterations = 0;
     m_conditions = m_run.timed("build", [&] {
       m_mollification = mollification(m_run);
       return flattening_conditions(m_options, mesh());
@@ -89,6 +91,8 @@ public:
     output.iterations = m_visitor.iterations;
     return finish(m_run, output, map);
   }
+
+  Command_run& command_run() { return m_run; }
 
 private:
   Mesh& mesh() { return m_run.input().mesh; }
@@ -242,5 +246,6 @@ void add_files(Command_run&, const DCM::Planar_conformal_map&, const Map_output&
 
 int flatten(const Common_options& common, const Flatten_options& options)
 {
-  return Flatten_command(common, options).run();
+  Flatten_command command(common, options);
+  return attempt(command.command_run(), [&] { return command.run(); });
 }

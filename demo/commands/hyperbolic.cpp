@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
@@ -189,15 +190,17 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
   const Mesh_format format = format_with_texture(options);
   Command_run run("hyperbolic", common, {options.output, options.picture});
   run.plan({{"build"}, map_stages(false)});
-  const Mesh& mesh = run.input().mesh;
-  double epsilon = 0;
-  const Conditions conditions = run.timed("build", [&] {
-    epsilon = mollification(run);
-    return options.cones.empty() ? Conditions(mesh.number_of_vertices())
-                                 : prescribed_curvatures(options.cones, mesh);
+  return attempt(run, [&] {
+    const Mesh& mesh = run.input().mesh;
+    double epsilon = 0;
+    const Conditions conditions = run.timed("build", [&] {
+      epsilon = mollification(run);
+      return options.cones.empty() ? Conditions(mesh.number_of_vertices())
+                                   : prescribed_curvatures(options.cones, mesh);
+    });
+    const Cones cones = cones_of(conditions, mesh);
+    if(options.depth && !cones.empty())
+      throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
+    return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions));
   });
-  const Cones cones = cones_of(conditions, mesh);
-  if(options.depth && !cones.empty())
-    throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
-  return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions));
 }

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/triangulation_stages.h"
 #include "writing/matrix_market.h"
 
@@ -14,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -117,27 +119,33 @@ std::vector<std::string> paths_of(const std::string& prefix)
   return result;
 }
 
+int write_matrices(Command_run& run, const Operators_options& options,
+                   const std::vector<std::string>& paths)
+{
+  Triangulation triangulation = make_delaunay_triangulation(run);
+  refine_if_wanted(run, triangulation, options.refinement);
+  describe(run, triangulation);
+  show(run, triangulation);
+  run.statistics()["matrices"] = paths;
+  const std::optional<Covered_soup>& covered = run.input().covered;
+  run.timed("write", [&] {
+    for(std::size_t i = 0; i < paths.size(); ++i)
+      run.add_output(paths[i], matrices[i].text({triangulation, covered ? &*covered : nullptr}));
+    save(run, triangulation);
+  });
+  run.finish(summary_of_changes(run) + ", " + std::to_string(paths.size()) + " matrices");
+  return 0;
+}
+
 } // namespace
 
 int operators(const Common_options& common, const Operators_options& options)
 {
   std::vector<std::string> paths = paths_of(options.prefix);
   Command_run run("operators", common, paths, true);
-  const Covered_soup* covered = run.input().covered ? &*run.input().covered : nullptr;
-  if(!covered)
+  if(!run.input().covered)
     paths.pop_back();
   run.plan({delaunay_stages, refinement_stages(options.refinement), certificate_stages(common),
             view_stages(common)});
-  Triangulation triangulation = make_delaunay_triangulation(run);
-  refine_if_wanted(run, triangulation, options.refinement);
-  describe(run, triangulation);
-  show(run, triangulation);
-  run.statistics()["matrices"] = paths;
-  run.timed("write", [&] {
-    for(std::size_t i = 0; i < paths.size(); ++i)
-      run.add_output(paths[i], matrices[i].text({triangulation, covered}));
-    save(run, triangulation);
-  });
-  run.finish(summary_of_changes(run) + ", " + std::to_string(paths.size()) + " matrices");
-  return 0;
+  return attempt(run, [&] { return write_matrices(run, options, paths); });
 }

@@ -4,6 +4,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/commands.h"
 #include "commands/triangulation_stages.h"
 #include "reading/surface_points.h"
@@ -107,8 +108,9 @@ public:
     m_run.plan({{"build", "search"}});
   }
 
-  void run()
+  int run()
   {
+    m_points.clear();
     read_points();
     Triangulation triangulation = m_run.timed("build", [&] { return make_triangulation(m_run); });
     const std::vector<Found_path> paths =
@@ -121,7 +123,10 @@ public:
       save(m_run, triangulation);
     });
     m_run.finish(summary(paths));
+    return 0;
   }
+
+  Command_run& command_run() { return m_run; }
 
 private:
   bool uses_flips() const { return m_options.is_flipped || m_options.is_loop; }
@@ -411,6 +416,6 @@ private:
 
 int path(const Common_options& common, const Path_options& options)
 {
-  Path_command(common, options).run();
-  return 0;
+  Path_command command(common, options);
+  return attempt(command.command_run(), [&] { return command.run(); });
 }

@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/triangulation_stages.h"
 #include "writing/Mesh_writer.h"
 
@@ -85,13 +86,8 @@ void check_simplicial(const Triangulation& triangulation, std::size_t insertions
                           std::to_string(insertions) + ": allow more by --max-insertions");
 }
 
-} // namespace
-
-int refine(const Common_options& common, const Refine_options& options)
+int write_refinement(Command_run& run, const Refine_options& options, Mesh_format format)
 {
-  const Mesh_format format = output_format(options.output, options);
-  Command_run run("refine", common, {options.output});
-  run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
   const bool have_seams = options.bounds.is_simplicial && has_texture(format);
   Triangulation triangulation =
     make_delaunay_triangulation(run, {options.constrained_angle, have_seams});
@@ -117,4 +113,14 @@ int refine(const Common_options& common, const Refine_options& options)
   });
   run.finish(summary_of_refinement(run));
   return 0;
+}
+
+} // namespace
+
+int refine(const Common_options& common, const Refine_options& options)
+{
+  const Mesh_format format = output_format(options.output, options);
+  Command_run run("refine", common, {options.output});
+  run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
+  return attempt(run, [&] { return write_refinement(run, options, format); });
 }

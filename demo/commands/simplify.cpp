@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/mended_topology.h"
 #include "commands/removal_cost.h"
 #include "commands/triangulation_stages.h"
@@ -139,8 +140,12 @@ public:
                 options.coarse_mesh.empty() ? Stages{} : Stages{"coarse_mesh"}});
   }
 
-  void run()
+  int run()
   {
+    m_triangulation.reset();
+    m_levels.clear();
+    m_curvature.clear();
+    m_area_change.clear();
     read_functions();
     if(m_options.refinement.minimum_angle > 0)
       refine();
@@ -167,7 +172,10 @@ public:
       save(surface.history());
     });
     m_run.finish(summary());
+    return 0;
   }
+
+  Command_run& command_run() { return m_run; }
 
 private:
   void read_functions()
@@ -521,6 +529,6 @@ private:
 
 int simplify(const Common_options& common, const Simplify_options& options)
 {
-  Simplify_command(common, options).run();
-  return 0;
+  Simplify_command command(common, options);
+  return attempt(command.command_run(), [&] { return command.run(); });
 }

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/component_maps.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
@@ -149,10 +150,12 @@ int sphere(const Common_options& common, const Sphere_options& options)
   const Mesh_format format = output_format(options.output, options);
   Command_run run("sphere", common, {options.output, options.precise});
   run.plan({{"build"}, map_stages(false)});
-  const double epsilon = run.timed("build", [&] { return mollification(run); });
   Map_output output{options.output, format};
   output.precise = options.precise;
-  if(component_faces(run.input().mesh).size() > 1)
-    return map_components(run, output, epsilon);
-  return finish(run, output, mapped(run, run.input().mesh, epsilon));
+  return attempt(run, [&] {
+    const double epsilon = run.timed("build", [&] { return mollification(run); });
+    if(component_faces(run.input().mesh).size() > 1)
+      return map_components(run, output, epsilon);
+    return finish(run, output, mapped(run, run.input().mesh, epsilon));
+  });
 }

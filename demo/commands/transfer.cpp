@@ -4,6 +4,7 @@
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
+#include "commands/attempts.h"
 #include "commands/commands.h"
 #include "commands/triangulation_stages.h"
 #include "reading/surface_points.h"
@@ -79,8 +80,10 @@ public:
                 view_stages(common)});
   }
 
-  void run()
+  int run()
   {
+    m_points.clear();
+    m_text.take();
     Triangulation triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, triangulation, m_options.refinement);
     describe(m_run, triangulation);
@@ -94,7 +97,10 @@ public:
       save(m_run, triangulation);
     });
     m_run.finish(summary_of_changes(m_run) + ", " + m_summary);
+    return 0;
   }
+
+  Command_run& command_run() { return m_run; }
 
 private:
   IT::Side other() const
@@ -217,6 +223,6 @@ private:
 
 int transfer(const Common_options& common, const Transfer_options& options)
 {
-  Transfer_command(common, options).run();
-  return 0;
+  Transfer_command command(common, options);
+  return attempt(command.command_run(), [&] { return command.run(); });
 }

@@ -64,19 +64,23 @@ IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bou
 
 } // namespace
 
-Edge_length_map edge_lengths(Command_run& run)
+double length_of_mollification(Command_run& run)
 {
   Mesh& mesh = run.input().mesh;
   auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
   IT::compute_edge_lengths(mesh, lengths);
+  const double epsilon = run.options().mollification;
+  return epsilon > 0 ? IT::mollify(mesh, lengths, epsilon) : 0;
+}
+
+Edge_length_map edge_lengths(Command_run& run)
+{
+  const double added = length_of_mollification(run);
   if(run.options().mollification > 0) {
-    const double added = IT::mollify(mesh, lengths, run.options().mollification);
-    if(added == 0 && run.options().is_mollification_tried)
-      throw Nothing_to_mollify();
     run.statistics()["mollification"] = run.options().mollification;
     run.statistics()["added_length"] = added;
   }
-  return lengths;
+  return run.input().mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
 }
 
 double mollification(Command_run& run)

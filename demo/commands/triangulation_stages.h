@@ -30,6 +30,9 @@ struct Constraints
   bool has_seams = false; // those of the texture
 };
 
+// What mollification adds to each edge of the input; zero if it is not wanted.
+double length_of_mollification(Command_run& run);
+
 // The lengths of the edges of the input, mollified if that is wanted; what was added in the
 // statistics.
 Edge_length_map edge_lengths(Command_run& run);

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 
 #include "Program_error.h"
+#include "commands/attempts.h"
 #include "commands/component_maps.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
@@ -109,15 +110,8 @@ void check_options(const Hyperbolic_options& options, DCM::Surface_type type)
     refuse("--homogeneous", "flat and hyperbolic surfaces");
 }
 
-} // namespace
-
-int uniformize(const Common_options& common, const Hyperbolic_options& options)
+int map_surface(Command_run& run, const Hyperbolic_options& options, Mesh_format format)
 {
-  check_tiling(common, options);
-  const Mesh_format format = format_with_texture(options);
-  Command_run run("uniformize", common, {options.output, options.picture});
-  if(component_faces(run.input().mesh).size() > 1)
-    return map_components(run, options, format);
   const DCM::Surface_type type = DCM::surface_type(run.input().mesh);
   run.statistics()["surface_type"] = DCM::to_string(type);
   check_options(options, type);
@@ -128,4 +122,17 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   if(result.modulus)
     run.statistics()["modulus"] = description(*result.modulus);
   return std::visit([&](const auto& map) { return finish(run, output, map); }, result.map);
+}
+
+} // namespace
+
+int uniformize(const Common_options& common, const Hyperbolic_options& options)
+{
+  check_tiling(common, options);
+  const Mesh_format format = format_with_texture(options);
+  Command_run run("uniformize", common, {options.output, options.picture});
+  return attempt(run, [&] {
+    return component_faces(run.input().mesh).size() > 1 ? map_components(run, options, format)
+                                                        : map_surface(run, options, format);
+  });
 }

@@ -21,23 +21,19 @@ struct Line_style
   double width;
 };
 
-// What a picture is drawn on. Later shapes cover earlier ones.
+// What a picture is drawn on, in squares beside each other. Later shapes cover earlier ones.
 class Canvas
 {
 public:
   virtual ~Canvas() = default;
 
-  // What follows is drawn that far to the right.
-  virtual void move_to(double left) = 0;
+  // What follows is drawn in a square that begins there, or beyond its sides, too.
+  virtual void begin_square(double left, double side, bool is_clipped) = 0;
 
-  // What follows is drawn in a square only, whose upper left corner is where it was moved to.
-  virtual void clip(double side) = 0;
-
-  // A polygon, with a border in its own color if there is no other, so that neighbors leave no gap.
-  virtual void add_polygon(const std::vector<Canvas_point>& points, const Rgb& fill,
-                           const Line_style* border) = 0;
-
-  virtual void add_line(const std::vector<Canvas_point>& points, const Line_style& style) = 0;
+  // A polygon that is filled, whose border has the color of the inside if there is no other, so that
+  // neighbors leave no gap; or, if `fill` is null, a line.
+  virtual void add(const std::vector<Canvas_point>& points, const Rgb* fill,
+                   const Line_style* line) = 0;
 
   // Writes the picture; nothing can be added then.
   virtual void finish() = 0;

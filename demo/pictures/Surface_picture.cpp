@@ -149,10 +149,8 @@ public:
 
   void draw()
   {
-    if(m_section)
-      m_canvas.clip(size);
     for(const auto& line : m_outlines)
-      m_canvas.add_line(line, outline);
+      m_canvas.add(line, nullptr, &outline);
     std::vector<double> depth(m_polygons.size());
     for(const std::size_t i : m_order)
       depth[i] = mean_depth(i);
@@ -333,14 +331,13 @@ private:
     for(std::size_t k = 0; k < p.size(); ++k)
       sides.push_back(style(points[k], points[(k + 1) % p.size()]));
     const std::vector<Canvas_point> polygon = on_canvas(corners_of(i));
-    if(std::all_of(sides.begin(), sides.end(), [&](auto s) { return s == sides[0]; })) {
-      m_canvas.add_polygon(polygon, fill(i), sides[0]);
-      return;
-    }
-    m_canvas.add_polygon(polygon, fill(i), nullptr);
-    for(std::size_t k = 0; k < p.size(); ++k)
+    const bool is_one =
+      std::all_of(sides.begin(), sides.end(), [&](auto s) { return s == sides[0]; });
+    const Rgb color = fill(i);
+    m_canvas.add(polygon, &color, is_one ? sides[0] : nullptr);
+    for(std::size_t k = 0; k < p.size() && !is_one; ++k)
       if(sides[k] != nullptr)
-        m_canvas.add_line({polygon[k], polygon[(k + 1) % p.size()]}, *sides[k]);
+        m_canvas.add({polygon[k], polygon[(k + 1) % p.size()]}, nullptr, sides[k]);
   }
 
   // A line that is marked, in parts no longer than a pixel.
@@ -412,7 +409,7 @@ private:
   void add_line(const std::vector<Vector>& line)
   {
     if(!line.empty())
-      m_canvas.add_line(on_canvas(line), marked);
+      m_canvas.add(on_canvas(line), nullptr, &marked);
   }
 
   std::vector<Vector> corners_of(std::size_t i) const
@@ -483,7 +480,7 @@ void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const
   for(const Shown_surface& surface : surfaces)
     for(const bool is_image : {false, true})
       if(!is_image || surface.kind != Image_kind::none) {
-        canvas->move_to(left);
+        canvas->begin_square(left, size, section.has_value());
         Surface_drawing(*canvas, surface, is_image, section).draw();
         left += size;
       }

@@ -24,7 +24,6 @@ public:
   {
     cairo_set_source_rgb(m_cairo, 1, 1, 1);
     cairo_paint(m_cairo);
-    cairo_scale(m_cairo, scale, scale);
     cairo_set_line_join(m_cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(m_cairo, CAIRO_LINE_CAP_ROUND);
   }
@@ -38,34 +37,29 @@ public:
   Png_canvas(const Png_canvas&) = delete;
   Png_canvas& operator=(const Png_canvas&) = delete;
 
-  void move_to(double left) override
+  void begin_square(double left, double side, bool is_clipped) override
   {
     cairo_reset_clip(m_cairo);
     cairo_identity_matrix(m_cairo);
     cairo_scale(m_cairo, scale, scale);
     cairo_translate(m_cairo, left, 0);
-  }
-
-  void clip(double side) override
-  {
     cairo_rectangle(m_cairo, 0, 0, side, side);
-    cairo_clip(m_cairo);
+    is_clipped ? cairo_clip(m_cairo) : cairo_new_path(m_cairo);
   }
 
-  void add_polygon(const std::vector<Canvas_point>& points, const Rgb& fill,
-                   const Line_style* border) override
+  void add(const std::vector<Canvas_point>& points, const Rgb* fill,
+           const Line_style* line) override
   {
-    add_points(points);
-    cairo_close_path(m_cairo);
-    set_color(fill);
-    cairo_fill_preserve(m_cairo);
-    stroke(border != nullptr ? *border : Line_style{' ', fill, .4});
-  }
-
-  void add_line(const std::vector<Canvas_point>& points, const Line_style& style) override
-  {
-    add_points(points);
-    stroke(style);
+    for(const Canvas_point& p : points)
+      cairo_line_to(m_cairo, p[0], p[1]);
+    if(fill != nullptr) {
+      cairo_close_path(m_cairo);
+      set_color(*fill);
+      cairo_fill_preserve(m_cairo);
+    }
+    set_color(line != nullptr ? line->color : *fill);
+    cairo_set_line_width(m_cairo, line != nullptr ? line->width : .4);
+    cairo_stroke(m_cairo);
   }
 
   void finish() override
@@ -81,22 +75,9 @@ public:
   }
 
 private:
-  void add_points(const std::vector<Canvas_point>& points)
-  {
-    for(const Canvas_point& p : points)
-      cairo_line_to(m_cairo, p[0], p[1]);
-  }
-
   void set_color(const Rgb& color)
   {
     cairo_set_source_rgb(m_cairo, color[0] / 255., color[1] / 255., color[2] / 255.);
-  }
-
-  void stroke(const Line_style& style)
-  {
-    set_color(style.color);
-    cairo_set_line_width(m_cairo, style.width);
-    cairo_stroke(m_cairo);
   }
 
   static constexpr double scale = 2; // for screens with many pixels

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -33,68 +34,41 @@ public:
     m_text << "</style>\n";
   }
 
-  void move_to(double left) override
+  void begin_square(double left, double side, bool is_clipped) override
   {
-    close_group();
-    m_text << "<g transform=\"translate(" << left << ")\">\n";
-    m_is_group_open = true;
+    m_text << m_end << "<g transform=\"translate(" << left << ")\">\n";
+    m_end = is_clipped ? "</g>\n</g>\n" : "</g>\n";
+    if(is_clipped)
+      m_text << "<clipPath id=\"c\"><path d=\"M0,0h" << side << 'v' << side << 'h' << -side
+             << "z\"/></clipPath>\n<g clip-path=\"url(#c)\">\n";
   }
 
-  void clip(double side) override
+  void add(const std::vector<Canvas_point>& points, const Rgb* fill,
+           const Line_style* line) override
   {
-    m_text << "<clipPath id=\"c\"><path d=\"M0,0h" << side << 'v' << side << 'h' << -side
-           << "z\"/></clipPath>\n<g clip-path=\"url(#c)\">\n";
-    m_is_clipped = true;
-  }
-
-  void add_polygon(const std::vector<Canvas_point>& points, const Rgb& fill,
-                   const Line_style* border) override
-  {
-    const std::string color = text_of(fill);
     m_text << "<path ";
-    if(border != nullptr)
-      m_text << "class=\"" << border->name << '"';
+    if(line != nullptr)
+      m_text << "class=\"" << line->name << '"';
     else
-      m_text << "stroke=\"" << color << '"';
-    m_text << " style=\"fill:" << color << "\" d=\"";
-    add_points(points);
-    m_text << "z\"/>\n";
-  }
-
-  void add_line(const std::vector<Canvas_point>& points, const Line_style& style) override
-  {
-    m_text << "<path class=\"" << style.name << "\" d=\"";
-    add_points(points);
-    m_text << "\"/>\n";
-  }
-
-  void finish() override
-  {
-    close_group();
-    m_text << "</svg>\n";
-  }
-
-private:
-  void close_group()
-  {
-    if(m_is_group_open)
-      m_text << (m_is_clipped ? "</g>\n</g>\n" : "</g>\n");
-    m_is_group_open = m_is_clipped = false;
-  }
-
-  void add_points(const std::vector<Canvas_point>& points)
-  {
+      m_text << "stroke=\"" << text_of(*fill) << '"';
+    if(fill != nullptr)
+      m_text << " style=\"fill:" << text_of(*fill) << '"';
+    m_text << " d=\"";
     char separator = 'M';
     for(const Canvas_point& p : points) {
       m_text << separator << rounded(p[0]) << ',' << rounded(p[1]);
       separator = ' ';
     }
+    m_text << (fill != nullptr ? "z\"/>\n" : "\"/>\n");
   }
 
+  void finish() override { m_text << m_end << "</svg>\n"; }
+
+private:
   static double rounded(double x) { return std::round(100 * x) / 100; }
 
   Text& m_text;
-  bool m_is_group_open = false, m_is_clipped = false;
+  std::string_view m_end; // of the square
 };
 
 } // namespace

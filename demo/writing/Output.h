@@ -28,6 +28,13 @@ public:
   // written.
   void add(const std::string& path, const std::function<void(Text&)>& write);
 
+  // Forgets what has been added.
+  void clear()
+  {
+    m_files.clear();
+    m_standard_output.clear();
+  }
+
   // Throws std::runtime_error if not everything could be written.
   void commit();
 

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/attempts.h"
+
+#include "Program_error.h"
+#include "commands/triangulation_stages.h"
+
+#include <iostream>
+#include <string>
+
+namespace {
+
+using CGAL::Intrinsic_triangulations::Numerical_error;
+
+struct Slack
+{
+  const char* name;
+  double epsilon;
+};
+constexpr Slack slacks[] = {{"1e-8", 1e-8}, {"1e-6", 1e-6}};
+
+// Whether the lengths of the edges may be changed.
+bool can_be_mollified(const Common_options& options)
+{
+  return !options.is_exact && !options.is_strict && options.mollification == 0;
+}
+
+// Throws an error of the same kind with a longer message.
+[[noreturn]] void throw_again(const Numerical_error& e, const std::string& more)
+{
+  if(dynamic_cast<const Map_failure*>(&e))
+    throw Map_failure(e.what() + more);
+  throw Numerical_error(e.what() + more);
+}
+
+int compute_with_longer_edges(Command_run& run, const std::function<int()>& compute,
+                              const Numerical_error& e)
+{
+  std::string advice;
+  for(const auto& [name, epsilon] : slacks) {
+    run.restart(epsilon);
+    if(length_of_mollification(run) == 0)
+      continue;
+    try {
+      const int result = compute();
+      std::cerr << run.options().input << ": computed with --mollify " << name << ": " << e.what()
+                << '\n';
+      return result;
+    } catch(const Numerical_error&) {
+      advice = std::string("; nor is there a result with --mollify ") + name;
+    }
+  }
+  throw_again(e, advice);
+}
+
+} // namespace
+
+int attempt(Command_run& run, const std::function<int()>& compute)
+{
+  const bool is_failure_kept = run.options().is_failure_kept;
+  if(!can_be_mollified(run.options())) {
+    run.set_failure_expected(is_failure_kept);
+    return compute();
+  }
+  try {
+    try {
+      return compute();
+    } catch(const Numerical_error& e) {
+      return compute_with_longer_edges(run, compute, e);
+    }
+  } catch(const Map_failure&) {
+    if(!is_failure_kept)
+      throw;
+    run.restart(0);
+    run.set_failure_expected(true);
+    return compute();
+  }
+}
