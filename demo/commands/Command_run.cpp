@@ -5,12 +5,11 @@
 #include "commands/Command_run.h"
 
 #include "Program_error.h"
+#include "reading/Scanner.h"
 #include "reading/component_meshes.h"
 #include "reading/surface_points.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
@@ -118,15 +117,14 @@ void Command_run::keep_chosen_component()
 void Command_run::choose_section()
 {
   const auto& [text, radius_text] = m_options.section;
-  char* end = nullptr;
-  const double radius = std::strtod(radius_text.c_str(), &end);
+  const double radius = finite_number(radius_text).value_or(0);
   if(m_options.picture.empty())
     throw Program_error("--section is for --picture; add one");
-  if(*end != '\0' || !std::isfinite(radius) || radius <= 0)
+  if(radius <= 0)
     throw Program_error("--section: the radius is a finite number above zero");
   if(m_input.covered && text.find(',') == std::string::npos)
     throw Program_error("--section: on triangles that are not a surface, the point is x,y,z");
-  m_section = {position(surface_point(text, m_input), m_input.mesh), radius};
+  m_section = {position(surface_point(text, m_input, Reach::anywhere), m_input.mesh), radius};
 }
 
 void Command_run::describe_cover()

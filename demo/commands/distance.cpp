@@ -96,7 +96,7 @@ Sources parsed_sources(const Distance_options& options, const std::string& path,
                           "' is not a point of the mesh: on triangles that are not a surface, "
                           "give a vertex or x,y,z");
     else
-      result.points.push_back(surface_point_nearby(text, input));
+      result.points.push_back(surface_point(text, input));
   return result;
 }
 

@@ -176,11 +176,11 @@ private:
     if(m_options.is_homology_basis)
       return;
     const Input_mesh& input = m_run.input();
-    m_points.push_back(surface_point_nearby(m_options.from, input));
+    m_points.push_back(surface_point(m_options.from, input));
     for(const std::string& text : m_options.via)
-      m_points.push_back(surface_point_nearby(text, input));
+      m_points.push_back(surface_point(text, input));
     if(!m_options.to.empty())
-      m_points.push_back(surface_point_nearby(m_options.to, input));
+      m_points.push_back(surface_point(m_options.to, input));
   }
 
   std::vector<Found_path> search(Triangulation& triangulation)

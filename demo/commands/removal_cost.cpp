@@ -5,13 +5,12 @@
 #include "commands/removal_cost.h"
 
 #include "Program_error.h"
+#include "reading/Scanner.h"
 #include "reading/vertex_functions.h"
 
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <iterator>
 
 namespace IS = CGAL::Intrinsic_simplification;
@@ -21,9 +20,8 @@ namespace {
 // The number after the equals sign.
 double weight_value(const std::string& text, const std::string& value)
 {
-  char* end = nullptr;
-  const double result = std::strtod(value.c_str(), &end);
-  if(value.empty() || *end != '\0' || !std::isfinite(result) || result < 0)
+  const double result = finite_number(value).value_or(-1);
+  if(result < 0)
     throw Program_error("--weight " + text + ": a weight is a number that is not negative");
   return result;
 }

@@ -113,7 +113,7 @@ private:
   Surface_location point(const std::string& text, const Correspondence& correspondence)
   {
     return m_side == IT::Side::input
-             ? surface_point_nearby(text, m_run.input())
+             ? surface_point(text, m_run.input())
              : face_point(text, correspondence.mesh(m_side).number_of_faces());
   }
 

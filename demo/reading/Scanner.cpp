@@ -61,6 +61,14 @@ std::string content(const fs::path& path)
 
 } // namespace
 
+std::optional<double> finite_number(const std::string& text)
+{
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  return text.empty() || *end != '\0' || !std::isfinite(result) ? std::nullopt
+                                                                : std::optional<double>(result);
+}
+
 Scanner::Scanner(const fs::path& path) : m_path(path)
 {
   if(!fs::exists(path))

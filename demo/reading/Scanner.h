@@ -11,9 +11,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+// The number that a text is; nothing if it is not a finite number.
+std::optional<double> finite_number(const std::string& text);
 
 // The bytes of a file and how far they have been read. Nothing is read beyond their end, whatever
 // they are. All functions that read throw Program_error, with the line in a text, if they do not

@@ -5,13 +5,12 @@
 #include "reading/surface_points.h"
 
 #include "Program_error.h"
+#include "reading/Scanner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -24,21 +23,13 @@ namespace {
   throw Program_error("'" + text + "' is not a point of the mesh: " + why);
 }
 
-std::optional<double> number(const std::string& word)
-{
-  char* end = nullptr;
-  const double result = std::strtod(word.c_str(), &end);
-  return word.empty() || *end != '\0' || !std::isfinite(result) ? std::nullopt
-                                                                : std::optional<double>(result);
-}
-
 // the numbers between commas
 std::vector<double> numbers(const std::string& list, const std::string& text)
 {
   std::vector<double> result;
   std::istringstream words(list);
   for(std::string word; std::getline(words, word, ',');) {
-    const auto n = number(word);
+    const auto n = finite_number(word);
     if(!n)
       refuse(text, "'" + word + "' is not a number; give a vertex, FACE:a,b,c or x,y,z");
     result.push_back(*n);
@@ -82,6 +73,31 @@ Surface_location in_face(double f, const std::vector<double>& weights, std::size
     refuse(text, "barycentric coordinates are not negative and sum up to 1");
   const auto i = static_cast<Mesh::size_type>(index(f, number_of_faces, "faces", text));
   return {Mesh::Face_index(i), {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
+}
+
+// The point "FACE:a,b,c".
+Surface_location in_face(const std::string& text, std::size_t colon, std::size_t number_of_faces,
+                         const char* advice)
+{
+  const std::vector<double> list =
+    numbers(colon == std::string::npos ? "" : text.substr(colon + 1), text);
+  const auto face = finite_number(text.substr(0, colon));
+  if(!face || list.size() != 3)
+    refuse(text, advice);
+  return in_face(*face, list, number_of_faces, text);
+}
+
+Surface_location nearest(const std::vector<double>& list, const Mesh& mesh, const std::string& text,
+                         Reach reach)
+{
+  const Point p(list[0], list[1], list[2]);
+  const Point_finder find(mesh);
+  const Surface_location result = find(p);
+  const double distance = std::sqrt(CGAL::squared_distance(p, position(result, mesh)));
+  if(reach == Reach::nearby && !(distance <= find.tolerance()))
+    refuse(text, "it is " + std::to_string(distance) + " away from it, more than " +
+                   std::to_string(find.tolerance()) + "; choose one on it, or give FACE:a,b,c");
+  return result;
 }
 
 // the coordinates of the point of the segment from `a` to `b` that is nearest to `p`
@@ -159,21 +175,20 @@ Surface_location Point_finder::operator()(const Point& p) const
   return best;
 }
 
-Surface_location surface_point(const std::string& text, const Input_mesh& input)
+Surface_location surface_point(const std::string& text, const Input_mesh& input, Reach reach)
 {
+  constexpr const char* advice =
+    "give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5";
   const Mesh& mesh = input.mesh;
   if(mesh.number_of_faces() == 0)
     refuse(text, "there are no faces");
-  const std::size_t colon = text.find(':');
-  const std::vector<double> list =
-    numbers(colon == std::string::npos ? text : text.substr(colon + 1), text);
-  const auto face = number(text.substr(0, colon));
-  if(colon != std::string::npos && face && list.size() == 3)
-    return input.as_read(in_face(*face, list, mesh.number_of_faces(), text));
-  if(colon == std::string::npos && list.size() == 3)
-    return Point_finder(mesh)(Point(list[0], list[1], list[2]));
-  if(colon != std::string::npos || list.size() != 1)
-    refuse(text, "give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5");
+  if(const std::size_t colon = text.find(':'); colon != std::string::npos)
+    return input.as_read(in_face(text, colon, mesh.number_of_faces(), advice));
+  const std::vector<double> list = numbers(text, text);
+  if(list.size() == 3)
+    return nearest(list, mesh, text, reach);
+  if(list.size() != 1)
+    refuse(text, advice);
   return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(
                      index(list[0], mesh.number_of_vertices(), "vertices", text))),
                    mesh);
@@ -181,28 +196,7 @@ Surface_location surface_point(const std::string& text, const Input_mesh& input)
 
 Surface_location face_point(const std::string& text, std::size_t number_of_faces)
 {
-  const std::size_t colon = text.find(':');
-  const auto face = number(text.substr(0, colon));
-  const std::vector<double> list =
-    numbers(colon == std::string::npos ? "" : text.substr(colon + 1), text);
-  if(!face || list.size() != 3)
-    refuse(text, "give FACE:a,b,c");
-  return in_face(*face, list, number_of_faces, text);
-}
-
-Surface_location surface_point_nearby(const std::string& text, const Input_mesh& input)
-{
-  const Mesh& mesh = input.mesh;
-  const Surface_location result = surface_point(text, input);
-  if(text.find(':') != std::string::npos || text.find(',') == std::string::npos)
-    return result;
-  const std::vector<double> list = numbers(text, text);
-  const double distance =
-    std::sqrt(CGAL::squared_distance(Point(list[0], list[1], list[2]), position(result, mesh)));
-  if(const double tolerance = Point_finder(mesh).tolerance(); !(distance <= tolerance))
-    refuse(text, "it is " + std::to_string(distance) + " away from it, more than " +
-                   std::to_string(tolerance) + "; choose one on it, or give FACE:a,b,c");
-  return result;
+  return in_face(text, text.find(':'), number_of_faces, "give FACE:a,b,c");
 }
 
 IT::Vertex_index vertex_at(const Surface_location& p, const std::string& text, const Mesh& mesh)

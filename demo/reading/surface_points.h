@@ -12,11 +12,19 @@
 #include <string>
 #include <vector>
 
+// Whether a point may be further away from a mesh than the tolerance of a Point_finder.
+enum class Reach
+{
+  nearby,
+  anywhere
+};
+
 // The point of the mesh that `text` stands for: a vertex by its index, "FACE:a,b,c" with
 // barycentric coordinates in the order of the corners of the face in the file, or "x,y,z", the
 // nearest point of the mesh. Throws Program_error if it stands for none.
 // Precondition: if the mesh covers triangles, `text` is "x,y,z".
-Surface_location surface_point(const std::string& text, const Input_mesh& input);
+Surface_location surface_point(const std::string& text, const Input_mesh& input,
+                               Reach reach = Reach::nearby);
 
 // The point "FACE:a,b,c" of a triangulation with so many faces. Throws Program_error if there is
 // none.
@@ -48,10 +56,6 @@ private:
   std::vector<Ball> m_balls;
   double m_tolerance;
 };
-
-// As surface_point(), but a point "x,y,z" further away than the tolerance of a Point_finder is
-// none.
-Surface_location surface_point_nearby(const std::string& text, const Input_mesh& input);
 
 // The vertex at `p`. Throws Program_error, which names the point `text`, if there is none.
 CGAL::Intrinsic_triangulations::Vertex_index vertex_at(const Surface_location& p,

@@ -5,9 +5,9 @@
 #include "reading/vertex_values.h"
 
 #include "Program_error.h"
+#include "reading/Scanner.h"
 #include "reading/text_encoding.h"
 
-#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -50,11 +50,10 @@ private:
 
   double value(const std::string& number) const
   {
-    char* end = nullptr;
-    const double result = std::strtod(number.c_str(), &end);
-    if(*end != '\0' || !std::isfinite(result))
+    const auto result = finite_number(number);
+    if(!result)
       fail("'" + number + "' is not a finite number");
-    return result;
+    return *result;
   }
 
   void add(std::int64_t vertex, double value)
