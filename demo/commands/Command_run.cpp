@@ -48,17 +48,17 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
 // Has no progress bar: repairs and notes are printed meanwhile.
 void Command_run::read(bool is_quiet)
 {
-  {
-    const Timer timer(m_seconds["read"]);
-    Input_tolerance tolerance;
-    tolerance.is_repair_wanted = m_options.is_repair_wanted || m_options.weld_distance > 0;
-    tolerance.weld_distance = m_options.weld_distance;
-    tolerance.is_strict = m_options.is_strict;
-    tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
-    tolerance.are_soups_allowed = m_are_soups_allowed;
-    tolerance.neighbors = m_options.number_of_neighbors;
-    m_input = read_input(m_options.input, tolerance, is_quiet);
-  }
+  m_stage = "read";
+  m_watch = Stopwatch();
+  Input_tolerance tolerance;
+  tolerance.is_repair_wanted = m_options.is_repair_wanted || m_options.weld_distance > 0;
+  tolerance.weld_distance = m_options.weld_distance;
+  tolerance.is_strict = m_options.is_strict;
+  tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
+  tolerance.are_soups_allowed = m_are_soups_allowed;
+  tolerance.neighbors = m_options.number_of_neighbors;
+  m_input = read_input(m_options.input, tolerance, is_quiet);
+  end_stage();
   describe_input();
   if(m_options.component || m_options.is_largest_chosen)
     keep_chosen_component();
@@ -93,6 +93,23 @@ void Command_run::restart(double epsilon)
   m_page.reset();
   if(!m_options.view.empty() || !m_options.picture.empty())
     m_page.emplace();
+}
+
+void Command_run::start_stage(const std::string& name)
+{
+  end_stage();
+  m_progress.start_stage(name);
+  m_stage = name;
+  m_watch = Stopwatch();
+}
+
+void Command_run::end_stage()
+{
+  if(m_stage.empty())
+    return;
+  Statistics& seconds = m_seconds[m_stage];
+  seconds = (seconds.is_null() ? 0 : seconds.get<double>()) + m_watch.seconds();
+  m_stage.clear();
 }
 
 // All vertices stay, with their indices.
@@ -169,16 +186,16 @@ Output_mesh Command_run::with_input_faces(Output_mesh mesh) const
   if(!m_input.kept_edges.empty())
     for(Attribute& a : mesh.edge_data)
       if(a.name == "input_edge")
-        for(std::int64_t& e : std::get<0>(a.values).kept())
-          e = e < 0 ? e : number_of(m_input.kept_edges[static_cast<std::size_t>(e)]);
+        for(double& e : a.kept())
+          e = e < 0 ? e : m_input.kept_edges[static_cast<std::size_t>(e)];
   const auto is_input_face = [](const Attribute& a) { return a.name == "input_face"; };
   auto& data = mesh.polygon_data;
   const auto found = std::find_if(data.begin(), data.end(), is_input_face);
   if(found == data.end())
     return mesh;
-  auto& faces = std::get<0>(found->values).kept();
   std::vector<std::int64_t> is_back, polygons;
-  for(std::int64_t& f : faces) {
+  for(double& value : found->kept()) {
+    auto f = static_cast<std::int64_t>(value);
     if(!m_input.kept_faces.empty() && f >= 0)
       f = number_of(m_input.kept_faces[static_cast<std::size_t>(f)]);
     if(m_input.covered) {
@@ -187,6 +204,7 @@ Output_mesh Command_run::with_input_faces(Output_mesh mesh) const
     }
     if(!m_input.parents.empty())
       polygons.push_back(f < 0 ? f : m_input.parents[static_cast<std::size_t>(f)]);
+    value = static_cast<double>(f);
   }
   if(m_input.covered)
     data.push_back({"is_back", is_back});

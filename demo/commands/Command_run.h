@@ -52,22 +52,21 @@ public:
   Progress_bar& progress() { return m_progress; }
   Statistics& statistics() { return m_statistics; }
 
-  // Returns what `stage()` returns. Stages do not contain others.
+  // Begins a stage that lasts until the next. The seconds of stages with one name are added up.
+  void start_stage(const std::string& name);
+
+  // Returns what `stage()` returns, a stage of its own.
   template <class Stage>
   auto timed(const std::string& name, const Stage& stage)
   {
-    end_stage(); // before the seconds move
-    m_progress.start_stage(name);
-    const Timer timer(m_seconds[name]);
+    struct End
+    {
+      Command_run& run;
+      ~End() { run.end_stage(); }
+    };
+    start_stage(name);
+    const End end{*this};
     return stage();
-  }
-
-  // Begins a stage that lasts until the next. The seconds of stages with one name are added up.
-  void start_stage(const std::string& name)
-  {
-    end_stage();
-    m_progress.start_stage(name);
-    m_timer.emplace(m_seconds[name]);
   }
 
   // Nothing if the path is empty.
@@ -98,24 +97,6 @@ public:
   void finish(const std::string& summary);
 
 private:
-  // Adds to the seconds when it goes.
-  class Timer
-  {
-  public:
-    explicit Timer(Statistics& seconds)
-      : m_seconds(seconds), m_before(seconds.is_null() ? 0 : seconds.get<double>())
-    {}
-    ~Timer() { m_seconds = m_before + m_watch.seconds(); }
-
-    Timer(const Timer&) = delete;
-    Timer& operator=(const Timer&) = delete;
-
-  private:
-    Statistics& m_seconds;
-    double m_before;
-    Stopwatch m_watch;
-  };
-
   void read(bool is_quiet);
   void describe_input();
   void keep_chosen_component();
@@ -127,7 +108,8 @@ private:
   // polygons that these are parts of.
   Output_mesh with_input_faces(Output_mesh mesh) const;
 
-  void end_stage() { m_timer.reset(); }
+  // Nothing if none has been started.
+  void end_stage();
 
   const std::string m_command;
   const bool m_are_soups_allowed;
@@ -139,7 +121,8 @@ private:
   Statistics m_seconds;
   std::optional<View_page> m_page;          // if a page or a picture is wanted
   std::optional<Picture_section> m_section; // of the picture
-  std::optional<Timer> m_timer;             // of the stage that was started
+  std::string m_stage;                      // that was started; empty if it has ended
+  Stopwatch m_watch;                        // of the stage
 };
 
 #endif // INTRINSIC_COMMAND_RUN_H

@@ -283,8 +283,7 @@ Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdiv
 {
   Output_mesh result = subdivision_mesh(subdivision);
   for(const Attribute& f : functions)
-    result.point_data.push_back(
-      {f.name, interpolated(IT::Side::intrinsic, std::get<1>(f.values).kept(), subdivision)});
+    result.point_data.push_back({f.name, interpolated(IT::Side::intrinsic, f.kept(), subdivision)});
   return result;
 }
 

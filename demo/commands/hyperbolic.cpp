@@ -139,9 +139,9 @@ std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conf
                                                       const Output_mesh& mesh)
 {
   std::vector<std::array<double, 3>> result = mesh.texture.coordinates;
-  const auto& faces = std::get<0>(find_attribute(mesh.polygon_data, "flat_face")->values);
+  const Attribute& faces = *find_attribute(mesh.polygon_data, "flat_face");
   for(std::size_t i = 0; i < mesh.texture.polygons.size(); ++i) {
-    const DCM::Face_index f(static_cast<Mesh::size_type>(faces[i]));
+    const DCM::Face_index f(static_cast<Mesh::size_type>(faces.integer(i)));
     for(const Polygons::Index c : mesh.texture.polygons[i])
       result[c] = {mesh.texture.coordinates[c][0] + disk_distance * double(map.component(f)),
                    mesh.texture.coordinates[c][1], 0};

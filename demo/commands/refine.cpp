@@ -65,13 +65,13 @@ Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& inpu
 {
   const Mesh mesh = IT::extrinsic_mesh(triangulation, input.mesh.points());
   Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
-  const auto kind = [&](IT::Vertex_index v) {
-    return static_cast<std::int64_t>(triangulation.is_inserted(v) ? Vertex_kind::inserted
-                                                                  : Vertex_kind::input);
-  };
-  result.point_data = {attribute("kind", mesh.vertices(), kind)};
-  result.edge_data = {
-    attribute("length", mesh.edges(), [&](IT::Edge_index e) { return triangulation.length(e); })};
+  result.point_data.emplace_back("kind", result.points.size(), [&](std::size_t i) {
+    const IT::Vertex_index v(static_cast<Mesh::size_type>(i));
+    return std::int64_t(triangulation.is_inserted(v) ? Vertex_kind::inserted : Vertex_kind::input);
+  });
+  result.edge_data.emplace_back("length", result.edges.size(), [&](std::size_t i) {
+    return triangulation.length(IT::Edge_index(static_cast<Mesh::size_type>(i)));
+  });
   result.placement = placement_of(triangulation);
   add_input_data(input, result);
   return result;

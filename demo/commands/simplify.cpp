@@ -362,12 +362,11 @@ private:
                       IS::parameters::input_point_map(points).parent_vertex_map(fine_vertex)),
       mesh);
     Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
-    const auto input_vertex = [&](Mesh::Vertex_index v) {
-      const bool is_of_input =
-        fine_vertex[v].is_valid() && fine_vertex[v].idx() < m_run.input().mesh.number_of_vertices();
-      return is_of_input ? number_of(fine_vertex[v]) : -1;
-    };
-    result.point_data = {attribute("input_vertex", mesh.vertices(), input_vertex)};
+    result.point_data.emplace_back("input_vertex", result.points.size(), [&](std::size_t i) {
+      const IS::Vertex_index v = fine_vertex[Mesh::Vertex_index(static_cast<Mesh::size_type>(i))];
+      return number_of(
+        v.is_valid() && v.idx() < m_run.input().mesh.number_of_vertices() ? v : IS::Vertex_index());
+    });
     m_run.add_output(m_options.coarse_mesh, result, m_coarse_format);
   }
 

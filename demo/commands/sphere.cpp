@@ -104,7 +104,7 @@ void show(View_page& page, Command_run& run, const DCM::Spherical_conformal_map&
     scales.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
   for(Attribute& a : mesh.point_data)
     if(a.name == "log_scale")
-      a.values = part.interpolated(scales);
+      a = {a.name, part.interpolated(scales)};
   show(page, run, part, mesh, Image_kind::sphere);
   page.set_image(Image_kind::sphere, std::move(positions));
 }

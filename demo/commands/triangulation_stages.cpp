@@ -258,7 +258,7 @@ void develop_if_large(View_page& page, Command_run& run, const Triangulation& tr
     faces->input.point_data.push_back({"curvature", curvatures(run)});
     for(const Attribute& a : vertex_data) {
       faces->input.point_data.push_back(a);
-      faces->input.point_data.back().resize(faces->input.points.size());
+      resize(faces->input.point_data.back(), faces->input.points.size());
     }
     add_input_data(run.input(), faces->input);
     faces->vertex_data = std::move(vertex_data);

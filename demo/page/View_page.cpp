@@ -139,9 +139,9 @@ std::array<std::size_t, 2> count_owners(const std::vector<std::int64_t>& owners)
 // those of the input.
 void move_to_developed(Surface_marks& marks, const Output_mesh& mesh, Developed_faces& developed)
 {
-  const auto& owners = std::get<0>(find_attribute(mesh.polygon_data, "intrinsic_face")->values);
+  const Attribute& owners = *find_attribute(mesh.polygon_data, "intrinsic_face");
   for(std::int64_t& polygon : marks.polygons)
-    polygon = owners[static_cast<std::size_t>(polygon)];
+    polygon = owners.integer(static_cast<std::size_t>(polygon));
   std::vector<Point>& points = developed.input.points;
   const auto added = [&](std::size_t i) {
     points.push_back(mesh.points[i]);
@@ -156,10 +156,8 @@ void move_to_developed(Surface_marks& marks, const Output_mesh& mesh, Developed_
     lines.close();
   }
   marks.lines = std::move(lines);
-  for(Attribute& a : developed.input.point_data) {
-    a.keep();
-    a.resize(points.size());
-  }
+  for(Attribute& a : developed.input.point_data)
+    resize(a, points.size());
 }
 
 // The description of surfaces in JSON, with their numbers in arrays.
@@ -236,15 +234,14 @@ private:
     Statistics result = Statistics::object();
     for(const Attribute& a : data)
       if(is_wanted(a))
-        result[a.name] =
-          a.values.index() == 0 ? integers(a) : m_arrays.add_reals(std::get<1>(a.values).kept());
+        result[a.name] = a.are_integers() ? integers(a) : m_arrays.add_reals(a.kept());
     return result;
   }
 
   // With the number of elements that are marked, or parts of others, and that of these.
   Statistics integers(const Attribute& a)
   {
-    const std::vector<std::int64_t>& values = std::get<0>(a.values).kept();
+    const std::vector<std::int64_t> values(a.kept().begin(), a.kept().end());
     Statistics result = m_arrays.add_integers(values);
     const std::size_t marked = std::size_t(std::count(values.begin(), values.end(), 1));
     const auto counts = is_mark(a) ? std::array{marked, marked} : count_owners(values);
@@ -358,10 +355,9 @@ private:
   {
     Statistics result = Statistics::object();
     for(const Attribute& a : faces.vertex_data) {
-      const auto& values = std::get<1>(a.values);
       std::vector<double> at_sources;
       for(const std::int64_t v : faces.sources)
-        at_sources.push_back(values[static_cast<std::size_t>(v)]);
+        at_sources.push_back(a[static_cast<std::size_t>(v)]);
       result[a.name] = m_arrays.add_reals(at_sources);
     }
     return result;
@@ -385,7 +381,7 @@ void View_page::add_surface(const std::string& name, Output_mesh mesh)
   m_surfaces.back().name = name;
   mesh.keep(); // it outlives what the values are computed from
   for(Attribute& a : mesh.point_data)
-    a.resize(mesh.points.size());
+    resize(a, mesh.points.size());
   m_surfaces.back().mesh = std::move(mesh);
   if(const Corner_data& texture = m_surfaces.back().mesh.texture; texture.dimension > 0)
     set_image(Image_kind::plane, in_plane(texture));

@@ -10,11 +10,11 @@
 std::vector<std::int64_t> parts_of(const std::vector<std::int64_t>& values, const std::string& name,
                                    const Output_mesh& mesh)
 {
-  const auto& owners = std::get<0>(find_attribute(mesh.polygon_data, name)->values);
+  const Attribute& owners = *find_attribute(mesh.polygon_data, name);
   const std::unordered_set<std::int64_t> wanted(values.begin(), values.end());
   std::vector<std::int64_t> result;
   for(std::size_t i = 0; i < owners.size(); ++i)
-    if(wanted.count(owners[i]) > 0)
+    if(wanted.count(owners.integer(i)) > 0)
       result.push_back(std::int64_t(i));
   return result;
 }

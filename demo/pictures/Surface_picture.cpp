@@ -263,7 +263,7 @@ private:
       const Line_style* style = mesh.edge_data.empty() ? &plain_edge : nullptr;
       for(const Layer& layer : layers)
         if(const Attribute* a = find_attribute(mesh.edge_data, layer.attribute)) {
-          const std::int64_t value = std::get<0>(a->values)[e];
+          const std::int64_t value = a->integer(e);
           if(std::string_view(layer.attribute) == "is_seam" ? value == 1 : value >= 0)
             style = &layer.style;
         }
@@ -300,10 +300,10 @@ private:
     if(find_attribute(data, "red") != nullptr)
       for(std::size_t k = 0; k < 3; ++k) {
         const Attribute* channel = find_attribute(data, std::array{"red", "green", "blue"}[k]);
-        result[k] = double(std::get<0>(channel->values)[i]);
+        result[k] = (*channel)[i];
       }
     else if(const Attribute* a = find_attribute(m_surface.mesh.point_data, "distance"))
-      result = color_of_value(std::get<1>(a->values).kept(), i);
+      result = color_of_value(a->kept(), i);
     const double lit = m_is_flat ? 1 : .45 + .55 * std::abs(normal(i)[2]);
     return {lit * result[0], lit * result[1], lit * result[2]};
   }

@@ -52,17 +52,15 @@ void add_coordinates(Text& text, std::size_t dimension, const std::array<double,
     text << ' ' << coordinates[k];
 }
 
-// Attributes of points by their names; empty unless there are all and they have these numbers.
-template <class Number>
-std::vector<const Values<Number>*> components(const Output_mesh& mesh,
-                                              const std::array<const char*, 3>& names)
+// Attributes of points by their names; empty unless there are all, with such numbers.
+std::vector<const Attribute*> components(const Output_mesh& mesh, bool are_integers,
+                                         const std::array<const char*, 3>& names)
 {
-  std::vector<const Values<Number>*> result;
+  std::vector<const Attribute*> result;
   for(const char* name : names)
     for(const Attribute& a : mesh.point_data)
-      if(const auto* values = std::get_if<Values<Number>>(&a.values);
-         values != nullptr && a.name == name)
-        result.push_back(values);
+      if(a.are_integers() == are_integers && a.name == name)
+        result.push_back(&a);
   if(result.size() != names.size())
     result.clear();
   return result;
@@ -73,7 +71,7 @@ class Obj_writer
 {
 public:
   Obj_writer(Text& text, const Output_mesh& mesh)
-    : m_text(text), m_mesh(mesh), m_colors(components<std::int64_t>(mesh, {"red", "green", "blue"}))
+    : m_text(text), m_mesh(mesh), m_colors(components(mesh, true, {"red", "green", "blue"}))
   {
     for(const Corner_data* data : all_corner_data(mesh)) {
       const Corner_data*& place = data->name == "normal" ? m_normals : m_texture;
@@ -81,7 +79,7 @@ public:
         place = data;
     }
     if(m_normals == nullptr)
-      m_point_normals = components<double>(mesh, {"nx", "ny", "nz"});
+      m_point_normals = components(mesh, false, {"nx", "ny", "nz"});
   }
 
   void operator()()
@@ -104,8 +102,8 @@ private:
   void add_point(std::size_t i)
   {
     m_text << "v " << m_mesh.points[i];
-    for(const Values<std::int64_t>* component : m_colors)
-      m_text << ' ' << static_cast<double>((*component)[i]) / 255;
+    for(const Attribute* component : m_colors)
+      m_text << ' ' << (*component)[i] / 255;
     m_text << '\n';
   }
 
@@ -161,10 +159,10 @@ private:
 
   Text& m_text;
   const Output_mesh& m_mesh;
-  std::vector<const Values<std::int64_t>*> m_colors; // none if empty
+  std::vector<const Attribute*> m_colors; // none if empty
   const Corner_data *m_texture = nullptr, *m_normals = nullptr;
-  std::vector<const Values<double>*> m_point_normals; // none if empty
-  Polygons::Index m_group = Polygons::none;           // of the last face
+  std::vector<const Attribute*> m_point_normals; // none if empty
+  Polygons::Index m_group = Polygons::none;      // of the last face
 };
 
 void add_obj_lines(Text& text, const Output_mesh& mesh)
@@ -280,26 +278,22 @@ private:
     m_is_in_row = true;
   }
 
-  // The values of an attribute; one of the two is null.
   struct Column
   {
-    explicit Column(const Attribute& a)
-      : integers(std::get_if<0>(&a.values)), reals(std::get_if<1>(&a.values)), is_byte(is_color(a))
-    {}
+    explicit Column(const Attribute& a) : values(a), is_byte(is_color(a)) {}
 
-    const Values<std::int64_t>* integers;
-    const Values<double>* reals;
+    const Attribute& values;
     bool is_byte;
   };
 
   void add_value(const Column& column, std::size_t i)
   {
-    if(column.reals != nullptr)
-      add((*column.reals)[i]);
+    if(!column.values.are_integers())
+      add(column.values[i]);
     else if(column.is_byte)
-      add(static_cast<std::uint8_t>((*column.integers)[i]));
+      add(static_cast<std::uint8_t>(column.values.integer(i)));
     else
-      add(static_cast<std::int32_t>((*column.integers)[i]));
+      add(static_cast<std::int32_t>(column.values.integer(i)));
   }
 
   // `add_element(i)` adds what an element is; attributes follow.
@@ -382,9 +376,8 @@ void add_vtp_data(Text& text, const std::vector<Attribute>& data)
     add_vtp_array(text,
                   (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") +
                     vtp_name(a.name) + "\"",
-                  a.size(), [&](std::size_t i) {
-                    std::visit([&](const auto& values) { text << values[i]; }, a.values);
-                  });
+                  a.size(),
+                  [&](std::size_t i) { a.are_integers() ? text << a.integer(i) : text << a[i]; });
 }
 
 // Repeats points until each has one entry of all corner data, of which the coordinates get the
@@ -433,8 +426,7 @@ private:
     m_number.push_back(number);
     m_mesh.points.push_back(Point(m_mesh.points[point]));
     for(Attribute& a : m_mesh.point_data)
-      std::visit([point](auto& v) { v.kept().insert(v.kept().end(), 1, v.kept()[point]); },
-                 a.values);
+      a.kept().push_back(double(a.kept()[point]));
     for(Corner_data& data : m_data)
       data.coordinates.push_back(std::array(data.coordinates[point]));
   }
@@ -495,35 +487,21 @@ void add_vtp_cells(Text& text, std::string_view kind, const Polygons& cells)
   text << "</" << kind << ">\n";
 }
 
-// Adds -1 for each of `n` elements before the others, or behind them.
-void pad(Attribute& a, std::size_t n, bool is_before)
-{
-  const auto add = [&](auto& v) { v.insert(is_before ? v.begin() : v.end(), n, -1); };
-  if(n > 0)
-    std::visit([&](auto& values) { add(values.kept()); }, a.values);
-}
-
 // Those of lines, then those of polygons.
 std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
 {
   std::vector<Attribute> result = mesh.line_data;
   for(Attribute& a : result)
-    pad(a, mesh.polygons.size(), false);
+    a.kept().resize(mesh.lines.size() + mesh.polygons.size(), -1);
   for(const Attribute& a : mesh.polygon_data) {
-    const auto both = std::find_if(result.begin(), result.end(),
-                                   [&](const Attribute& b) { return b.name == a.name; });
+    auto both = std::find_if(result.begin(), result.end(),
+                             [&](const Attribute& b) { return b.name == a.name; });
     if(both == result.end()) {
-      result.push_back(a);
-      pad(result.back(), mesh.lines.size(), true);
-      continue;
+      both = result.insert(both, a);
+      both->kept().insert(both->kept().begin(), mesh.lines.size(), -1);
     }
-    const auto copy_to_end = [](const auto& from, auto& to) {
-      auto& numbers = to.kept();
-      typedef typename std::decay_t<decltype(numbers)>::value_type Number;
-      for(std::size_t i = 0; i < from.size(); ++i)
-        numbers[numbers.size() - from.size() + i] = static_cast<Number>(from[i]);
-    };
-    std::visit(copy_to_end, a.values, both->values);
+    for(std::size_t i = 0; i < a.size(); ++i)
+      both->kept()[mesh.lines.size() + i] = a[i];
   }
   return result;
 }

@@ -36,6 +36,11 @@ const char* name_of(const Corner_data& data)
   return data.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
 }
 
+void resize(Attribute& a, std::size_t n)
+{
+  a.kept().resize(n, a.are_integers() ? 0 : std::numeric_limits<double>::quiet_NaN());
+}
+
 Output_mesh output_mesh(const Mesh& mesh) { return points_and_polygons(mesh, mesh.faces()); }
 
 Output_mesh output_mesh(const Polygon_soup& soup)

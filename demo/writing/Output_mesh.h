@@ -14,95 +14,66 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 struct Input_mesh;
 
-// Numbers that are kept, or computed each time one of them is asked for.
-template <class Number>
-class Values
+// One number per vertex, edge, face or line, kept or computed each time it is asked for: all of them
+// integers, exact up to 2^53, or all of them not.
+class Attribute
 {
 public:
-  Values(std::vector<Number> kept) : m_kept(std::move(kept)) {}
-  Values(std::size_t size, std::function<Number(std::size_t)> number)
-    : m_size(size), m_number(std::move(number))
+  std::string name;
+
+  Attribute(std::string name, std::vector<double> values)
+    : name(std::move(name)), m_kept(std::move(values))
+  {}
+  Attribute(std::string name, const std::vector<std::int64_t>& values)
+    : name(std::move(name)), m_are_integers(true), m_kept(values.begin(), values.end())
   {}
 
-  std::size_t size() const { return m_number ? m_size : m_kept.size(); }
-  Number operator[](std::size_t i) const { return m_number ? m_number(i) : m_kept[i]; }
+  // The values are `value(i)` for i below `size`.
+  template <class Value>
+  Attribute(std::string name, std::size_t size, const Value& value)
+    : name(std::move(name)),
+      m_are_integers(std::is_integral_v<decltype(value(size))>),
+      m_size(size),
+      m_value([value](std::size_t i) { return static_cast<double>(value(i)); })
+  {}
 
-  // The numbers, which are kept from now on.
-  std::vector<Number>& kept()
+  std::size_t size() const { return m_value ? m_size : m_kept.size(); }
+  double operator[](std::size_t i) const { return m_value ? m_value(i) : m_kept[i]; }
+  std::int64_t integer(std::size_t i) const { return static_cast<std::int64_t>((*this)[i]); }
+
+  bool are_integers() const { return m_are_integers; }
+  bool has_integers() const { return m_are_integers || size() == 0; }
+
+  // The values, which are kept from now on.
+  std::vector<double>& kept()
   {
-    if(m_number) {
+    if(m_value) {
       m_kept.reserve(m_size);
       for(std::size_t i = 0; i < m_size; ++i)
-        m_kept.push_back(m_number(i));
-      m_number = nullptr;
+        m_kept.push_back(m_value(i));
+      m_value = nullptr;
     }
     return m_kept;
   }
   // Precondition: they are kept already.
-  const std::vector<Number>& kept() const { return m_kept; }
+  const std::vector<double>& kept() const { return m_kept; }
 
 private:
-  std::vector<Number> m_kept;
+  bool m_are_integers = false;
+  std::vector<double> m_kept;
   std::size_t m_size = 0;
-  std::function<Number(std::size_t)> m_number; // null if they are kept
+  std::function<double(std::size_t)> m_value; // null if they are kept
 };
 
-// One number per vertex, edge, face or line: all of them integers or all of them not.
-struct Attribute
-{
-  std::string name;
-  std::variant<Values<std::int64_t>, Values<double>> values;
-
-  std::size_t size() const
-  {
-    return std::visit([](const auto& v) { return v.size(); }, values);
-  }
-
-  void keep()
-  {
-    std::visit([](auto& v) { v.kept(); }, values);
-  }
-
-  // New values are zero or NaN. Precondition: the values are kept.
-  void resize(std::size_t n)
-  {
-    const auto resize = [n](auto& numbers) {
-      typedef typename std::decay_t<decltype(numbers)>::value_type Number;
-      numbers.resize(n, std::numeric_limits<Number>::quiet_NaN());
-    };
-    std::visit([&](auto& v) { resize(v.kept()); }, values);
-  }
-
-  bool has_integers() const { return values.index() == 0 || size() == 0; }
-};
-
-// One value per element of `range`.
-template <class Range, class Value>
-Attribute attribute(const char* name, const Range& range, const Value& value)
-{
-  typedef std::is_floating_point<decltype(value(*range.begin()))> Is_real;
-  std::vector<std::conditional_t<Is_real::value, double, std::int64_t>> values;
-  values.reserve(range.size());
-  for(const auto element : range)
-    values.push_back(value(element));
-  return {name, std::move(values)};
-}
-
-// One value per index below `n`, computed when it is asked for.
-template <class Value>
-Attribute attribute_on_demand(const std::string& name, std::size_t n, const Value& value)
-{
-  return {name, Values<decltype(value(n))>(n, value)};
-}
+// New values are zero or NaN.
+void resize(Attribute& a, std::size_t n);
 
 // Of an element of a mesh; -1 for none.
 template <class Index>
@@ -143,7 +114,7 @@ struct Output_mesh
   {
     for(auto* data : {&point_data, &edge_data, &polygon_data})
       for(Attribute& a : *data)
-        a.keep();
+        a.kept();
   }
 };
 

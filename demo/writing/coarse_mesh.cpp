@@ -73,19 +73,18 @@ Mesh::Face_index input_element(Mesh::Face_index f, const Fine_level& fine)
 void add_coarse_edges(const Coarse_subdivision& subdivision, Output_mesh& result)
 {
   const Mesh& mesh = subdivision.mesh();
-  const auto edges = subdivision.level(IS::Level::coarse).mesh().edges();
-  for(const IS::Edge_index e : edges) {
+  std::vector<std::int64_t> numbers;
+  for(const IS::Edge_index e : subdivision.level(IS::Level::coarse).mesh().edges()) {
     const auto parts = subdivision.parts_of_coarse_edge(e);
     result.lines.add_corner(mesh.source(*parts.begin()));
     for(const Mesh::Halfedge_index h : parts)
       result.lines.add_corner(mesh.target(h));
     result.lines.close();
+    numbers.push_back(number_of(e));
   }
-  const auto black = [](IS::Edge_index) { return std::int64_t(0); };
-  result.line_data = {
-    attribute("coarse_edge", edges, [](IS::Edge_index e) { return number_of(e); }),
-    attribute("red", edges, black), attribute("green", edges, black),
-    attribute("blue", edges, black)};
+  result.line_data.emplace_back("coarse_edge", numbers);
+  for(const char* channel : {"red", "green", "blue"}) // black
+    result.line_data.emplace_back(channel, std::vector<std::int64_t>(numbers.size(), 0));
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 
 namespace {
@@ -21,41 +20,21 @@ std::vector<std::size_t> counted_from(std::size_t first, std::size_t n)
   return result;
 }
 
-// Zero, or -1 where it stands for none.
-template <class Number>
-constexpr Number missing = std::is_integral<Number>::value ? Number(-1) : Number(0);
-
-// The attribute with this name and kind of values, which comes to be if there is none.
+// The attribute with the name of `a`, which comes to be if there is none.
 Attribute& attribute_like(const Attribute& a, std::vector<Attribute>& all)
 {
   const auto found =
     std::find_if(all.begin(), all.end(), [&](const Attribute& b) { return b.name == a.name; });
   if(found != all.end())
     return *found;
-  all.push_back(std::visit(
-    [&](const auto& v) {
-      typedef typename std::decay_t<decltype(v.kept())>::value_type Number;
-      return Attribute{a.name, std::vector<Number>()};
-    },
-    a.values));
+  all.push_back(a);
+  all.back().kept().clear();
   return all.back();
 }
 
 bool ends_with(const std::string& text, const std::string& end)
 {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-// Puts value i of one at place i of the other. Precondition: both have values of one kind.
-void scatter(const Attribute& from, const std::vector<std::size_t>& places, Attribute& to)
-{
-  std::visit(
-    [&](const auto& values) {
-      auto& kept = std::get<std::decay_t<decltype(values)>>(to.values).kept();
-      for(std::size_t i = 0; i < places.size(); ++i)
-        kept[places[i]] = values[i];
-    },
-    from.values);
 }
 
 } // namespace
@@ -153,28 +132,25 @@ void Joined_components::count_on(Attribute& a)
   if(a.name.compare(0, 6, "input_") == 0 ||
      !(ends_with(a.name, "_edge") || ends_with(a.name, "_face")))
     return;
-  std::int64_t& before = m_number_of_parents[a.name];
-  std::int64_t greatest = -1;
-  for(std::int64_t& i : std::get<0>(a.values).kept()) {
+  double& before = m_number_of_parents[a.name];
+  double greatest = -1;
+  for(double& i : a.kept()) {
     greatest = (std::max)(greatest, i);
     i += i < 0 ? 0 : before;
   }
   before += greatest + 1;
 }
 
-// Points of which nothing is known are at their places in the input.
+// Points of which nothing is known are at their places in the input. Otherwise -1 stands for none.
 void Joined_components::resize(Attribute& a, std::size_t size) const
 {
-  const auto resized = [&](auto& values) {
-    typedef typename std::decay_t<decltype(values)>::value_type Number;
-    const std::size_t before = values.size();
-    values.resize(size, missing<Number>);
-    for(int k = 0; k < 3; ++k)
-      if(a.name == std::string("input_") + "xyz"[k])
-        for(std::size_t i = before; i < size; ++i)
-          values[i] = static_cast<Number>(m_result.points[i][k]);
-  };
-  std::visit([&](auto& v) { resized(v.kept()); }, a.values);
+  std::vector<double>& values = a.kept();
+  const std::size_t before = values.size();
+  values.resize(size, a.are_integers() ? -1 : 0);
+  for(int k = 0; k < 3; ++k)
+    if(a.name == std::string("input_") + "xyz"[k])
+      for(std::size_t i = before; i < size; ++i)
+        values[i] = m_result.points[i][k];
 }
 
 void Joined_components::add_attributes(std::vector<Attribute>& from,
@@ -185,7 +161,8 @@ void Joined_components::add_attributes(std::vector<Attribute>& from,
     count_on(a);
     Attribute& all = attribute_like(a, to);
     resize(all, size);
-    scatter(a, places, all);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      all.kept()[places[i]] = a[i];
   }
   for(Attribute& a : to)
     resize(a, size);

@@ -47,7 +47,7 @@ private:
   Output_mesh m_result;
   std::vector<Placement::Weights> m_weights; // of each point
   std::vector<Mesh::Face_index> m_faces;     // of the input, of each polygon
-  std::map<std::string, std::int64_t> m_number_of_parents;
+  std::map<std::string, double> m_number_of_parents;
   double m_right = 0; // of the textures so far
 };
 

@@ -51,7 +51,7 @@ public:
   {
     if(kind == Image_kind::sphere)
       for(const char* name : {"homogeneous_x", "homogeneous_y", "homogeneous_z", "homogeneous_w"})
-        m_homogeneous.push_back(&std::get<1>(find_attribute(mesh.point_data, name)->values));
+        m_homogeneous.push_back(find_attribute(mesh.point_data, name));
   }
 
   // The values of the greatest triangles of polygons.
@@ -159,7 +159,7 @@ private:
 
   const Output_mesh& m_mesh;
   Image_kind m_kind;
-  std::vector<const Values<double>*> m_homogeneous; // on the sphere
+  std::vector<const Attribute*> m_homogeneous; // on the sphere
 };
 
 // With whole areas that are equal.

@@ -64,9 +64,8 @@ template <class Part, class Elements, class Value>
 void add_attribute(std::vector<Attribute>& data, const std::string& name, const Part& part,
                    Elements (Part::*elements)() const, const Value& value)
 {
-  data.push_back(attribute_on_demand(name, (part.*elements)().size(), [=](std::size_t i) {
-    return value(element((part.*elements)(), i));
-  }));
+  data.emplace_back(name, (part.*elements)().size(),
+                    [=](std::size_t i) { return value(element((part.*elements)(), i)); });
 }
 
 template <class Part>
