@@ -22,14 +22,8 @@ namespace {
 
 const char* name_of(DCM::Flattening_stage stage)
 {
-  switch(stage) {
-    case DCM::Flattening_stage::cones: return "cones";
-    case DCM::Flattening_stage::optimize: return "optimize";
-    case DCM::Flattening_stage::trace: return "trace";
-    case DCM::Flattening_stage::subdivide: return "subdivide";
-    case DCM::Flattening_stage::layout: return "layout";
-  }
-  return "";
+  constexpr const char* names[] = {"cones", "optimize", "layout", "trace", "subdivide"};
+  return names[static_cast<std::size_t>(stage)];
 }
 
 // What a user can try with this program.

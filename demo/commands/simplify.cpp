@@ -46,20 +46,10 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-const char* name_of(IS::Removal_status status)
-{
-  switch(status) {
-    case IS::Removal_status::possible: return "possible";
-    case IS::Removal_status::isolated: return "isolated";
-    case IS::Removal_status::protected_vertex: return "protected";
-    case IS::Removal_status::border_loop: return "border_loop";
-    case IS::Removal_status::self_face: return "self_face";
-    case IS::Removal_status::low_degree: return "low_degree";
-    case IS::Removal_status::not_flattenable: return "not_flattenable";
-    case IS::Removal_status::not_separable: return "not_separable";
-  }
-  return "";
-}
+// In the order of `Removal_status`.
+constexpr std::array<const char*, IS::number_of_removal_statuses> removal_names = {
+  "possible",  "isolated",   "protected",       "border_loop",
+  "self_face", "low_degree", "not_flattenable", "not_separable"};
 
 double area(const IS::Surface_level& level)
 {
@@ -109,16 +99,6 @@ Mesh_format format_of(const std::string& path, Simplify_options options)
     options.is_binary = false;
   return path.empty() ? Mesh_format::PLY : output_format(path, options);
 }
-
-// Shows the removals while they are made.
-struct Removal_counter : IS::Default_simplification_visitor
-{
-  explicit Removal_counter(Progress_bar& bar) : progress(bar) {}
-
-  void after_removal(IS::Vertex_index) { progress.step(); }
-
-  Progress_bar& progress;
-};
 
 class Simplify_command
 {
@@ -271,7 +251,7 @@ private:
   IS::Simplification_result simplified(IS::Evolving_surface& surface, IS::Transport_cost& cost,
                                        std::size_t number_of_vertices)
   {
-    Removal_counter counter(m_run.progress());
+    Step_counter counter{m_run.progress()};
     const auto np =
       IS::parameters::number_of_vertices(number_of_vertices).visitor(std::ref(counter));
     if(m_options.maximum_cost)
@@ -292,7 +272,7 @@ private:
     statistics["greatest_cost"] = result.greatest_cost;
     statistics["weights"] = m_weights.values();
     for(std::size_t s = 1; s < result.skipped.size(); ++s)
-      statistics["skipped"][name_of(static_cast<IS::Removal_status>(s))] = result.skipped[s];
+      statistics["skipped"][removal_names[s]] = result.skipped[s];
     statistics["operations"] = surface.history().size();
   }
 

@@ -30,15 +30,6 @@ const auto in_parallel = IT::parameters::concurrency_tag(CGAL::Parallel_if_avail
 
 constexpr std::size_t most_polygons = 200000; // of a common subdivision in a page
 
-// Shows the flips while they are made.
-struct Flip_counter
-{
-  Progress_bar& progress;
-
-  void after_flip(IT::Halfedge_index) { progress.step(); }
-  void before_exact_flips() {}
-};
-
 Edge_bool_map constrained_edges(Input_mesh& input, const Constraints& constraints)
 {
   auto result =
@@ -102,7 +93,7 @@ Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& c
 {
   Triangulation result = run.timed("build", [&] { return make_triangulation(run, constraints); });
   run.timed("flip", [&] {
-    Flip_counter counter{run.progress()};
+    Step_counter counter{run.progress()};
     run.statistics()["flips"] = IT::make_Delaunay(
       result, in_parallel.visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
   });

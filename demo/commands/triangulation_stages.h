@@ -33,6 +33,19 @@ struct Constraints
 // What mollification adds to each edge of the input; zero if it is not wanted.
 double length_of_mollification(Command_run& run);
 
+// Shows flips or removals while they are made.
+struct Step_counter
+{
+  Progress_bar& progress;
+
+  void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index) { progress.step(); }
+  void before_exact_flips() {}
+  template <class Star>
+  void before_removal(const Star&, double)
+  {}
+  void after_removal(CGAL::Intrinsic_triangulations::Vertex_index) { progress.step(); }
+};
+
 // The lengths of the edges of the input, mollified if that is wanted; what was added in the
 // statistics.
 Edge_length_map edge_lengths(Command_run& run);
