@@ -26,7 +26,7 @@ bool covers(const std::vector<Vector>& corners, const Vector& p)
 }
 
 // The least and the greatest value of a coordinate.
-std::pair<double, double> range(const std::vector<Vector>& points, std::size_t k)
+std::pair<double, double> range(const std::vector<Vector>& points, int k)
 {
   const auto [low, high] = std::minmax_element(
     points.begin(), points.end(), [k](const Vector& a, const Vector& b) { return a[k] < b[k]; });

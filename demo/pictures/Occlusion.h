@@ -5,7 +5,8 @@
 #ifndef INTRINSIC_OCCLUSION_H
 #define INTRINSIC_OCCLUSION_H
 
-#include <array>
+#include "reading/Polygon_soup.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -14,7 +15,7 @@
 class Occlusion
 {
 public:
-  typedef std::array<double, 3> Vector;
+  typedef Kernel::Vector_3 Vector;
 
   explicit Occlusion(std::vector<Vector> points);
 

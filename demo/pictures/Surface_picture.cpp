@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -24,37 +23,18 @@ typedef Occlusion::Vector Vector;
 
 constexpr double size = 600, margin = 20; // of each picture, in pixels
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector cross(const Vector& a, const Vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector difference(const Vector& a, const Vector& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector add(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
 Vector unit(const Vector& a)
 {
-  const double length = std::sqrt(dot(a, a));
-  return length > 0 ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{0, 0, 1};
+  const double length = std::sqrt(a.squared_length());
+  return length > 0 ? a / length : Vector(0, 0, 1);
 }
 
-// The least and the greatest coordinates of points.
-std::pair<Vector, Vector> box_of(const std::vector<Vector>& points)
+CGAL::Bbox_3 box_of(const std::vector<Vector>& points)
 {
-  constexpr double most = std::numeric_limits<double>::max();
-  Vector low{most, most, most}, high{-most, -most, -most};
+  CGAL::Bbox_3 result;
   for(const Vector& p : points)
-    for(std::size_t k = 0; k < 3; ++k) {
-      low[k] = (std::min)(low[k], p[k]);
-      high[k] = (std::max)(high[k], p[k]);
-    }
-  return {low, high};
+    result += CGAL::Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+  return result;
 }
 
 // The directions to the right, upwards and to the viewer.
@@ -62,42 +42,40 @@ typedef std::array<Vector, 3> Outlook;
 
 Outlook outlook(const Vector& way, const Vector& up)
 {
-  const Vector right = unit(cross(up, way));
-  return {right, cross(way, right), way};
+  const Vector right = unit(CGAL::cross_product(up, way));
+  return {right, CGAL::cross_product(way, right), way};
 }
 
 // The viewer sees the broadest side, a little from above; what is flat is seen from above.
 Outlook outlook_on(const std::vector<Vector>& points)
 {
-  const auto [low, high] = box_of(points);
-  const Vector extent = difference(high, low);
+  const CGAL::Bbox_3 box = box_of(points);
+  const std::array<double, 3> extent{box.x_span(), box.y_span(), box.z_span()};
   std::size_t axis = extent[0] < extent[1] ? 0 : 1;
   if(extent[2] <= extent[axis])
     axis = 2;
   const std::size_t up_axis = axis == 1 || (axis == 0 && extent[2] > extent[1]) ? 2 : 1;
   const double oblique = extent[axis] > 0 ? 1 : 0;
-  Vector way{}, up{};
+  std::array<double, 3> way{}, up{};
   way[axis] = axis == 1 ? -1 : 1;
   up[up_axis] = 1;
   way[up_axis] += .22 * oblique;
   way[3 - axis - up_axis] += .32 * oblique;
-  return outlook(unit(way), up);
+  return outlook(unit({way[0], way[1], way[2]}), {up[0], up[1], up[2]});
 }
 
 Outlook outlook_along(const Vector& normal)
 {
-  return outlook(normal, std::abs(normal[1]) < .9 ? Vector{0, 1, 0} : Vector{0, 0, 1});
+  return outlook(normal, std::abs(normal.y()) < .9 ? Vector(0, 1, 0) : Vector(0, 0, 1));
 }
 
 // Scaled into the picture, where y leads downwards.
-void fit(std::vector<Vector>& points, const std::pair<Vector, Vector>& box)
+void fit(std::vector<Vector>& points, const CGAL::Bbox_3& box)
 {
-  const auto& [low, high] = box;
-  const double extent = (std::max)({high[0] - low[0], high[1] - low[1], 1e-300});
-  const double scale = (size - 2 * margin) / extent;
+  const double scale = (size - 2 * margin) / (std::max)({box.x_span(), box.y_span(), 1e-300});
   for(Vector& p : points)
-    p = {size / 2 + scale * (p[0] - low[0] / 2 - high[0] / 2),
-         size / 2 - scale * (p[1] - low[1] / 2 - high[1] / 2), scale * p[2]};
+    p = {size / 2 + scale * (p.x() - box.xmin() / 2 - box.xmax() / 2),
+         size / 2 - scale * (p.y() - box.ymin() / 2 - box.ymax() / 2), scale * p.z()};
 }
 
 // Lines of a kind, the last over the others.
@@ -193,19 +171,19 @@ private:
   void set_positions()
   {
     if(m_is_image)
-      m_positions = m_surface.image;
+      for(const auto& [x, y, z] : m_surface.image)
+        m_positions.emplace_back(x, y, z);
     else {
       for(const Point& p : m_surface.mesh.points)
-        m_positions.push_back({p.x(), p.y(), p.z()});
+        m_positions.push_back(p - CGAL::ORIGIN);
       if(m_section) // after them
-        m_positions.push_back(
-          {m_section->center.x(), m_section->center.y(), m_section->center.z()});
+        m_positions.push_back(m_section->center - CGAL::ORIGIN);
     }
     if(!m_is_flat) {
       const auto [right, top, way] =
         m_section ? outlook_along(mean_normal()) : outlook_on(m_positions);
       for(Vector& p : m_positions)
-        p = {dot(p, right), dot(p, top), dot(p, way)};
+        p = {p * right, p * top, p * way};
     }
     const auto box = box_of_picture();
     fit(m_positions, box);
@@ -222,18 +200,17 @@ private:
     for(std::size_t i = 0; i < m_surface.outlines.size() && m_is_image; ++i) {
       result.emplace_back();
       for(const std::array<double, 2>& p : m_surface.outlines[i])
-        result.back().push_back({p[0], p[1], 0});
+        result.back().emplace_back(p[0], p[1], 0);
     }
     return result;
   }
 
-  std::pair<Vector, Vector> box_of_picture() const
+  CGAL::Bbox_3 box_of_picture() const
   {
     std::vector<Vector> points;
     if(m_section && !m_is_image)
       for(const double r : {m_section->radius, -m_section->radius})
-        points.push_back(
-          {m_positions.back()[0] + r, m_positions.back()[1] + r, m_positions.back()[2]});
+        points.push_back(m_positions.back() + Vector(r, r, 0));
     else if(m_section)
       for(const std::size_t i : m_order)
         for(const Polygons::Index c : m_polygons[i])
@@ -246,9 +223,9 @@ private:
 
   Vector mean_normal() const
   {
-    Vector sum{};
+    Vector sum = CGAL::NULL_VECTOR;
     for(const std::size_t i : m_order)
-      sum = add(sum, normal(i));
+      sum += normal(i);
     return unit(sum);
   }
 
@@ -276,7 +253,7 @@ private:
   {
     double sum = 0;
     for(const Polygons::Index c : m_polygons[i])
-      sum += m_positions[c][2];
+      sum += m_positions[c].z();
     return sum / double((std::max)(m_polygons[i].size(), std::size_t(1)));
   }
 
@@ -284,19 +261,19 @@ private:
   Vector normal(std::size_t i) const
   {
     const Polygons::Polygon p = m_polygons[i];
-    Vector sum{};
+    Vector sum = CGAL::NULL_VECTOR;
     for(std::size_t k = 2; k < p.size(); ++k)
-      sum = add(sum, cross(difference(m_positions[p[k - 1]], m_positions[p[0]]),
-                           difference(m_positions[p[k]], m_positions[p[0]])));
+      sum += CGAL::cross_product(m_positions[p[k - 1]] - m_positions[p[0]],
+                                 m_positions[p[k]] - m_positions[p[0]]);
     return unit(sum);
   }
 
-  Vector color(std::size_t i) const
+  std::array<double, 3> color(std::size_t i) const
   {
     if(std::binary_search(m_failures.begin(), m_failures.end(), std::int64_t(i)))
       return {216, 30, 30};
     const std::vector<Attribute>& data = m_surface.mesh.polygon_data;
-    Vector result{238, 236, 228};
+    std::array<double, 3> result{238, 236, 228};
     if(find_attribute(data, "red") != nullptr)
       for(std::size_t k = 0; k < 3; ++k) {
         const Attribute* channel = find_attribute(data, std::array{"red", "green", "blue"}[k]);
@@ -304,12 +281,12 @@ private:
       }
     else if(const Attribute* a = find_attribute(m_surface.mesh.point_data, "distance"))
       result = color_of_value(a->kept(), i);
-    const double lit = m_is_flat ? 1 : .45 + .55 * std::abs(normal(i)[2]);
+    const double lit = m_is_flat ? 1 : .45 + .55 * std::abs(normal(i).z());
     return {lit * result[0], lit * result[1], lit * result[2]};
   }
 
   // From dark to light, in twenty steps.
-  Vector color_of_value(const std::vector<double>& values, std::size_t i) const
+  std::array<double, 3> color_of_value(const std::vector<double>& values, std::size_t i) const
   {
     const Polygons::Polygon p = m_surface.mesh.polygons[i];
     double sum = 0;
@@ -359,24 +336,22 @@ private:
   {
     if(!m_section)
       return {0, 1};
-    const Vector p = difference(a, m_positions.back());
-    const double square = dot(d, d), middle = square > 0 ? -dot(p, d) / square : 0;
-    const Vector nearest{p[0] + middle * d[0], p[1] + middle * d[1], p[2] + middle * d[2]};
+    const Vector p = a - m_positions.back();
+    const double square = d.squared_length(), middle = square > 0 ? -(p * d) / square : 0;
+    const Vector nearest = p + middle * d;
     const double half =
-      std::sqrt((std::pow(reach * (size / 2 - margin), 2) - dot(nearest, nearest)) / square);
+      std::sqrt((std::pow(reach * (size / 2 - margin), 2) - nearest.squared_length()) / square);
     return {(std::max)(middle - half, 0.), (std::min)(middle + half, 1.)};
   }
 
   void add_parts(const Vector& a, const Vector& b, std::vector<Segment>& parts) const
   {
-    const Vector d = difference(b, a);
+    const Vector d = b - a;
     const auto [begin, end] = part_within_reach(a, d);
-    const double n = (std::max)(std::ceil((end - begin) * std::hypot(d[0], d[1])), 1.);
-    if(!(begin < end) || !std::isfinite(n * d[2]))
+    const double n = (std::max)(std::ceil((end - begin) * std::hypot(d.x(), d.y())), 1.);
+    if(!(begin < end) || !std::isfinite(n * d.z()))
       return;
-    const auto point = [&](double t) {
-      return Vector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
-    };
+    const auto point = [&](double t) { return a + t * d; };
     for(double i = 0; i < n; ++i)
       parts.push_back(
         {point(begin + (end - begin) * i / n), point(begin + (end - begin) * (i + 1) / n)});
@@ -388,7 +363,7 @@ private:
     const std::vector<Segment> parts = parts_of_marked_lines();
     std::vector<Vector> middles;
     for(const auto& [a, b] : parts)
-      middles.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+      middles.push_back((a + b) / 2);
     Occlusion occlusion(std::move(middles));
     if(!parts.empty())
       for(const std::size_t i : m_order)
@@ -428,7 +403,7 @@ private:
 
   Rgb fill(std::size_t i) const
   {
-    const Vector rgb = color(i);
+    const std::array<double, 3> rgb = color(i);
     const auto channel = [&](std::size_t k) {
       return static_cast<unsigned char>(std::lround((std::min)((std::max)(rgb[k], 0.), 255.)));
     };
