@@ -11,8 +11,6 @@
 #include "reading/component_meshes.h"
 #include "writing/joined_components.h"
 
-#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -47,7 +45,6 @@ public:
     m_exit_code = (std::max)(m_exit_code, exit_code(map));
     const Map_part part(map, m_run.input().mesh, &component);
     Output_mesh mesh = described_mesh(statistics, map, part, output);
-    typedef CGAL::Discrete_conformal_maps::Spherical_conformal_map Spherical_map;
     m_joined.add(component, std::move(mesh),
                  std::is_same<Map, Spherical_map>::value ? next_center(statistics) : 0);
     return summary_of(map, statistics);

@@ -77,7 +77,7 @@ public:
       m_mollification = mollification(m_run);
       return flattening_conditions(m_options, mesh());
     });
-    DCM::Planar_conformal_map map = solved();
+    Planar_map map = solved();
     if(m_run.options().is_exact)
       certify(map);
     m_run.timed("write", [&] {
@@ -97,7 +97,7 @@ public:
 private:
   Mesh& mesh() { return m_run.input().mesh; }
 
-  DCM::Planar_conformal_map solved()
+  Planar_map solved()
   {
 #ifdef INTRINSIC_USE_CERES
     if(m_options.solver == "ceres")
@@ -107,7 +107,7 @@ private:
   }
 
   template <class Minimizer>
-  DCM::Planar_conformal_map flattened_by(const Minimizer& minimizer)
+  Planar_map flattened_by(const Minimizer& minimizer)
   {
     const double bound = m_options.cones == "greedy" ? m_options.maximum_log_scale.value_or(5)
                                                      : std::numeric_limits<double>::infinity();
@@ -127,7 +127,7 @@ private:
 
   // Throws Program_error, which names the mesh, if it is not for the shape.
   template <class Parameters>
-  DCM::Planar_conformal_map shaped(const Parameters& np)
+  Planar_map shaped(const Parameters& np)
   {
     const std::string& shape = m_options.boundary;
     if(!is_shape(shape))
@@ -143,7 +143,7 @@ private:
   }
 
   // The triangulations of the map and the order of their crossings.
-  void certify(const DCM::Planar_conformal_map& map)
+  void certify(const Planar_map& map)
   {
     check_status(m_run, map, map.is_laid_out());
     const IT::Delaunay_certificate on_B = ::certify(m_run, map.Delaunay());
@@ -166,7 +166,7 @@ private:
   }
 
   // Cuts and scales charts, if that is wanted.
-  void arrange(DCM::Planar_conformal_map& map)
+  void arrange(Planar_map& map)
   {
     if(!map.is_laid_out())
       return;
@@ -177,7 +177,7 @@ private:
   }
 
   // Those that were placed and those of the file.
-  std::vector<Mesh::Vertex_index> cones(const DCM::Planar_conformal_map& map)
+  std::vector<Mesh::Vertex_index> cones(const Planar_map& map)
   {
     std::vector<Mesh::Vertex_index> result;
     for(const DCM::Vertex_index v : map.cones())
@@ -197,7 +197,7 @@ private:
 };
 
 // Where the image covers a part of the plane more than once.
-void describe_overlap(Statistics& statistics, const DCM::Planar_conformal_map& map)
+void describe_overlap(Statistics& statistics, const Planar_map& map)
 {
   const DCM::Chart_overlap overlap = DCM::find_overlap(map);
   statistics["charts"] = overlap.number_of_charts;
@@ -209,7 +209,7 @@ void describe_overlap(Statistics& statistics, const DCM::Planar_conformal_map& m
 
 } // namespace
 
-std::string summary_of(const DCM::Planar_conformal_map&, const Statistics& s)
+std::string summary_of(const Planar_map&, const Statistics& s)
 {
   std::ostringstream text;
   text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
@@ -223,8 +223,8 @@ std::string summary_of(const DCM::Planar_conformal_map&, const Statistics& s)
   return text.str();
 }
 
-Output_mesh described_mesh(Statistics& statistics, const DCM::Planar_conformal_map& map,
-                           const Map_part& part, const Map_output& output)
+Output_mesh described_mesh(Statistics& statistics, const Planar_map& map, const Map_part& part,
+                           const Map_output& output)
 {
   const Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
   describe_minimization(statistics, map, output);
@@ -235,14 +235,14 @@ Output_mesh described_mesh(Statistics& statistics, const DCM::Planar_conformal_m
   return result;
 }
 
-void show(View_page& page, Command_run& run, const DCM::Planar_conformal_map& map,
-          const Map_part& part, const Output_mesh& mesh, const Map_output& output)
+void show(View_page& page, Command_run& run, const Planar_map& map, const Map_part& part,
+          const Output_mesh& mesh, const Map_output& output)
 {
   show(page, run, part, flat_mesh(map, part, output.cones, true), Image_kind::plane);
   page.add_marks({"flipped triangles", true, flipped_polygons(mesh), {}, {}});
 }
 
-void add_files(Command_run&, const DCM::Planar_conformal_map&, const Map_output&) {}
+void add_files(Command_run&, const Planar_map&, const Map_output&) {}
 
 int flatten(const Common_options& common, const Flatten_options& options)
 {

@@ -36,8 +36,7 @@ Cones cones_of(const Conditions& conditions, const Mesh& mesh)
   return result;
 }
 
-DCM::Hyperbolic_conformal_map uniformized(Command_run& run, double epsilon,
-                                          const Conditions& conditions)
+Hyperbolic_map uniformized(Command_run& run, double epsilon, const Conditions& conditions)
 {
   const Mesh& mesh = run.input().mesh;
   Stage_visitor visitor{run};
@@ -87,7 +86,7 @@ void describe_group(Statistics& statistics, const DCM::Fuchsian_group& group)
 }
 
 // The component itself, and the group, which with boundary is that of its double.
-Statistics description(const DCM::Hyperbolic_conformal_map& map, std::size_t component)
+Statistics description(const Hyperbolic_map& map, std::size_t component)
 {
   const auto& type = map.topology(component);
   Statistics result{
@@ -100,7 +99,7 @@ Statistics description(const DCM::Hyperbolic_conformal_map& map, std::size_t com
 
 } // namespace
 
-std::string summary_of(const DCM::Hyperbolic_conformal_map&, const Statistics& s)
+std::string summary_of(const Hyperbolic_map&, const Statistics& s)
 {
   std::ostringstream text;
   text << "area " << s["area"].get<double>() << ", log scale factors "
@@ -116,8 +115,8 @@ std::string summary_of(const DCM::Hyperbolic_conformal_map&, const Statistics& s
 }
 
 // Edges are straight in Klein's disk.
-Output_mesh described_mesh(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
-                           const Map_part& part, const Map_output& output)
+Output_mesh described_mesh(Statistics& statistics, const Hyperbolic_map& map, const Map_part& part,
+                           const Map_output& output)
 {
   describe_minimization(statistics, map, output);
   statistics["max_gluing_error"] = map.max_gluing_error();
@@ -135,7 +134,7 @@ Output_mesh described_mesh(Statistics& statistics, const DCM::Hyperbolic_conform
 namespace {
 
 // Each component is in its own disk.
-std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conformal_map& map,
+std::vector<std::array<double, 3>> positions_in_disks(const Hyperbolic_map& map,
                                                       const Output_mesh& mesh)
 {
   std::vector<std::array<double, 3>> result = mesh.texture.coordinates;
@@ -153,8 +152,8 @@ std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conf
 
 // Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
 // Poincare's.
-void show(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
-          const Map_part& part, const Output_mesh&, const Map_output& output)
+void show(View_page& page, Command_run& run, const Hyperbolic_map& map, const Map_part& part,
+          const Output_mesh&, const Map_output& output)
 {
   const Output_mesh straight = flat_mesh(map, part, output.cones, true);
   show(page, run, part, straight, Image_kind::disk);
@@ -164,7 +163,7 @@ void show(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map
   page.add_marks({"flipped triangles", true, flipped_polygons(straight), {}, {}});
 }
 
-void add_files(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const Map_output& output)
+void add_files(Command_run& run, const Hyperbolic_map& map, const Map_output& output)
 {
   if(!output.picture.empty())
     run.add_output(output.picture, disk_picture(map, output.depth));

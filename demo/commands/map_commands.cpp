@@ -44,7 +44,7 @@ std::string advice(const std::string& command, DCM::Map_status status)
 }
 
 // What is wrong with a map, and what can be tried.
-std::string failure(Command_run& run, const DCM::Discrete_conformal_map& map)
+std::string failure(Command_run& run, const Conformal_map& map)
 {
   const bool is_by_search = map.status() == DCM::Map_status::not_converged &&
                             map.minimization().status != DCM::Minimization_status::converged;
@@ -86,7 +86,7 @@ Mesh_format format_with_texture(const Output_options& options)
   return format;
 }
 
-void check_status(Command_run& run, const DCM::Discrete_conformal_map& map, bool is_laid_out)
+void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out)
 {
   if(map.status() == DCM::Map_status::success)
     return;
@@ -99,12 +99,9 @@ void check_status(Command_run& run, const DCM::Discrete_conformal_map& map, bool
   std::cerr << run.options().input << ": warning: " << text << '\n';
 }
 
-int exit_code(const DCM::Discrete_conformal_map& map)
-{
-  return map.status() == DCM::Map_status::success ? 0 : 3;
-}
+int exit_code(const Conformal_map& map) { return map.status() == DCM::Map_status::success ? 0 : 3; }
 
-void describe_minimization(Statistics& statistics, const DCM::Discrete_conformal_map& map,
+void describe_minimization(Statistics& statistics, const Conformal_map& map,
                            const Map_output& output)
 {
   statistics["cones"] = output.cones.size();
@@ -112,7 +109,7 @@ void describe_minimization(Statistics& statistics, const DCM::Discrete_conformal
   describe_status(statistics, map);
 }
 
-void describe_status(Statistics& statistics, const DCM::Discrete_conformal_map& map)
+void describe_status(Statistics& statistics, const Conformal_map& map)
 {
   statistics["status"] = DCM::to_string(map.status());
   Statistics& promises = statistics["promises"];
@@ -121,8 +118,8 @@ void describe_status(Statistics& statistics, const DCM::Discrete_conformal_map& 
   statistics["max_curvature_error"] = map.max_curvature_error();
 }
 
-void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& map,
-                    const Map_part& part, const Output_mesh& result)
+void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_part& part,
+                    const Output_mesh& result)
 {
   const Mesh& input = part.mapped_mesh();
   std::vector<double> u;

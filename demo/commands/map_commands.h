@@ -13,11 +13,7 @@
 #include "writing/Output_mesh.h"
 #include "writing/map_mesh.h"
 
-#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
-#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 
 #include <cstddef>
 #include <optional>
@@ -53,12 +49,10 @@ Mesh_format format_with_texture(const Output_options& options);
 
 // Throws Map_failure, with what is wrong, if a map is not a success; prints that as a warning, if
 // failures are to be written and there is a layout.
-void check_status(Command_run& run,
-                  const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                  bool is_laid_out);
+void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out);
 
 // 0 for a success, 3 for a failure that is written.
-int exit_code(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+int exit_code(const Conformal_map& map);
 
 // What is written of a map, and how.
 struct Map_output
@@ -77,19 +71,16 @@ Map_output map_output(const Hyperbolic_options& options, Mesh_format format,
                       const Cones& cones = {});
 
 // Adds the numbers of cones and iterations, and what `describe_status()` adds.
-void describe_minimization(Statistics& statistics,
-                           const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+void describe_minimization(Statistics& statistics, const Conformal_map& map,
                            const Map_output& output);
 
 // Adds the status, the errors of what is promised and the greatest error of curvatures.
-void describe_status(Statistics& statistics,
-                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+void describe_status(Statistics& statistics, const Conformal_map& map);
 
 // Adds the range of the logarithmic scale factors, which vertices without faces have not, the
 // numbers of flips and the size of the output.
-void describe_sizes(Statistics& statistics,
-                    const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                    const Map_part& part, const Output_mesh& result);
+void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_part& part,
+                    const Output_mesh& result);
 
 // Shows the common subdivision of a map on a page, with scale factors, the curvature of the input
 // and the distortion of the map, and histograms of the angles of the input and its intrinsic
@@ -100,42 +91,30 @@ void show(View_page& page, Command_run& run, const Map_part& part, Output_mesh m
 // ---- For each kind of maps ----
 
 // Describes a map, and returns the mesh that is written for it.
-Output_mesh described_mesh(Statistics& statistics,
-                           const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
-                           const Map_part& part, const Map_output& output);
-Output_mesh described_mesh(Statistics& statistics,
-                           const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                           const Map_part& part, const Map_output& output);
-Output_mesh described_mesh(Statistics& statistics,
-                           const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-                           const Map_part& part, const Map_output& output);
+Output_mesh described_mesh(Statistics& statistics, const Spherical_map& map, const Map_part& part,
+                           const Map_output& output);
+Output_mesh described_mesh(Statistics& statistics, const Planar_map& map, const Map_part& part,
+                           const Map_output& output);
+Output_mesh described_mesh(Statistics& statistics, const Hyperbolic_map& map, const Map_part& part,
+                           const Map_output& output);
 
 // Shows a map of which `mesh` is written.
-void show(View_page& page, Command_run& run,
-          const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map, const Map_part& part,
+void show(View_page& page, Command_run& run, const Spherical_map& map, const Map_part& part,
           const Output_mesh& mesh, const Map_output& output);
-void show(View_page& page, Command_run& run,
-          const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, const Map_part& part,
+void show(View_page& page, Command_run& run, const Planar_map& map, const Map_part& part,
           const Output_mesh& mesh, const Map_output& output);
-void show(View_page& page, Command_run& run,
-          const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map, const Map_part& part,
+void show(View_page& page, Command_run& run, const Hyperbolic_map& map, const Map_part& part,
           const Output_mesh& mesh, const Map_output& output);
 
 // Adds other files than that of the mesh.
-void add_files(Command_run& run, const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
-               const Map_output& output);
-void add_files(Command_run& run, const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-               const Map_output& output);
-void add_files(Command_run& run, const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-               const Map_output& output);
+void add_files(Command_run& run, const Spherical_map& map, const Map_output& output);
+void add_files(Command_run& run, const Planar_map& map, const Map_output& output);
+void add_files(Command_run& run, const Hyperbolic_map& map, const Map_output& output);
 
 // What `described_mesh()` has found, in one line.
-std::string summary_of(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
-                       const Statistics& statistics);
-std::string summary_of(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                       const Statistics& statistics);
-std::string summary_of(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-                       const Statistics& statistics);
+std::string summary_of(const Spherical_map& map, const Statistics& statistics);
+std::string summary_of(const Planar_map& map, const Statistics& statistics);
+std::string summary_of(const Hyperbolic_map& map, const Statistics& statistics);
 
 // The end of a command: checks the map, adds it to the outputs and its properties to the
 // statistics, and finishes the run. Returns the exit code. Throws Map_failure as `check_status()`

@@ -29,18 +29,18 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 namespace {
 
 // A line "x y z", with all digits that the map has, for a vertex of the input.
-std::string precise_position(const DCM::Spherical_conformal_map& map, Mesh::Vertex_index v)
+std::string precise_position(const Spherical_map& map, Mesh::Vertex_index v)
 {
   // Digits that are computed are more than those that are written, all of which hold.
   typedef boost::multiprecision::cpp_bin_float_50 Number;
   std::ostringstream text;
-  text.precision(std::numeric_limits<DCM::Spherical_conformal_map::Extended>::digits10);
+  text.precision(std::numeric_limits<Spherical_map::Extended>::digits10);
   const auto p = map.position_in<Number>(DCM::Vertex_index(v.idx()));
   text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   return text.str();
 }
 
-DCM::Spherical_conformal_map mapped(Command_run& run, const Mesh& mesh, double epsilon)
+Spherical_map mapped(Command_run& run, const Mesh& mesh, double epsilon)
 {
   Stage_visitor visitor{run};
   return DCM::map_to_sphere(mesh,
@@ -49,7 +49,7 @@ DCM::Spherical_conformal_map mapped(Command_run& run, const Mesh& mesh, double e
                               .visitor(std::ref(visitor)));
 }
 
-void describe(Statistics& statistics, const DCM::Spherical_conformal_map& map)
+void describe(Statistics& statistics, const Spherical_map& map)
 {
   statistics["disk"] = map.is_disk();
   if(map.is_flat())
@@ -68,7 +68,7 @@ void describe(Statistics& statistics, const DCM::Spherical_conformal_map& map)
 
 } // namespace
 
-std::string summary_of(const DCM::Spherical_conformal_map&, const Statistics& s)
+std::string summary_of(const Spherical_map&, const Statistics& s)
 {
   std::ostringstream text;
   text << (s["disk"] ? s.contains("flat") ? "inscribed polygon" : "hemisphere" : "sphere")
@@ -81,8 +81,8 @@ std::string summary_of(const DCM::Spherical_conformal_map&, const Statistics& s)
   return text.str();
 }
 
-Output_mesh described_mesh(Statistics& statistics, const DCM::Spherical_conformal_map& map,
-                           const Map_part& part, const Map_output&)
+Output_mesh described_mesh(Statistics& statistics, const Spherical_map& map, const Map_part& part,
+                           const Map_output&)
 {
   describe(statistics, map);
   Output_mesh result = sphere_mesh(map, part);
@@ -91,8 +91,8 @@ Output_mesh described_mesh(Statistics& statistics, const DCM::Spherical_conforma
 }
 
 // The surface is that of the input, with the sphere as its picture.
-void show(View_page& page, Command_run& run, const DCM::Spherical_conformal_map& map,
-          const Map_part& part, const Output_mesh& on_sphere, const Map_output&)
+void show(View_page& page, Command_run& run, const Spherical_map& map, const Map_part& part,
+          const Output_mesh& on_sphere, const Map_output&)
 {
   Output_mesh mesh = on_sphere;
   std::vector<std::array<double, 3>> positions;
@@ -109,7 +109,7 @@ void show(View_page& page, Command_run& run, const DCM::Spherical_conformal_map&
   page.set_image(Image_kind::sphere, std::move(positions));
 }
 
-void add_files(Command_run& run, const DCM::Spherical_conformal_map& map, const Map_output& output)
+void add_files(Command_run& run, const Spherical_map& map, const Map_output& output)
 {
   if(output.precise.empty())
     return;
@@ -127,7 +127,7 @@ int map_components(Command_run& run, const Map_output& output, double epsilon)
   Component_maps maps(run);
   std::map<std::size_t, std::string> positions; // of each vertex of the input
   maps.for_each([&](const Component_mesh& component, Statistics& statistics) {
-    const DCM::Spherical_conformal_map map = mapped(run, component.mesh, epsilon);
+    const Spherical_map map = mapped(run, component.mesh, epsilon);
     const std::string summary = maps.add(component, statistics, map, output);
     if(!output.precise.empty())
       for(const Mesh::Vertex_index v : component.mesh.vertices())

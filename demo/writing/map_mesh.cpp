@@ -23,13 +23,12 @@ using DCM::Face_index;
 using DCM::Halfedge_index;
 using DCM::Vertex_index;
 
-std::complex<double> position(const DCM::Planar_conformal_map&, const std::array<double, 3>& z)
+std::complex<double> position(const Planar_map&, const std::array<double, 3>& z)
 {
   return {z[0] / z[2], z[1] / z[2]};
 }
 
-std::complex<double> position(const DCM::Hyperbolic_conformal_map& map,
-                              const std::array<double, 3>& z)
+std::complex<double> position(const Hyperbolic_map& map, const std::array<double, 3>& z)
 {
   return map.to_disk(z);
 }
@@ -78,19 +77,19 @@ Output_mesh with_texture(const Map& map, const Map_part& part, const Cones& cone
 
 } // namespace
 
-Output_mesh flat_mesh(const DCM::Planar_conformal_map& map, const Map_part& part,
-                      const Cones& cones, bool is_homogeneous)
+Output_mesh flat_mesh(const Planar_map& map, const Map_part& part, const Cones& cones,
+                      bool is_homogeneous)
 {
   return with_texture(map, part, cones, is_homogeneous);
 }
 
-Output_mesh flat_mesh(const DCM::Hyperbolic_conformal_map& map, const Map_part& part,
-                      const Cones& cones, bool is_homogeneous)
+Output_mesh flat_mesh(const Hyperbolic_map& map, const Map_part& part, const Cones& cones,
+                      bool is_homogeneous)
 {
   return with_texture(map, part, cones, is_homogeneous);
 }
 
-Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Map_part& part)
+Output_mesh sphere_mesh(const Spherical_map& map, const Map_part& part)
 {
   const auto homogeneous = std::make_shared<const std::vector<std::array<double, 4>>>(
     DCM::homogeneous_coordinates(map, part.part()));
@@ -99,7 +98,7 @@ Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Map_part&
     const auto p =
       part.part().is_of_input(v) ? map.position(v) : map.image((*homogeneous)[part.number(v)]);
     result.points.emplace_back(p[0], p[1], p[2]);
-    if(const auto z = map.is_disk() ? DCM::Spherical_conformal_map::to_plane(p) : 0; map.is_disk())
+    if(const auto z = map.is_disk() ? Spherical_map::to_plane(p) : 0; map.is_disk())
       result.texture.coordinates.push_back({z.real(), z.imag(), 1});
   }
   part.add_elements("sphere", result);

@@ -14,6 +14,11 @@
 
 #include <vector>
 
+using Conformal_map = CGAL::Discrete_conformal_maps::Discrete_conformal_map;
+using Planar_map = CGAL::Discrete_conformal_maps::Planar_conformal_map;
+using Hyperbolic_map = CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map;
+using Spherical_map = CGAL::Discrete_conformal_maps::Spherical_conformal_map;
+
 using Cones = std::vector<Mesh::Vertex_index>;
 
 // Return the common subdivision of the three triangulations of a map, as far as it belongs to the
@@ -27,18 +32,17 @@ using Cones = std::vector<Mesh::Vertex_index>;
 // on each face, or as positions (x, y), between which the map is projective, not linear. Vertices
 // have whether a cone is there, and the logarithmic scale factor (linear on faces of the input);
 // edges, whether their two faces are apart in the plane.
-Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                      const Map_part& part, const Cones& cones, bool is_homogeneous);
+Output_mesh flat_mesh(const Planar_map& map, const Map_part& part, const Cones& cones,
+                      bool is_homogeneous);
 
 // Homogeneous coordinates are those of Klein's disk, positions those in the Poincare disk.
-Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-                      const Map_part& part, const Cones& cones, bool is_homogeneous);
+Output_mesh flat_mesh(const Hyperbolic_map& map, const Map_part& part, const Cones& cones,
+                      bool is_homogeneous);
 
 // On the unit sphere. Vertices have the logarithmic scale factor, zero elsewhere than in the input,
 // the place in the input (input_x, ...), and homogeneous coordinates (homogeneous_x, ..., _w),
 // which are linear on faces of the subdivision. Of a disk, the texture is its image in the unit
 // disk.
-Output_mesh sphere_mesh(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
-                        const Map_part& part);
+Output_mesh sphere_mesh(const Spherical_map& map, const Map_part& part);
 
 #endif // INTRINSIC_MAP_MESH_H
