@@ -120,4 +120,8 @@ Planar_conformal_map flatten(const Graph& g,
 
 } // namespace CGAL::Discrete_conformal_maps
 
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/compiled/flatten.h>
+#endif
+
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_H

@@ -59,9 +59,7 @@ public:
   /// `Intrinsic_triangulations::Intrinsic_triangulation`.
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Evolving_surface(const Graph& g,
-                            const NamedParameters& np = CGAL::parameters::default_values())
-    : Evolving_surface(Triangulation(g, np))
-  {}
+                            const NamedParameters& np = CGAL::parameters::default_values());
 
   /// returns the connectivity and the lengths at present.
   const Intrinsic_surface& surface() const { return m_surface; }
@@ -272,6 +270,12 @@ private:
   Flattened_star m_flat_star;        // of a vertex whose loops have been flipped away
   std::vector<Edge_index> m_waiting; // edges that may not be Delaunay
 };
+
+// Not inline, so that the compiled library can hold it.
+template <typename Graph, typename NamedParameters>
+Evolving_surface::Evolving_surface(const Graph& g, const NamedParameters& np)
+  : Evolving_surface(Triangulation(g, np))
+{}
 
 } // namespace CGAL::Intrinsic_simplification
 

@@ -133,6 +133,14 @@ private:
   Simplification_result m_result;
 };
 
+template <typename Cost, typename Visitor>
+Simplification_result simplified(Evolving_surface& surface, Cost& cost,
+                                 std::size_t number_of_vertices, double maximum_cost,
+                                 Visitor& visitor)
+{
+  return Simplifier(surface, cost, visitor)(number_of_vertices, maximum_cost);
+}
+
 template <typename NamedParameters>
 void check_target()
 {
@@ -141,6 +149,24 @@ void check_target()
      is_default_parameter<NamedParameters, internal_np::maximum_cost_t>::value)
     throw Intrinsic_triangulations::Invalid_input(
       "simplification needs a target: number_of_vertices() or maximum_cost()");
+}
+
+// returns `run(number_of_vertices, maximum_cost, visitor)` for the parameters
+template <typename NamedParameters, typename Run>
+Simplification_result with_target(const NamedParameters& np, const Run& run)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  check_target<NamedParameters>();
+  Default_simplification_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  return run(static_cast<std::size_t>(choose_parameter(
+               get_parameter(np, internal_np::number_of_vertices), std::size_t(0))),
+             double(choose_parameter(get_parameter(np, internal_np::maximum_cost),
+                                     std::numeric_limits<double>::infinity())),
+             visitor);
 }
 
 } // namespace internal
@@ -191,18 +217,10 @@ template <typename Cost, typename NamedParameters = CGAL::parameters::Default_na
 Simplification_result simplify(Evolving_surface& surface, Cost& cost,
                                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
-  internal::check_target<NamedParameters>();
-  const auto number_of_vertices = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal_np::number_of_vertices), std::size_t(0)));
-  const double maximum_cost = choose_parameter(get_parameter(np, internal_np::maximum_cost),
-                                               std::numeric_limits<double>::infinity());
-  Default_simplification_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  return internal::Simplifier(surface, cost, visitor)(number_of_vertices, maximum_cost);
+  return internal::with_target(
+    np, [&](std::size_t number_of_vertices, double maximum_cost, auto& visitor) {
+      return internal::simplified(surface, cost, number_of_vertices, maximum_cost, visitor);
+    });
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -235,16 +253,34 @@ inline Transport_cost default_cost(const Evolving_surface& surface)
   return cost;
 }
 
+namespace internal {
+
+template <typename Visitor>
+Simplification_result simplified(Evolving_surface& surface, std::size_t number_of_vertices,
+                                 double maximum_cost, Visitor& visitor)
+{
+  Transport_cost cost = default_cost(surface);
+  return simplified(surface, cost, number_of_vertices, maximum_cost, visitor);
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicSimplificationRef
 /// simplifies `surface` with `default_cost()`.
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface,
                                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  Transport_cost cost = default_cost(surface);
-  return simplify(surface, cost, np);
+  return internal::with_target(
+    np, [&](std::size_t number_of_vertices, double maximum_cost, auto& visitor) {
+      return internal::simplified(surface, number_of_vertices, maximum_cost, visitor);
+    });
 }
 
 } // namespace CGAL::Intrinsic_simplification
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_simplification/internal/compiled/simplify.h>
+#endif
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFY_H

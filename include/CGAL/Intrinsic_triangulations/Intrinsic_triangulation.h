@@ -134,31 +134,7 @@ public:
   ///         that exceed it by rounding are shortened to those of a flat triangle
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
-                                   const NamedParameters& np = CGAL::parameters::default_values())
-    : Base(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
-  {
-    m_input.resize(internal::size_of(vertices(g)), internal::size_of(edges(g)),
-                   internal::size_of(faces(g)));
-    with_numbering(g, [&](const auto& numbering) {
-      internal::copy_connectivity(g, numbering, m_input);
-      internal::copy_lengths(g, np, numbering, input());
-      internal::copy_metric(g, np, numbering, m_input, m_input_metric);
-    });
-    internal::mollify_lengths(np, input(), m_input_metric);
-    internal::check_copied_lengths(np, input(), m_traits);
-    if constexpr(internal::Is_exact<Traits>::value)
-      internal::check_exact_triangles(m_input_metric, input());
-    else if constexpr(internal::has_metric<Traits>())
-      internal::make_triangles_exact(m_input_metric, input());
-    m_mesh = m_input;
-    attach();
-    m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
-    with_numbering(g, [&](const auto& numbering) {
-      internal::copy_constraints(
-        g, np, numbering, [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
-    });
-  }
+                                   const NamedParameters& np = CGAL::parameters::default_values());
 
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: both have lengths,
   /// see `stored_length_map()`, `mesh` has `Integer_coordinates`, and `inserted` has the places of
@@ -494,6 +470,39 @@ private:
   }
 };
 
+// Not inline, so that the compiled library can hold it.
+template <typename Traits>
+template <typename Graph, typename NamedParameters>
+Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const NamedParameters& np)
+  : Base(CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
+{
+  m_input.resize(internal::size_of(vertices(g)), internal::size_of(edges(g)),
+                 internal::size_of(faces(g)));
+  internal::with_numbering(g, [&](const auto& numbering) {
+    internal::copy_connectivity(g, numbering, m_input);
+    internal::copy_lengths(g, np, numbering, input());
+    internal::copy_metric(g, np, numbering, m_input, m_input_metric);
+  });
+  internal::mollify_lengths(np, input(), m_input_metric);
+  internal::check_copied_lengths(np, input(), m_traits);
+  if constexpr(internal::Is_exact<Traits>::value)
+    internal::check_exact_triangles(m_input_metric, input());
+  else if constexpr(internal::has_metric<Traits>())
+    internal::make_triangles_exact(m_input_metric, input());
+  m_mesh = m_input;
+  attach();
+  m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
+  internal::with_numbering(g, [&](const auto& numbering) {
+    internal::copy_constraints(g, np, numbering,
+                               [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
+  });
+}
+
 } // namespace CGAL::Intrinsic_triangulations
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/compiled/Intrinsic_triangulation.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H

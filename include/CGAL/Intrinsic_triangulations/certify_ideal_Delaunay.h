@@ -10,9 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 #include <boost/property_map/function_property_map.hpp>
@@ -98,20 +98,19 @@ private:
   void decide_exactly(Edge_index e)
   {
     const auto map = boost::make_function_property_map<Edge_index>(
-      [this](Edge_index x) -> Exact_rational { return exact_length(x); });
-    const Ideal_Delaunay_condition<Exact_rational> condition(
-      diamond(map, m_mesh.halfedge(e), m_mesh));
+      [this](Edge_index x) -> Exact_field { return exact_length(x); });
+    const Ideal_Delaunay_condition<Exact_field> condition(diamond(map, m_mesh.halfedge(e), m_mesh));
     ++m_result.decided_exactly;
     if(condition.inner > condition.outer)
-      fail(e, to_interval(Exact_rational(condition.inner / condition.outer - 1)).second);
+      fail(e, to_interval(Exact_field(condition.inner / condition.outer - 1)).second);
     else if(condition.inner == condition.outer)
       m_result.ties.push_back(e);
   }
 
   // A length is part of several conditions.
-  const Exact_rational& exact_length(Edge_index e)
+  const Exact_field& exact_length(Edge_index e)
   {
-    std::optional<Exact_rational>& length = m_length[e.idx()];
+    std::optional<Exact_field>& length = m_length[e.idx()];
     if(!length)
       length = m_exact_length(e);
     return *length;
@@ -127,7 +126,7 @@ private:
   const Interval_length& m_interval_length;
   const Exact_length& m_exact_length;
   std::vector<Edge_index> m_in_doubt;
-  std::vector<std::optional<Exact_rational>> m_length;
+  std::vector<std::optional<Exact_field>> m_length;
   Ideal_Delaunay_certificate m_result;
 };
 
@@ -157,7 +156,7 @@ certify_ideal_Delaunay(const Delta_complex& mesh, const std::vector<double>& fac
 /// The lengths of \f$T_1\f$ and the factors of vertices are taken as exact numbers. The stored
 /// lengths of \f$T_2\f$, which flips have rounded, are not used: the integer coordinates determine
 /// exactly which triangles of \f$T_1\f$ an edge passes, and its length is a rational function of
-/// theirs. Intervals decide most edges, and `CGAL::Exact_rational` the others.
+/// theirs. Intervals decide most edges, and rational numbers the others.
 ///
 /// An ideal triangulation all of whose edges pass is ideal Delaunay for these numbers: arcs of any
 /// triangulation are geodesics of the ideal polyhedron, and disjoint.
@@ -185,7 +184,7 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
   const internal::Edge_courses<typename Triangulation::Traits> courses(tri, Concurrency());
   internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, courses);
-  internal::Ideal_development<Exact_rational, Triangulation> exact(tri, courses);
+  internal::Ideal_development<internal::Exact_field, Triangulation> exact(tri, courses);
   return internal::certify_ideal_Delaunay(
     tri.mesh(), factor, [&](Edge_index e) { return intervals.length(e); },
     [&](Edge_index e) { return exact.length(e); },

@@ -398,4 +398,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
 
 } // namespace CGAL::Intrinsic_triangulations
 
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/compiled/make_Delaunay.h>
+#endif
+
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELAUNAY_H

@@ -408,4 +408,8 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
 
 } // namespace CGAL::Intrinsic_triangulations
 
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/compiled/refine.h>
+#endif
+
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REFINE_H

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
-#include <CGAL/MP_Float.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,7 @@ class Plane_predicates
 {
 public:
   typedef std::array<FT, 2> Point;
+  typedef Intrinsic_triangulations::internal::Exact_ring Exact_ring;
 
   // 1 if `p`, `q`, `r` turn left, 0 if they are on a line
   int orientation(const Point& p, const Point& q, const Point& r) const
@@ -36,7 +37,7 @@ public:
       return sign_of(det);
     if(!are_finite(p, q, r))
       return 0;
-    return sign_of(cross(row<MP_Float>(q, p), row<MP_Float>(r, p)));
+    return sign_of(cross(row<Exact_ring>(q, p), row<Exact_ring>(r, p)));
   }
 
   // 1 if `s` is inside the circle through `p`, `q`, `r`, if these turn left
@@ -59,8 +60,8 @@ private:
     T x, y, z;
   };
 
-  static MP_Float exact(double x) { return x; }
-  static MP_Float exact(const Extended& x) { return MP_Float(x.high()) + MP_Float(x.low()); }
+  static Exact_ring exact(double x) { return x; }
+  static Exact_ring exact(const Extended& x) { return Exact_ring(x.high()) + Exact_ring(x.low()); }
 
   template <typename T>
   static T difference(const FT& x, const FT& y)
@@ -141,7 +142,8 @@ private:
       return sign_of(det);
     if(!are_finite(p, q, r, s))
       return 0;
-    return sign_of(determinant(row<MP_Float>(p, s), row<MP_Float>(q, s), row<MP_Float>(r, s)));
+    return sign_of(
+      determinant(row<Exact_ring>(p, s), row<Exact_ring>(q, s), row<Exact_ring>(r, s)));
   }
 };
 

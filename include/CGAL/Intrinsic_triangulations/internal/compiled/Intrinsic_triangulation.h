@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COMPILED_INTRINSIC_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COMPILED_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+namespace CGAL {
+
+template <typename Kernel>
+class Point_3;
+template <typename FT>
+struct Simple_cartesian;
+class Epick;
+
+namespace Intrinsic_triangulations {
+
+// What the compiled library holds: its macro is `extern` where this is used, and empty where the
+// library is built. So are those of the other headers in this folder.
+#ifndef CGAL_LINKED_WITH_TBB
+
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Intrinsic_triangulation<>::Intrinsic_triangulation(
+  const Surface_mesh<Point_3<Simple_cartesian<double>>>&,
+  const CGAL::parameters::Default_named_parameters&);
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Intrinsic_triangulation<>::Intrinsic_triangulation(
+  const Surface_mesh<Point_3<Epick>>&, const CGAL::parameters::Default_named_parameters&);
+
+#endif // CGAL_LINKED_WITH_TBB
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COMPILED_INTRINSIC_TRIANGULATION_H
