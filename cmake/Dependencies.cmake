@@ -52,6 +52,10 @@ if(WITH_Three AND PROJECT_IS_TOP_LEVEL)
   include(Three)
 endif()
 
+option(WITH_compiled_library
+  "Build the library of what applications would compile from the headers otherwise"
+  ${PROJECT_IS_TOP_LEVEL})
+
 message(STATUS "Dependency     option  found")
 message(STATUS "CGAL           needed  ${CGAL_VERSION}")
 foreach(name IN ITEMS GMP Eigen SuiteSparse Ceres TBB Cairo Three)

@@ -9,13 +9,21 @@ set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/${PROJECT_NAME}")
 
 configure_package_config_file(cmake/Config.cmake.in "${PROJECT_NAME}Config.cmake"
   INSTALL_DESTINATION "${package_dir}" NO_SET_AND_CHECK_MACRO)
+if(NOT TARGET Intrinsic_triangulations_compiled)
+  set(architecture ARCH_INDEPENDENT)
+endif()
 write_basic_package_version_file("${PROJECT_NAME}ConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion ${architecture})
 
 install(DIRECTORY include/ DESTINATION include)
 install(TARGETS Intrinsic_triangulations EXPORT targets)
 install(EXPORT targets NAMESPACE ${PROJECT_NAME}::
   FILE "${PROJECT_NAME}Targets.cmake" DESTINATION "${package_dir}")
+if(TARGET Intrinsic_triangulations_compiled)
+  install(TARGETS Intrinsic_triangulations_compiled EXPORT compiled_targets)
+  install(EXPORT compiled_targets NAMESPACE ${PROJECT_NAME}::
+    FILE "${PROJECT_NAME}CompiledTargets.cmake" DESTINATION "${package_dir}")
+endif()
 install(FILES
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake"
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake"

@@ -2,5 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
 #define CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

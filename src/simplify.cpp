@@ -2,6 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
 #define CGAL_INTRINSIC_TRIANGULATIONS_COMPILED extern
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #undef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED

@@ -493,10 +493,8 @@ Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const N
   m_mesh = m_input;
   attach();
   m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
-  internal::with_numbering(g, [&](const auto& numbering) {
-    internal::copy_constraints(g, np, numbering,
-                               [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
-  });
+  internal::copy_constraints(g, np,
+                             [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -223,18 +224,20 @@ void mollify_lengths([[maybe_unused]] const NamedParameters& np,
 }
 
 // Calls fix(h) for the first halfedge of each edge that is constrained by the named parameter.
-template <typename Graph, typename NamedParameters, typename Numbering, typename Fix>
+template <typename Graph, typename NamedParameters, typename Fix>
 void copy_constraints([[maybe_unused]] const Graph& g, [[maybe_unused]] const NamedParameters& np,
-                      [[maybe_unused]] const Numbering& numbering, [[maybe_unused]] const Fix& fix)
+                      [[maybe_unused]] const Fix& fix)
 {
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
   typedef CGAL::internal_np::edge_is_constrained_t Tag;
   if constexpr(!is_default_parameter<NamedParameters, Tag>::value) {
     const auto is_constrained = get_parameter(np, CGAL::internal_np::edge_is_constrained);
-    for(auto e : edges(g))
-      if(get(is_constrained, e))
-        fix(numbering.halfedge_of(halfedge(e, g)));
+    with_numbering(g, [&](const auto& numbering) {
+      for(auto e : edges(g))
+        if(get(is_constrained, e))
+          fix(numbering.halfedge_of(halfedge(e, g)));
+    });
   }
 }
 
