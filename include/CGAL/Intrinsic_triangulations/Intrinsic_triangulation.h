@@ -479,7 +479,7 @@ Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const N
 {
   m_input.resize(internal::size_of(vertices(g)), internal::size_of(edges(g)),
                  internal::size_of(faces(g)));
-  internal::with_numbering(g, [&](const auto& numbering) {
+  with_numbering(g, [&](const auto& numbering) {
     internal::copy_connectivity(g, numbering, m_input);
     internal::copy_lengths(g, np, numbering, input());
     internal::copy_metric(g, np, numbering, m_input, m_input_metric);

@@ -8,10 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
