@@ -26,12 +26,16 @@ using Indexed_entries = std::vector<std::pair<int, Scalar>>;
 
 namespace internal {
 
-// Sorts entries and sums up those with one index.
+// Sorts entries and sums up those with one index, in the order in which they are: of few entries
+// `std::sort()` does not change it, and needs no memory.
 template <typename Scalar>
 void combine(Indexed_entries<Scalar>& entries)
 {
-  std::sort(entries.begin(), entries.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto is_less = [](const auto& a, const auto& b) { return a.first < b.first; };
+  if(entries.size() > 16)
+    std::stable_sort(entries.begin(), entries.end(), is_less);
+  else
+    std::sort(entries.begin(), entries.end(), is_less);
   std::size_t size = 0;
   for(const auto& entry : entries)
     if(size > 0 && entries[size - 1].first == entry.first)
