@@ -29,7 +29,7 @@ inline Mesh unit_square(std::size_t n, unsigned int seed)
 }
 
 // A mesh with flat faces cut into smaller ones, and where its vertices are on the coarse mesh.
-struct Subdivided
+struct Fine_mesh
 {
   Mesh mesh;
   std::vector<IT::Face_location<double>> on_coarse;
@@ -37,13 +37,13 @@ struct Subdivided
 
 // Cuts each face into n^2. Vertices move by up to `move` edges along sides and within faces. No two
 // edges of the coarse mesh have the same ends.
-inline Subdivided subdivided(const Mesh& coarse, std::size_t n, double move = 0,
-                             unsigned int seed = 1)
+inline Fine_mesh fine_mesh(const Mesh& coarse, std::size_t n, double move = 0,
+                           unsigned int seed = 1)
 {
   CGAL::Random random(seed);
   std::map<std::map<std::size_t, std::size_t>, std::size_t> numbers; // by weights of corners
   std::vector<Point> points;
-  Subdivided result;
+  Fine_mesh result;
   Triangles triangles;
   for(Face_index f : coarse.faces()) {
     const Halfedge_index side = coarse.halfedge(f);
@@ -55,7 +55,7 @@ inline Subdivided subdivided(const Mesh& coarse, std::size_t n, double move = 0,
       Kernel::Vector_3 p(0, 0, 0);
       for(std::size_t k = 0; k < 3; ++k) {
         const bool is_free = weight[k] > 0 && weight[k] < n;
-        w[k] = double(weight[k]) + (is_free ? random.get_double(-move, move) : 0.);
+        w[k] = double(weight[k]) + (is_free ? move * random.get_double(-1, 1) : 0.);
         sum += w[k];
         p = p + w[k] * (coarse.point(corner[k]) - CGAL::ORIGIN);
       }
@@ -87,7 +87,7 @@ inline Subdivided subdivided(const Mesh& coarse, std::size_t n, double move = 0,
 // The octahedron with n edges in place of one, on the unit sphere.
 inline Mesh unit_sphere(std::size_t n)
 {
-  Mesh mesh = subdivided(octahedron(), n).mesh;
+  Mesh mesh = fine_mesh(octahedron(), n).mesh;
   for(Vertex_index v : mesh.vertices()) {
     const Kernel::Vector_3 p = mesh.point(v) - CGAL::ORIGIN;
     mesh.point(v) = CGAL::ORIGIN + p / std::sqrt(p.squared_length());

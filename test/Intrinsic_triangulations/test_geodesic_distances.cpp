@@ -98,7 +98,7 @@ TEST(Geodesic_distances, on_fine_meshes_as_by_unfolding_coarse_ones)
         {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})}}) {
     SCOPED_TRACE(m.name);
     const auto n = static_cast<std::size_t>(std::sqrt(19900. / m.mesh.number_of_faces()));
-    const Subdivided fine = subdivided(m.mesh, n, 0.3);
+    const Fine_mesh fine = fine_mesh(m.mesh, n, 0.3);
     CGAL::Random random(5);
     std::vector<Vertex_index> sample;
     std::vector<Location> on_coarse;
@@ -150,7 +150,7 @@ TEST(Geodesic_distances, on_a_tetrahedron_with_ten_thousand_vertices)
 {
   const Mesh coarse = make_mesh({{1, 2, 3}, {-1, -2, 3}, {-1, 2, -3}, {1, -2, -3}},
                                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
-  const Subdivided fine = subdivided(coarse, 70, 0.3);
+  const Fine_mesh fine = fine_mesh(coarse, 70, 0.3);
   const double side = std::sqrt(20.), x = (20. + 40 - 52) / (2 * side); // 01 and 02, against 12
   const Complex a(side, 0), b(x, -std::sqrt(40 - x * x));
   const std::array<std::array<Complex, 4>, 4> corner{// by faces and vertices
