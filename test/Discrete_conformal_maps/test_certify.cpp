@@ -38,10 +38,9 @@ using Flips = std::vector<Halfedge_index>;
 
 std::vector<double> random_factors(std::size_t n, double range, unsigned int seed)
 {
-  CGAL::Random random(seed);
-  std::vector<double> result(n);
+  std::vector<double> result = random_values(n, range, seed);
   for(double& x : result)
-    x = std::exp(random.get_double(-range, range));
+    x = std::exp(x);
   return result;
 }
 

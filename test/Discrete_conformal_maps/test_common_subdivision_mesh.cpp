@@ -75,17 +75,6 @@ std::array<double, 3> coordinates_in(Face_index f, const Mesh& mesh, const Point
   return result;
 }
 
-// of a flat polygon, which need not be convex
-double polygon_area(Face_index f, const Mesh& mesh)
-{
-  const Halfedge_index first = mesh.halfedge(f);
-  const Point p = mesh.point(mesh.source(first));
-  auto sum = CGAL::cross_product(p - p, p - p);
-  for(Halfedge_index h : halfedges_around_face(first, mesh))
-    sum = sum + CGAL::cross_product(mesh.point(mesh.source(h)) - p, mesh.point(mesh.target(h)) - p);
-  return std::sqrt(sum.squared_length()) / 2;
-}
-
 // Faces are parts of their parents, cover each of these once, and edges lie on theirs.
 template <std::size_t size>
 void expect_cut(const Written<size>& written, const Mesh& input)

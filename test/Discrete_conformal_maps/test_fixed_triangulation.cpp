@@ -35,15 +35,6 @@ Planar_conformal_map flatten_fixed(const Triangulation& t, const Conditions& con
     length_parameter(length).vertex_condition_map(as_map(condition)).flipping(Flipping::none));
 }
 
-std::vector<double> random_scales(std::size_t n, double bound, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  std::vector<double> result(n);
-  for(double& u : result)
-    u = random.get_double(-bound, bound);
-  return result;
-}
-
 // a triangulation with scaled lengths
 Triangulation scaled(const Triangulation& t, const std::vector<double>& u)
 {
@@ -62,7 +53,7 @@ DCM::Conformal_energy<> wild_energy(const Numbers& target)
 
 Numbers random_numbers(Eigen::Index n, double bound, unsigned int seed)
 {
-  const std::vector<double> u = random_scales(std::size_t(n), bound, seed);
+  const std::vector<double> u = random_values(std::size_t(n), bound, seed);
   return Eigen::Map<const Numbers>(u.data(), n);
 }
 
@@ -181,7 +172,7 @@ TEST(Fixed_triangulation, takes_scaling_back)
   for(const Triangulation& t :
       {Triangulation(flat_torus(5, 4, 1).mesh, length_parameter(flat_torus(5, 4, 1).lengths())),
        Triangulation(unit_sphere(3)), Triangulation(perturbed(embedded_torus(8, 6), 0.1, 5))}) {
-    const std::vector<double> u = random_scales(t.mesh().number_of_vertices(), 0.1, 6);
+    const std::vector<double> u = random_values(t.mesh().number_of_vertices(), 0.1, 6);
     const Planar_conformal_map map = flatten_fixed(scaled(t, u), as_curvatures(curvatures(t)));
     ASSERT_EQ(map.status(), Map_status::success);
     for(std::size_t v = 0; v < u.size(); ++v)
@@ -219,7 +210,7 @@ TEST(Fixed_triangulation, is_that_which_flips_if_nothing_is_to_flip)
   const Triangulation sphere(unit_sphere(3));
   const Conditions condition = as_curvatures(curvatures(sphere));
   const Triangulation t =
-    scaled(sphere, random_scales(sphere.mesh().number_of_vertices(), 0.01, 3));
+    scaled(sphere, random_values(sphere.mesh().number_of_vertices(), 0.01, 3));
   const Planar_conformal_map one = flatten_fixed(t, condition), two = flatten(t, condition);
   ASSERT_EQ(two.number_of_flips(Layer::B) + two.number_of_flips(Layer::C), 0u);
   for(std::size_t v = 0; v < condition.size(); ++v)

@@ -57,15 +57,6 @@ struct Metric
   std::vector<double> length;
 };
 
-std::vector<double> random_numbers(std::size_t n, double bound, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  std::vector<double> result(n);
-  for(double& x : result)
-    x = random.get_double(-bound, bound);
-  return result;
-}
-
 // The discretely conformal metric with scale factors `u`, in the triangulation that is Delaunay
 // with them.
 Metric scaled(Triangulation t, const std::vector<double>& u)
@@ -211,7 +202,7 @@ TEST(Flatten, takes_scaling_back)
   for(const Named_triangulation& s : closed_surfaces())
     for(const double bound : {0.2, 4.}) {
       SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
-      const auto u0 = random_numbers(s.triangulation.mesh().number_of_vertices(), bound, 13);
+      const auto u0 = random_values(s.triangulation.mesh().number_of_vertices(), bound, 13);
       const Metric m = scaled(s.triangulation, u0);
       const Conditions condition = as_curvatures(curvatures(s.triangulation));
       const Planar_conformal_map map = flatten(m.mesh, m.length, condition);
@@ -223,7 +214,7 @@ TEST(Flatten, takes_scaling_back)
 TEST(Flatten, takes_scaling_of_a_flat_torus_back)
 {
   const Flat_surface torus = flat_torus(6, 5, 4);
-  const auto u0 = random_numbers(torus.mesh.number_of_vertices(), 1.5, 15);
+  const auto u0 = random_values(torus.mesh.number_of_vertices(), 1.5, 15);
   const Metric m = scaled(triangulation(torus), u0);
   const Planar_conformal_map map = flatten(m.mesh, m.length);
   EXPECT_TRUE(map.cones().empty());
@@ -235,7 +226,7 @@ TEST(Flatten, takes_mixed_conditions)
 {
   for(const Named_triangulation& s : closed_surfaces()) {
     SCOPED_TRACE(s.name);
-    const auto u0 = random_numbers(s.triangulation.mesh().number_of_vertices(), 1, 13);
+    const auto u0 = random_values(s.triangulation.mesh().number_of_vertices(), 1, 13);
     const Metric m = scaled(s.triangulation, u0);
     Conditions condition = as_curvatures(curvatures(s.triangulation));
     std::vector<double> expected;
@@ -282,7 +273,7 @@ TEST(Flatten, does_not_depend_on_the_triangulation)
     Triangulation other = s.triangulation;
     flip_at_random(other, 20 * other.mesh().number_of_edges(), 3);
     Conditions condition = as_curvatures(curvatures(s.triangulation));
-    const auto values = random_numbers(condition.size(), 0.2, 7);
+    const auto values = random_values(condition.size(), 0.2, 7);
     for(std::size_t v = 0; v < condition.size(); ++v)
       if(v % 2 == 0)
         condition[v] = Vertex_condition::log_scale(5 * values[v]);
@@ -400,7 +391,7 @@ TEST(Flatten, boundary_has_the_prescribed_scale)
 {
   const Triangulation t(rough_disk(9));
   Conditions condition = default_conditions(t.mesh());
-  const auto u = random_numbers(condition.size(), 1, 17);
+  const auto u = random_values(condition.size(), 1, 17);
   for(std::size_t v = 0; v < u.size(); ++v)
     if(condition[v].quantity == Vertex_condition::Quantity::log_scale)
       condition[v].value = u[v];
@@ -438,7 +429,7 @@ TEST(Flatten, boundary_has_the_prescribed_angles)
   }
   SCOPED_TRACE("random angles");
   Conditions condition(t.mesh().number_of_vertices());
-  const auto angle = random_numbers(32, 0.8, 19);
+  const auto angle = random_values(32, 0.8, 19);
   double sum = 0;
   for(double a : angle)
     sum += a;

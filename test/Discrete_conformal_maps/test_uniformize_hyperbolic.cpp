@@ -315,15 +315,6 @@ Hyperbolic_surface cyclic_cover(const Triangulation& base, const std::vector<Ver
   return {glue(faces), length};
 }
 
-std::vector<double> random_numbers(std::size_t n, double bound, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  std::vector<double> result(n);
-  for(double& x : result)
-    x = random.get_double(-bound, bound);
-  return result;
-}
-
 // ---- Known surfaces ----
 
 TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
@@ -333,7 +324,7 @@ TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
     const Hyperbolic_surface regular = regular_surface(g, 5);
     const std::size_t n = regular.mesh.number_of_vertices();
     EXPECT_EQ(n, std::size_t(2 + 4 * g));
-    const std::vector<double> u = random_numbers(n, 1, 7);
+    const std::vector<double> u = random_values(n, 1, 7);
     const Hyperbolic_conformal_map map = uniformize(scaled(regular, u));
     for(std::size_t v = 0; v < n; ++v)
       EXPECT_NEAR(map.log_scale(Vertex_index(unsigned(v))), -u[v], 1e-10) << v;
@@ -347,7 +338,7 @@ TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
 TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
 {
   const Hyperbolic_surface regular = regular_surface(2, 5);
-  const auto u = random_numbers(regular.mesh.number_of_vertices(), 1, 11);
+  const auto u = random_values(regular.mesh.number_of_vertices(), 1, 11);
   const Hyperbolic_conformal_map map = uniformize(scaled(regular, u));
   for(const Disk_motion<>& motion : map.group(0).generators) {
     const double cosh = std::abs(motion.a().real());

@@ -166,17 +166,6 @@ TEST(Coarse_mesh, counts_flipped_and_degenerate_faces)
   EXPECT_GE(measured().flipped_faces, 1u);
 }
 
-// of a flat polygon, which need not be convex
-double polygon_area(Face_index f, const Mesh& mesh)
-{
-  const Halfedge_index first = mesh.halfedge(f);
-  const Point p = mesh.point(mesh.source(first));
-  auto sum = CGAL::cross_product(p - p, p - p);
-  for(Halfedge_index h : halfedges_around_face(first, mesh))
-    sum = sum + CGAL::cross_product(mesh.point(mesh.source(h)) - p, mesh.point(mesh.target(h)) - p);
-  return std::sqrt(sum.squared_length()) / 2;
-}
-
 TEST(Common_subdivision_mesh, of_levels_and_correspondences)
 {
   const Mesh input = punctured(random_sphere(80, 2), {0});

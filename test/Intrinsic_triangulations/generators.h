@@ -11,6 +11,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/convex_hull_3.h>
 #include <boost/property_map/function_property_map.hpp>
 
@@ -285,6 +286,15 @@ inline Delta_complex double_torus()
   return glue({{1, 2, 5}, {-5, -1, 6}, {-6, -2, 7}, {-7, 3, 8}, {-8, 4, 9}, {-9, -3, -4}});
 }
 
+inline std::vector<double> random_values(std::size_t n, double bound, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<double> result(n);
+  for(double& x : result)
+    x = random.get_double(-bound, bound);
+  return result;
+}
+
 // All lengths between 1 and 1.9: no triangle inequality can fail.
 inline std::vector<double> random_lengths(const Delta_complex& mesh, unsigned int seed)
 {
@@ -498,6 +508,17 @@ std::int64_t Euler_characteristic(const Any_mesh& mesh)
 {
   return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
          std::int64_t(mesh.number_of_faces());
+}
+
+// The area of a flat polygon, which need not be convex.
+inline double polygon_area(Face_index f, const Mesh& mesh)
+{
+  const Halfedge_index first = mesh.halfedge(f);
+  const Point p = mesh.point(mesh.source(first));
+  Kernel::Vector_3 sum(0, 0, 0);
+  for(Halfedge_index h : CGAL::halfedges_around_face(first, mesh))
+    sum = sum + CGAL::cross_product(mesh.point(mesh.source(h)) - p, mesh.point(mesh.target(h)) - p);
+  return std::sqrt(sum.squared_length()) / 2;
 }
 
 template <typename Any_mesh>
