@@ -12,7 +12,6 @@
 #include <boost/container/small_vector.hpp>
 
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -35,10 +34,13 @@ public:
     : m_first(is_reversed ? first + n - 1 : first), m_step(is_reversed ? -1 : 1), m_size(n)
   {}
 
-  /// takes the exits of a halfedge.
-  explicit Edge_course(Exits&& exits)
-    : m_exits(std::move(exits)), m_first(m_exits.data()), m_step(1), m_size(m_exits.size())
-  {}
+  /// holds the `n` exits of a halfedge that `compute(exits)` sets.
+  template <typename Compute>
+  Edge_course(std::size_t n, const Compute& compute)
+    : m_exits(n), m_first(m_exits.data()), m_step(1), m_size(n)
+  {
+    compute(m_exits);
+  }
 
   Edge_course(const Edge_course&) = delete;
   Edge_course& operator=(const Edge_course&) = delete;

@@ -48,6 +48,7 @@ class Edge_courses
   typedef typename Pair::Coordinates Coordinates;
   typedef typename Pair::Integer Integer;
   typedef Delta_complex::size_type size_type;
+  typedef Edge_course::Exits Exits;
 
 public:
   // Courses are computed.
@@ -69,7 +70,7 @@ public:
     const std::size_t n = count(h);
     if(!m_is_stored && static_cast<double>(m_steps) > m_most_steps)
       store_if_faster();
-    return m_is_stored ? stored(h, n) : Edge_course(computed(h, n));
+    return m_is_stored ? stored(h, n) : Edge_course(n, [&](Exits& exits) { compute(h, exits); });
   }
 
   // Returns the exit with this index, of the first halfedge of its edge.
@@ -112,7 +113,7 @@ public:
     const bool is_at_crossing = m_pair->inserted_vertex(m_pair->mesh().source(mj)).along.is_valid();
     const std::size_t n = first + second + is_at_crossing;
     const Edge_course whole = stored(mj, n);
-    Edge_course::Exits of_im(first), of_mj(second);
+    Exits of_im(first), of_mj(second);
     for(std::size_t m = 0; m < first; ++m)
       set(of_im, im, m, whole[m]);
     for(std::size_t m = 0; m < second; ++m)
@@ -132,17 +133,15 @@ private:
     return Edge_course(first, n, n > 0 && !is_first_halfedge(h));
   }
 
-  Edge_course::Exits computed(Halfedge_index h, std::size_t n) const
+  void compute(Halfedge_index h, Exits& exits) const
   {
-    Edge_course::Exits exits(n);
-    for(std::size_t m = 0; m < n; ++m) {
+    for(std::size_t m = 0; m < exits.size(); ++m) {
       typename Coordinates::Crossing c{h, Integer(m)};
       do
         ++m_steps;
       while(coordinates().advance(c, m_pair->mesh()) != Coordinates::Turn::ends);
       exits[m] = coordinates().spoke_at_end(c, m_pair->mesh(), m_pair->spokes());
     }
-    return exits;
   }
 
   // ---- Storage ----
@@ -209,7 +208,7 @@ private:
   // ---- Updates ----
 
   // Sets item `m` of the course of `h` among the exits of the first halfedge.
-  static void set(Edge_course::Exits& exits, Halfedge_index h, std::size_t m, Halfedge_index exit)
+  static void set(Exits& exits, Halfedge_index h, std::size_t m, Halfedge_index exit)
   {
     const auto n = static_cast<size_type>(exits.size());
     exits[along_first_halfedge(h, static_cast<size_type>(m), n)] = directed_as(h, exit);
@@ -219,7 +218,7 @@ private:
   void update(Edge_index e)
   {
     const Halfedge_index h = first_halfedge(e);
-    Edge_course::Exits exits(count(h));
+    Exits exits(count(h));
     if(exits.empty())
       return;
     copy_from_beyond(h, exits);
@@ -230,7 +229,7 @@ private:
   // The curves that cross `h` and then cut off the corner at its source or target cross the other
   // side there; the rest ends. A side whose course is not known yet is left out: its curves cross
   // the face of `h`, too.
-  void copy_from_beyond(Halfedge_index h, Edge_course::Exits& exits) const
+  void copy_from_beyond(Halfedge_index h, Exits& exits) const
   {
     const Delta_complex& mesh = m_pair->mesh();
     const Halfedge_index ji = mesh.opposite(h), il = mesh.next(ji), lj = mesh.prev(ji);
@@ -250,7 +249,7 @@ private:
       set(exits, h, m, coordinates().spoke_at_end({h, Integer(m)}, mesh, m_pair->spokes()));
   }
 
-  void append(Edge_index e, const Edge_course::Exits& exits)
+  void append(Edge_index e, const Exits& exits)
   {
     m_first[e] = unknown;
     if(m_exits.size() + exits.size() > m_most_exits)
