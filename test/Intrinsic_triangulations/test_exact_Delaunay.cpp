@@ -173,7 +173,7 @@ TEST(Exact_Delaunay, scaled_differences_are_exact)
 
 // ---- Roots ----
 
-using IT::internal::Exact_ring;
+using IT::Exact_ring;
 
 template <typename K>
 void check_signs_of_sums_of_roots()

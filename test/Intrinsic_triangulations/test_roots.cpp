@@ -27,7 +27,7 @@ namespace Test_roots {
 
 using namespace Test_surfaces;
 using CGAL::Exact_rational;
-using IT::internal::Exact_ring;
+using IT::Exact_ring;
 
 // Decides what is not zero by 6000 bits; what is zero is known to be.
 using Long_real = boost::multiprecision::number<

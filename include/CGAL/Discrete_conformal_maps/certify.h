@@ -70,9 +70,7 @@ inline Map_certificate certify(const Discrete_conformal_map& map)
     [&](Edge_index e) {
       return Intrinsic_triangulations::internal::Filter_interval(ideal.input_length(e));
     },
-    [&](Edge_index e) {
-      return Intrinsic_triangulations::internal::Exact_field(ideal.input_length(e));
-    },
+    [&](Edge_index e) { return Intrinsic_triangulations::Exact_field(ideal.input_length(e)); },
     [](Edge_index) { return false; });
   result.on_C = Intrinsic_triangulations::certify_ideal_Delaunay(ideal, factor);
   result.order = certify_order_of_ends(map.subdivision(), map.Delaunay_correspondence(),

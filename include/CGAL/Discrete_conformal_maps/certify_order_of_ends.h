@@ -151,7 +151,7 @@ private:
   const Correspondence<>& m_ab;
   const Ideal_correspondence& m_bc;
   Intrinsic_triangulations::internal::Ideal_development<
-    Lazy_exact_nt<Intrinsic_triangulations::internal::Exact_field>, Ideal_triangulation>
+    Lazy_exact_nt<Intrinsic_triangulations::Exact_field>, Ideal_triangulation>
     m_development;
   Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits>
     m_decisions;

@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <CGAL/Interval_nt.h>
@@ -184,7 +184,7 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
   const internal::Edge_courses<typename Triangulation::Traits> courses(tri, Concurrency());
   internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, courses);
-  internal::Ideal_development<internal::Exact_field, Triangulation> exact(tri, courses);
+  internal::Ideal_development<Exact_field, Triangulation> exact(tri, courses);
   return internal::certify_ideal_Delaunay(
     tri.mesh(), factor, [&](Edge_index e) { return intervals.length(e); },
     [&](Edge_index e) { return exact.length(e); },

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ class Plane_predicates
 {
 public:
   typedef std::array<FT, 2> Point;
-  typedef Intrinsic_triangulations::internal::Exact_ring Exact_ring;
+  typedef Intrinsic_triangulations::Exact_ring Exact_ring;
 
   // 1 if `p`, `q`, `r` turn left, 0 if they are on a line
   int orientation(const Point& p, const Point& q, const Point& r) const

@@ -10,20 +10,12 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-#ifdef CGAL_USE_GMP
-#include <CGAL/Gmpq.h>
-#include <CGAL/Mpzf.h>
-#else
-#include <CGAL/Exact_rational.h>
-#endif
-#ifndef CGAL_HAS_MPZF
-#include <CGAL/MP_Float.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -34,19 +26,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Where sums and products of numbers of type `double` are exact, and where quotients are. CGAL's
-// own types compile faster than those that it selects.
-#ifdef CGAL_HAS_MPZF
-typedef Mpzf Exact_ring;
-#else
-typedef MP_Float Exact_ring;
-#endif
-#ifdef CGAL_USE_GMP
-typedef Gmpq Exact_field;
-#else
-typedef Exact_rational Exact_field;
-#endif
 
 typedef std::array<double, 3> Position;
 
