@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints every digit of what the compiled library holds computes. It is compiled with the library and
-// without.
+// Prints every digit of what functions of the compiled library compute. It is compiled with the
+// library and without.
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
