@@ -30,8 +30,8 @@ public:
   // What follows is drawn in a square that begins there, or beyond its sides, too.
   virtual void begin_square(double left, double side, bool is_clipped) = 0;
 
-  // A polygon that is filled, whose border has the color of the inside if there is no other, so that
-  // neighbors leave no gap; or, if `fill` is null, a line.
+  // Adds a polygon that is filled, whose border has the color of the inside if there is no other,
+  // so that neighbors leave no gap; or, if `fill` is null, a line.
   virtual void add(const std::vector<Canvas_point>& points, const Rgb* fill,
                    const Line_style* line) = 0;
 

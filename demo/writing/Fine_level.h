@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <vector>
 
-// How the fine level of a simplification came from the input: vertices may have been inserted, which
-// split edges and faces, and then vertices may have been added by disks and cuts.
+// How the fine level of a simplification came from the input: vertices may have been inserted,
+// which split edges and faces, and then vertices may have been added by disks and cuts.
 class Fine_level
 {
 public:

@@ -21,8 +21,8 @@
 
 struct Input_mesh;
 
-// One number per vertex, edge, face or line, kept or computed each time it is asked for: all of them
-// integers, exact up to 2^53, or all of them not.
+// One number per vertex, edge, face or line, kept or computed each time it is asked for: all of
+// them integers, exact up to 2^53, or all of them not.
 class Attribute
 {
 public:

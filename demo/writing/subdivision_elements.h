@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-// From any subdivision to a mesh that is written: its elements, and those of the triangulations of
-// which they are parts. A `Part` has what a `Subdivision_part` of the library has, and for each face
-// the side that leads to its first corner. Attributes copy it, which is cheap, and are valid as long
-// as the subdivision.
+// Converts any subdivision to a mesh that is written: its elements, and the elements of the
+// triangulations of which they are parts. A `Part` has what a `Subdivision_part` of the library
+// has, and for each face the side that leads to its first corner. Attributes copy it, which is
+// cheap, and are valid as long as the subdivision.
 
 // All of a subdivision except faces without area, which have two sides.
 template <class Subdivision>
@@ -95,7 +95,8 @@ void add_parents(const Part& part, Side side, const std::string& name, const Num
   add_attribute(result.polygon_data, name + "_face", part, &Part::faces, face);
 }
 
-// Adds where the points and polygons lie: `weights(v)` in vertices of the input, and `face(f)` of it.
+// Adds where the points and polygons lie: `weights(v)` in vertices of the input, and its face
+// `face(f)`.
 template <class Part, class Weights, class Face>
 void set_placement(const Part& part, const Weights& weights, const Face& face, Output_mesh& result)
 {

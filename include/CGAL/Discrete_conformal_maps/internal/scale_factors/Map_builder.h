@@ -130,8 +130,8 @@ public:
     return result;
   }
 
-  // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision, unless
-  // it is there. Beside a factor of a layout, it takes most memory.
+  // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision,
+  // unless it is there. Beside a factor of a layout, it takes most memory.
   template <typename Visitor>
   void subdivide(Visitor& visitor)
   {
