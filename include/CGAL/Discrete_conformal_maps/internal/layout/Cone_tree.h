@@ -120,9 +120,9 @@ private:
 };
 
 // Cuts a surface into pieces that can be unfolded into the plane. `length` is that of edges;
-// `is_cut_edge` says which are not passed; `is_used` which faces are wanted; every vertex where faces
-// cannot close up, a cone or an end of a cut edge, is a terminal. Longest edges are crossed first:
-// positions are handed on through large triangles.
+// `is_cut_edge` says which are not passed; `is_used` which faces are wanted; every vertex where
+// faces cannot close up, a cone or an end of a cut edge, is a terminal. Longest edges are crossed
+// first: positions are handed on through large triangles.
 inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
                                const std::vector<char>& is_cut_edge,
                                const std::vector<char>& is_used,

@@ -26,8 +26,8 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The curvature or the scale factor that is prescribed at each vertex of a surface, and the
-// topology of its components, which curvatures have to suit. A component with boundary is doubled (Section
-// 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
+// topology of its components, which curvatures have to suit. A component with boundary is doubled
+// (Section 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
 class Prescribed_curvatures
 {
 public:

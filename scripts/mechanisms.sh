@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Prints which jobs are done by which types or functions, and the header where each stands. A job
+# with several lines has several mechanisms. Fails if a header does not define what it should.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+status=0
+
+# mechanism JOB NAME HEADER
+mechanism() {
+  if ! grep -qsE "^ *(class|struct) $2\b|\b$2\(" "$3"; then
+    echo "mechanisms: $3 does not define $2" >&2
+    status=1
+  fi
+  printf '%-14s%-24s%s\n' "$1" "$2" "$3"
+}
+
+headers=include/CGAL/Intrinsic_triangulations
+internal=$headers/internal
+
+mechanism crossing Edge_course $headers/Edge_course.h
+mechanism strip Euclidean_strip $headers/Euclidean_strip.h
+mechanism strip Ideal_strip $headers/Ideal_strip.h
+mechanism strip Certain_strip $internal/certificates/Certain_strip.h
+mechanism strip Development $internal/certificates/Development.h
+mechanism strip Ideal_development $internal/certificates/Ideal_development.h
+mechanism strip Lengths_in_strips $internal/certificates/Lengths_in_strips.h
+mechanism strip Developed_face $internal/insertion/Developed_face.h
+mechanism strip Circumcenter_walk $internal/refinement/Circumcenter_walk.h
+mechanism point Surface_place $headers/Edge_point.h
+mechanism locator point_across $headers/point_across.h
+mechanism locator Element_locator $internal/certificates/Element_locator.h
+mechanism insertion Vertex_inserter $headers/Vertex_inserter.h
+mechanism insertion Exact_insertion $internal/insertion/Exact_insertion.h
+mechanism flips flip_waiting $headers/Edge_stack.h
+mechanism flips Delaunay_matching $internal/flipping/Delaunay_matching.h
+mechanism flips Exact_flipping $internal/flipping/Exact_flipping.h
+mechanism Dijkstra Dijkstra_search $headers/Dijkstra_search.h
+mechanism union-find Mesh_components $headers/Mesh_components.h
+mechanism assembly assemble $headers/sparse_assembly.h
+mechanism factors Factorization $headers/Factorization.h
+mechanism tree-cotree Tree_cotree $headers/Tree_cotree.h
+mechanism 'cut graph' Cut_graph $headers/Cut_graph.h
+mechanism converter add_edges_and_polygons demo/writing/subdivision_elements.h
+mechanism canvas Canvas demo/pictures/Canvas.h
+exit $status
