@@ -120,9 +120,9 @@ inline std::vector<std::size_t> charts_of_faces(const Planar_conformal_map& map)
 /// computed in floating point; less than \f$10^{-9}\f$ of the smaller face counts as rounding.
 ///
 /// Complexity: \f$O(n \log n)\f$ for \f$n\f$ faces, and linear in the pairs of faces whose bounding
-/// boxes intersect. Where three or more faces cover a point, a line sweeps over those that cover one
-/// face: this takes \f$O(k \log k)\f$ steps for \f$k\f$ of them, each linear in those that the line
-/// meets.
+/// boxes intersect. Where three or more faces cover a point, a line sweeps over those that cover
+/// one face: this takes \f$O(k \log k)\f$ steps for \f$k\f$ of them, each linear in those that the
+/// line meets.
 /// \pre `map.is_laid_out()`
 inline Chart_overlap find_overlap(const Planar_conformal_map& map)
 {

@@ -98,8 +98,8 @@ private:
 ///
 /// The curves start from one vertex after the other: the shortest one that is closed by an edge
 /// between two shortest paths from there and does not separate. The length up to which they are
-/// looked for doubles, from some edges up to the bound. Curves that have no vertex in common are cut
-/// in one round; then others are looked for, disks included.
+/// looked for doubles, from some edges up to the bound. Curves that have no vertex in common are
+/// cut in one round; then others are looked for, disks included.
 ///
 /// A handle stays if all short curves around it pass a vertex of the boundary, or if no curve of
 /// edges around it is short enough: edges that are long beside the handle hide it, and refinement

@@ -18,10 +18,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// runs Dijkstra's algorithm on the vertices of a surface along edges, or on its faces across edges,
-/// step by step: the caller says where each step leads, and when the search ends. A search costs no
-/// more than what it reaches. Of equally close vertices (faces), the one with the least index comes
-/// first, and the path to it is the one that was found first.
+/// runs Dijkstra's algorithm on the vertices of a surface along edges, or on its faces across
+/// edges, step by step: the caller says where each step leads, and when the search ends. A search
+/// costs no more than what it reaches. Of equally close vertices (faces), the one with the least
+/// index comes first, and the path to it is the one that was found first.
 ///
 /// \tparam Index `Vertex_index` or `Face_index`
 /// \tparam FT the number type of distances

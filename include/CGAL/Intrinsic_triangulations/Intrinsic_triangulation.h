@@ -138,9 +138,9 @@ public:
 
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: both have lengths,
   /// see `stored_length_map()`, `mesh` has `Integer_coordinates`, and `inserted` has the places of
-  /// the vertices that only `mesh` has, in their order. Lengths of `input` are exact unless `metric`
-  /// is. Constraints of `mesh`, see `stored_constraint_map()`, are kept. Complexity: linear in the
-  /// elements and crossings.
+  /// the vertices that only `mesh` has, in their order. Lengths of `input` are exact unless
+  /// `metric` is. Constraints of `mesh`, see `stored_constraint_map()`, are kept. Complexity:
+  /// linear in the elements and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Inserted_vertex<FT>> inserted = {},

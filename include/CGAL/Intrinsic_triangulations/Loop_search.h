@@ -20,9 +20,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// searches from one vertex after the other for loops along edges that do not bound.
 ///
-/// A loop that does not bound has an edge whose number, see `Loop_signatures`, is not zero. Searches
-/// begin at one end of each of these edges, the centers: the shortest loop through a vertex consists
-/// of two shortest paths from there and an edge between their ends.
+/// A loop that does not bound has an edge whose number, see `Loop_signatures`, is not zero.
+/// Searches begin at one end of each of these edges, the centers: the shortest loop through a
+/// vertex consists of two shortest paths from there and an edge between their ends.
 ///
 /// \tparam Surface a model of `IntrinsicSurface`
 template <typename Surface>
@@ -63,8 +63,8 @@ public:
     return result;
   }
 
-  /// calls `visit(h, length, signature)` for the edges that close a loop through `center` which does
-  /// not bound. Vertices with `is_allowed(v)` are reached by increasing distance, as long as
+  /// calls `visit(h, length, signature)` for the edges that close a loop through `center` which
+  /// does not bound. Vertices with `is_allowed(v)` are reached by increasing distance, as long as
   /// `goes_on(v)` returns true.
   template <typename Filter, typename Go_on, typename Visit>
   void search(Vertex_index center, const Filter& is_allowed, const Go_on& goes_on,

@@ -48,10 +48,11 @@ std::vector<Halfedge_index> tree_loop(Halfedge_index h, const Entry& entry,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// computes a number for each edge, so that the exclusive or of the numbers of a closed curve depends
-/// on its homology class modulo 2 only. If it is not zero and boundary loops are filled, the curve
-/// does not separate its component. Random numbers stand for the generators of a `Tree_cotree`: a
-/// curve that bounds has zero, and another one has zero with probability \f$2^{-64}\f$.
+/// computes a number for each edge, so that the exclusive or of the numbers of a closed curve
+/// depends on its homology class modulo 2 only. If it is not zero and boundary loops are filled,
+/// the curve does not separate its component. Random numbers stand for the generators of a
+/// `Tree_cotree`: a curve that bounds has zero, and another one has zero with probability
+/// \f$2^{-64}\f$.
 ///
 /// Each generator closes a curve across edges, along the tree of faces. The number of an edge is
 /// the exclusive or of the random numbers of all curves that cross it.
@@ -101,9 +102,9 @@ public:
       first_halfedge(e), [&](Vertex_index v) { return m_entry[v.idx()]; }, m_mesh);
   }
 
-  /// calls `visit(h)` for the halfedges of the generator `e` and of the tree of faces that its curve
-  /// crosses from the right to the left. What both ways to the root have in common is visited with
-  /// its opposite.
+  /// calls `visit(h)` for the halfedges of the generator `e` and of the tree of faces that its
+  /// curve crosses from the right to the left. What both ways to the root have in common is visited
+  /// with its opposite.
   template <typename Visit>
   void for_each_on_curve(Edge_index e, const Visit& visit) const
   {

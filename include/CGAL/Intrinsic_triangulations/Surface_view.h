@@ -55,8 +55,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSurfaces
-/// returns the map of the edge lengths that are stored with `mesh`; it is added, with zeros, if there
-/// is none.
+/// returns the map of the edge lengths that are stored with `mesh`; it is added, with zeros, if
+/// there is none.
 template <typename FT>
 Delta_complex::Property_map<Edge_index, FT> stored_length_map(Delta_complex& mesh)
 {

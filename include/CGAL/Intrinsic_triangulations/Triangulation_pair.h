@@ -66,8 +66,8 @@ public:
   typedef Delta_complex::size_type size_type;
   /// the type of the maps of edge lengths.
   typedef Delta_complex::Property_map<Edge_index, FT> Edge_length_map;
-  /// the type of the metric of \f$T_1\f$ as exact decisions see it: `Input_metric`, or an empty class
-  /// if the geometry is not Euclidean, or numbers are exact themselves.
+  /// the type of the metric of \f$T_1\f$ as exact decisions see it: `Input_metric`, or an empty
+  /// class if the geometry is not Euclidean, or numbers are exact themselves.
   typedef internal::Input_metric_of<Traits> Metric;
 
   /// \name The Two Surfaces

@@ -55,8 +55,8 @@ first_curve(Halfedge_index spoke, const Integer_coordinates<Integer>& coordinate
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// flips until the edges of \f$T_1\f$ are shared for whose halfedges `is_wanted` holds (Algorithm
 /// 4). Flips of one curve can bring another into a corner that has been dealt with; hence the
-/// repetition. That it ends is proven by Mosher (1988). Returns the halfedges that have been turned,
-/// in order.
+/// repetition. That it ends is proven by Mosher (1988). Returns the halfedges that have been
+/// turned, in order.
 template <typename Integer, typename Is_wanted>
 std::vector<Halfedge_index> flip_to_share(Integer_coordinates<Integer>& coordinates,
                                           Delta_complex& mesh, const Vertex_spokes& spokes,

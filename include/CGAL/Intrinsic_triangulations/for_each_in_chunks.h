@@ -64,8 +64,8 @@ Concurrency concurrency_of(const NamedParameters& np)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// the number of elements that a thread takes at once. Chunks do not depend on the number of threads,
-/// and what is computed for one depends on no other.
+/// the number of elements that a thread takes at once. Chunks do not depend on the number of
+/// threads, and what is computed for one depends on no other.
 constexpr std::size_t chunk_size = 1024;
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks

@@ -34,9 +34,9 @@ inline std::vector<std::size_t> first_indices(std::size_t n)
 
 // Finds short loops along edges, the shortest one of each homology class modulo 2 that is found.
 //
-// If a loop is the shortest of its class and not a sum of shorter ones, it is found from a center on
-// it. All centers together find a shortest basis (Erickson and Whittlesey 2005); so do those within
-// half of the length of the longest loop of a basis that is known already.
+// If a loop is the shortest of its class and not a sum of shorter ones, it is found from a center
+// on it. All centers together find a shortest basis (Erickson and Whittlesey 2005); so do those
+// within half of the length of the longest loop of a basis that is known already.
 template <typename Surface>
 class Loops_of_classes
 {

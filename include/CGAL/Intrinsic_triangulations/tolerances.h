@@ -35,8 +35,8 @@ constexpr bool is_rounded()
 /// to a whole turn or angle sum, or to 1. The other tolerances of the package, in this header too,
 /// choose where vertices are inserted, which edges are flipped to remove them, which computations
 /// are repeated with more digits, and when a search goes over all regions of a face; none of them
-/// decides what is Delaunay. Bounds of rounding errors, which are derived from a formula, stand with
-/// that formula.
+/// decides what is Delaunay. Bounds of rounding errors, which are derived from a formula, stand
+/// with that formula.
 template <typename FT>
 constexpr FT rounding_unit()
 {

@@ -334,7 +334,8 @@ private:
     return result;
   }
 
-  // Vertices within the ball of half the length are within the ball along edges of the whole length.
+  // Vertices within the ball of half the length are within the ball along edges of the whole
+  // length.
   void remove_free_vertices(Vertex_index m, const FT& radius)
   {
     const auto after_flip = [this](Halfedge_index h) { note_flip(h); };
