@@ -55,6 +55,10 @@ public:
     return true;
   }
 
+  /// replaces the last halfedge of the path to `x` by that of another path of the same length.
+  /// \pre `!is_final(x)`
+  void set_entry(Index x, Halfedge_index entry) { m_label[x.idx()].entry = entry; }
+
   /// returns the closest one to which a path is known and which has not been returned before; null
   /// if there is none. Its distance is final.
   Index next()

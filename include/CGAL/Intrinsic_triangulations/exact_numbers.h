@@ -22,17 +22,17 @@ namespace CGAL::Intrinsic_triangulations {
 
 // CGAL's own types compile in a fraction of the time of those that it selects.
 
-#ifdef CGAL_HAS_MPZF
 /// \ingroup PkgIntrinsicTriangulationsCertificates
 /// the type of numbers in which sums and products of numbers of type `double` are exact.
+#ifdef CGAL_HAS_MPZF
 typedef Mpzf Exact_ring;
 #else
 typedef MP_Float Exact_ring;
 #endif
 
-#ifdef CGAL_USE_GMP
 /// \ingroup PkgIntrinsicTriangulationsCertificates
 /// the type of numbers in which quotients are exact, too.
+#ifdef CGAL_USE_GMP
 typedef Gmpq Exact_field;
 #else
 typedef Exact_rational Exact_field;

@@ -22,7 +22,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// \param surface a model of `IntrinsicSurface`
 /// \param source the vertex where it starts
 /// \param target the vertex where it ends
-/// \returns its halfedges from `source` to `target`; none if the two are equal, or there is no path
+/// \returns its halfedges from `source` to `target`; none if the two are equal, or if there is no
+///   path. Of equally short paths to a vertex, the one whose last halfedge has the least index
+///   counts.
 ///
 /// Complexity: \f$O(n + m \log m)\f$ for \f$n\f$ vertices, and \f$m\f$ edges within the distance
 /// of `target`.
@@ -37,7 +39,11 @@ std::vector<Halfedge_index> shortest_edge_path(const Surface& surface, Vertex_in
     search.reach(source, FT(0));
   for(Vertex_index v = search.next(); v.is_valid() && v != target; v = search.next())
     for_each_spoke(v, mesh, [&, distance = search.distance(v)](Halfedge_index h) {
-      search.reach(mesh.target(h), distance + internal::edge_length(h, surface), h);
+      const Vertex_index w = mesh.target(h);
+      const FT length = distance + internal::edge_length(h, surface);
+      if(!search.reach(w, length, h) && !search.is_final(w) && length == search.distance(w) &&
+         h < search.entry(w))
+        search.set_entry(w, h);
     });
   std::vector<Halfedge_index> result;
   if(search.is_final(target))

@@ -10,20 +10,23 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
-#include <boost/utility/base_from_member.hpp>
-
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// A base class, which is constructed before the decisions that refer to the courses.
+template <typename Traits>
+struct Courses_on_demand
+{
+  Edge_courses<Traits> courses;
+};
 
 // Decisions about a triangulation pair, with courses that are computed when they are read.
 template <typename Traits>
-class Decisions_on_demand : private boost::base_from_member<Edge_courses<Traits>>,
-                            public Exact_decisions<Traits>
+class Decisions_on_demand : private Courses_on_demand<Traits>, public Exact_decisions<Traits>
 {
-  typedef boost::base_from_member<Edge_courses<Traits>> Courses;
-
 public:
   explicit Decisions_on_demand(const Triangulation_pair<Traits>& pair)
-    : Courses(pair), Exact_decisions<Traits>(pair, Courses::member)
+    : Courses_on_demand<Traits>{Edge_courses<Traits>(pair)},
+      Exact_decisions<Traits>(pair, this->courses)
   {}
 
   Decisions_on_demand(const Decisions_on_demand&) = delete;
