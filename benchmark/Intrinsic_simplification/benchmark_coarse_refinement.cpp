@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Surfaces simplified to a hundredth of their vertices, and then refined to angles of 25 degrees:
-// the least angles, faces below the bound that a narrow vertex excuses and others, how far points
-// of the refined surface are away after having been to the input and back, the common subdivision,
-// and errors of a Poisson equation (see Poisson_comparison.h) and of distances from a vertex,
-// without and with refinement. Of the meshes on the command line, or of all of CGAL's that are
-// surfaces.
+// the least angles, faces below the bound that a small-angle vertex excuses and others, how far
+// points of the refined surface are away after having been to the input and back, the common
+// subdivision, and errors of a Poisson equation (see Poisson_comparison.h) and of distances from a
+// vertex, without and with refinement. Of the meshes on the command line, or of all of CGAL's that
+// are surfaces.
 
 #include "Poisson_comparison.h"
 #include "surfaces.h"

@@ -104,7 +104,7 @@ private:
   {
     Halfedge side = m_overlay.next(x);
     while(!m_overlay.intrinsic(side).is_valid())
-      side = m_overlay.previous_spoke(side);
+      side = m_overlay.previous_around_source(side);
     const Halfedge_index h = m_overlay.intrinsic(side);
     const bool is_corner = !m_overlay.is_crossing(m_overlay.source(side));
     if(h == q.il || (h == q.ki && !is_corner))
@@ -126,13 +126,14 @@ private:
     const Quadrangle q = quadrangle(kl);
     Halfedge start = m_first[q.ki];
     for(;;) {
-      const Halfedge spoke = m_overlay.next_spoke(start);
-      const Place place = m_overlay.intrinsic(spoke).is_valid() ? Place::after : end(spoke, q);
+      const Halfedge outgoing = m_overlay.next_around_source(start);
+      const Place place =
+        m_overlay.intrinsic(outgoing).is_valid() ? Place::after : end(outgoing, q);
       if(place == Place::at)
-        return set_path(spoke, q);
+        return set_path(outgoing, q);
       if(place == Place::after)
         return cut_to_end(start, q);
-      start = spoke;
+      start = outgoing;
     }
   }
 

@@ -44,11 +44,11 @@ public:
   bool is_crossing(Vertex v) const { return v >= m_number_of_input_vertices; }
 
   // The outgoing halfedges before and after `h` in counterclockwise order around its source.
-  Halfedge next_spoke(Halfedge h) const { return twin(prev(h)); }
-  Halfedge previous_spoke(Halfedge h) const { return next(twin(h)); }
+  Halfedge next_around_source(Halfedge h) const { return twin(prev(h)); }
+  Halfedge previous_around_source(Halfedge h) const { return next(twin(h)); }
 
   // The halfedge straight on beyond the crossing at the end of `h`.
-  Halfedge straight_on(Halfedge h) const { return previous_spoke(next(h)); }
+  Halfedge straight_on(Halfedge h) const { return previous_around_source(next(h)); }
 
   // Says that `h` runs along a halfedge of T2; null if it does no longer.
   void set_intrinsic(Halfedge h, Halfedge_index intrinsic, Halfedge_index opposite)

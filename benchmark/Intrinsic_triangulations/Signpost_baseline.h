@@ -51,11 +51,12 @@ public:
   }
 
 private:
-  // The direction of `h` is that of the spoke before it, turned by the angle between them.
+  // The direction of `h` is that of the outgoing halfedge before it, turned by the angle between
+  // them.
   void update_angle(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index before = IT::previous_spoke(h, mesh);
+    const Halfedge_index before = IT::previous_around_source(h, mesh);
     const auto length = [&](Halfedge_index x) { return m_tri.length(x); };
     const double angle = IT::corner_angle<double>(length(mesh.next(before)), length(before),
                                                   length(mesh.prev(before)));

@@ -31,7 +31,7 @@ class Signpost_refinement : public IT::Default_refinement_visitor
 public:
   explicit Signpost_refinement(const Triangulation& tri) : m_tri(tri), m_frames(m_tri.input())
   {
-    start_anew();
+    restart_from_input();
   }
   Signpost_refinement(const Signpost_refinement&) = delete;
   Signpost_refinement& operator=(const Signpost_refinement&) = delete;
@@ -70,8 +70,8 @@ public:
   void after_insertion(Vertex_index v, const IT::Vertex_inserter<Traits>&)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    Halfedge_index nearest = IT::first_spoke(v, mesh);
-    IT::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    Halfedge_index nearest = IT::first_outgoing_halfedge(v, mesh);
+    IT::for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       update_angle(mesh.opposite(h));
       if(length(h) < length(nearest))
         nearest = h;
@@ -79,18 +79,19 @@ public:
     const auto walk = trace(mesh.opposite(nearest), CGAL::Emptyset_iterator());
     m_place[v] = walk.end;
     m_angle[nearest] = std::arg(-walk.direction);
-    for(Halfedge_index h = IT::next_spoke(nearest, mesh); h != nearest; h = IT::next_spoke(h, mesh))
+    for(Halfedge_index h = IT::next_around_source(nearest, mesh); h != nearest;
+        h = IT::next_around_source(h, mesh))
       update_angle(h);
   }
 
-  void before_exact_flips() { start_anew(); }
-  void before_exact_refinement() { start_anew(); }
+  void before_exact_flips() { restart_from_input(); }
+  void before_exact_refinement() { restart_from_input(); }
 
 private:
   double length(Halfedge_index h) const { return m_tri.length(m_tri.mesh().edge(h)); }
 
   // with T2 = T1
-  void start_anew()
+  void restart_from_input()
   {
     m_angle = m_tri.add_property_map<Halfedge_index>("h:signpost", 0.);
     m_place = m_tri.add_property_map<Vertex_index>("v:signpost", Location());
@@ -98,11 +99,12 @@ private:
       m_angle[h] = m_frames.angle(h);
   }
 
-  // The direction of `h` is that of the spoke before it, turned by the angle between them.
+  // The direction of `h` is that of the outgoing halfedge before it, turned by the angle between
+  // them.
   void update_angle(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index before = IT::previous_spoke(h, mesh);
+    const Halfedge_index before = IT::previous_around_source(h, mesh);
     const Vertex_index v = mesh.source(h);
     m_angle[h] =
       m_angle[before] + IT::corner_angle<double>(length(mesh.next(before)), length(before),

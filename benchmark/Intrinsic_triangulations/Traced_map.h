@@ -78,7 +78,7 @@ public:
       order_crossings(e);
     for(Vertex_index v : m_mesh.vertices())
       if(!m_mesh.is_isolated(v))
-        set_rotation(is_inserted(v) ? spokes(v) : spokes_of_both(v));
+        set_rotation(is_inserted(v) ? outgoing_halfedges(v) : outgoing_halfedges_of_both(v));
     std::size_t crossings = 0;
     for(const auto& on_edge : m_on_edge)
       crossings += on_edge.size();
@@ -92,10 +92,11 @@ private:
   // half of a piece of an edge, as a number; the two of a piece differ in the last bit
   typedef std::size_t Dart;
 
-  // where a halfedge of T2 leaves a vertex of T1: along the spoke, or in the corner after it
+  // where a halfedge of T2 leaves a vertex of T1: along the outgoing halfedge, or in the corner
+  // after it
   struct Start
   {
-    Halfedge_index spoke;
+    Halfedge_index outgoing;
     bool is_shared;
   };
   // crossing `k` of a curve, on the first halfedge of its edge
@@ -216,10 +217,10 @@ private:
   }
 
   // the darts that leave a vertex, counterclockwise
-  void set_rotation(const std::vector<Dart>& spokes)
+  void set_rotation(const std::vector<Dart>& outgoing_halfedges)
   {
-    for(std::size_t i = 0; i < spokes.size(); ++i)
-      m_before[spokes[(i + 1) % spokes.size()]] = spokes[i];
+    for(std::size_t i = 0; i < outgoing_halfedges.size(); ++i)
+      m_before[outgoing_halfedges[(i + 1) % outgoing_halfedges.size()]] = outgoing_halfedges[i];
   }
 
   void order_crossings(Edge_index e)
@@ -251,21 +252,21 @@ private:
     return m_curves[c].halfedge == h ? 2 * first : 2 * (first + m_curves[c].crossings.size()) + 1;
   }
 
-  std::vector<Dart> spokes(Vertex_index v) const
+  std::vector<Dart> outgoing_halfedges(Vertex_index v) const
   {
     std::vector<Dart> result;
-    IT::for_each_spoke(v, m_mesh, [&](Halfedge_index h) { result.push_back(dart(h)); });
+    IT::for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) { result.push_back(dart(h)); });
     return result;
   }
 
   // Those of T2 in their order, between those of T1.
-  std::vector<Dart> spokes_of_both(Vertex_index v) const
+  std::vector<Dart> outgoing_halfedges_of_both(Vertex_index v) const
   {
     std::vector<Halfedge_index> input, intrinsic;
-    IT::for_each_spoke(v, m_input, [&](Halfedge_index h) { input.push_back(h); });
-    IT::for_each_spoke(v, m_mesh, [&](Halfedge_index h) { intrinsic.push_back(h); });
+    IT::for_each_outgoing_halfedge(v, m_input, [&](Halfedge_index h) { input.push_back(h); });
+    IT::for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) { intrinsic.push_back(h); });
     const auto rank = [&](Halfedge_index h) {
-      const auto i = std::find(input.begin(), input.end(), m_start[h].spoke) - input.begin();
+      const auto i = std::find(input.begin(), input.end(), m_start[h].outgoing) - input.begin();
       return 2 * i + (m_start[h].is_shared ? 0 : 1);
     };
     const auto descent =
@@ -275,9 +276,9 @@ private:
       std::rotate(intrinsic.begin(), descent + 1, intrinsic.end());
     std::vector<Dart> result;
     auto next = intrinsic.begin();
-    for(Halfedge_index spoke : input) {
-      result.push_back(dart_of_input(spoke));
-      for(; next != intrinsic.end() && m_start[*next].spoke == spoke; ++next)
+    for(Halfedge_index outgoing : input) {
+      result.push_back(dart_of_input(outgoing));
+      for(; next != intrinsic.end() && m_start[*next].outgoing == outgoing; ++next)
         if(!m_start[*next].is_shared)
           result.push_back(dart(*next));
     }

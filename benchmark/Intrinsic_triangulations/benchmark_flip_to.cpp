@@ -11,8 +11,8 @@
 
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/rebase.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-#include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -69,7 +69,7 @@ Flips flips_to_input(Triangulation tri)
 
 Flips flips_to(Triangulation tri, const Triangulation& target)
 {
-  const double crossings = number_of_crossings(IT::triangulation_over(target, tri));
+  const double crossings = number_of_crossings(IT::rebase(target, tri));
   return {crossings, double(IT::flip_to(tri, target))};
 }
 

@@ -542,7 +542,7 @@ private:
     page.add_marks(std::move(marks));
   }
 
-  // One for each umbrella of the cover.
+  // One for each vertex fan of the cover.
   std::vector<std::int64_t> vertex_sources_on(const Triangulation& triangulation)
   {
     const std::optional<Covered_soup>& covered = m_run.input().covered;

@@ -45,7 +45,7 @@ std::vector<std::vector<Mesh::Vertex_index>> Mended_topology::sources_of_new_ver
       result.back().push_back(m_surface.original_vertex(v));
       continue;
     }
-    IS::for_each_spoke(v, mesh, [&](IS::Halfedge_index h) {
+    IS::for_each_outgoing_halfedge(v, mesh, [&](IS::Halfedge_index h) {
       const Mesh::Vertex_index u = m_surface.original_vertex(mesh.target(h));
       if(u.is_valid() || mesh.target(h) < v)
         result.back().push_back(u.is_valid() ? u : mesh.target(h));

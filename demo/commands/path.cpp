@@ -280,7 +280,7 @@ private:
     Surface_location result = m_points.front();
     if(!IT::internal::is_corner(result.second) || m_options.from.find(':') != std::string::npos)
       return result;
-    IT::for_each_spoke(IT::internal::vertex_at(result, mesh), mesh, [&](Halfedge h) {
+    IT::for_each_outgoing_halfedge(IT::internal::vertex_at(result, mesh), mesh, [&](Halfedge h) {
       if(!mesh.is_border(h) && mesh.face(h) <= result.first)
         result = IT::face_location(IT::Edge_point<double>{h, 0}, mesh);
     });

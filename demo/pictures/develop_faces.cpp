@@ -127,18 +127,18 @@ private:
 
   void add_start(IT::Halfedge_index h)
   {
-    const IT::Halfedge_index spoke = m_correspondence.spoke_before(IT::Side::input, h);
+    const IT::Halfedge_index outgoing = m_correspondence.outgoing_before(IT::Side::input, h);
     const bool is_shared = m_correspondence.is_shared(IT::Side::input, IT::Edge_index(h));
-    m_result.starts.push_back(2 * m_numbers[spoke.idx()] + (is_shared ? 0 : 1));
+    m_result.starts.push_back(2 * m_numbers[outgoing.idx()] + (is_shared ? 0 : 1));
     if(is_shared)
       return;
-    const Complex z = direction_of(h, spoke) *
-                      (m_tri.input_length(IT::Edge_index(h)) / m_tri.length(IT::Edge_index(spoke)));
+    const Complex z = direction_of(h, outgoing) * (m_tri.input_length(IT::Edge_index(h)) /
+                                                   m_tri.length(IT::Edge_index(outgoing)));
     m_result.first_edges.insert(m_result.first_edges.end(), {z.real(), z.imag()});
   }
 
-  // That of the input halfedge `h` from the spoke at or clockwise before it.
-  Complex direction_of(IT::Halfedge_index h, IT::Halfedge_index spoke) const
+  // That of the input halfedge `h` from the outgoing halfedge at or clockwise before it.
+  Complex direction_of(IT::Halfedge_index h, IT::Halfedge_index outgoing) const
   {
     const IT::Edge_index e(h);
     const auto& part = m_correspondence.part(
@@ -146,9 +146,9 @@ private:
     if(part.is_shared)
       return 1;
     const auto crossing = m_correspondence.crossing(IT::Side::input, h, 0).across;
-    const IT::Halfedge_index side = m_mesh.next(spoke);
+    const IT::Halfedge_index side = m_mesh.next(outgoing);
     const double t = crossing.halfedge == side ? crossing.t : 1 - crossing.t;
-    const Complex z = (1 - t) + t * apex(spoke);
+    const Complex z = (1 - t) + t * apex(outgoing);
     return z / std::abs(z);
   }
 

@@ -25,7 +25,8 @@ Mesh::Edge_index Fine_level::input_edge(Mesh::Edge_index e) const
 {
   if(e.idx() >= m_edges || (m_split && !m_split->coordinates().is_shared(e)))
     return Mesh::Edge_index();
-  return m_split ? Mesh::Edge_index(m_split->input_spoke_before(m_split->mesh().halfedge(e))) : e;
+  return m_split ? Mesh::Edge_index(m_split->input_outgoing_before(m_split->mesh().halfedge(e)))
+                 : e;
 }
 
 Placement::Weights Fine_level::weights(std::size_t i) const

@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/rebase.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-#include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
   IT::make_Delaunay(free);
   IT::make_Delaunay(constrained);
 
-  const auto over = IT::triangulation_over(free, constrained);
+  const auto over = IT::rebase(free, constrained);
   std::size_t shared = 0;
   for(IT::Edge_index e : over.mesh().edges())
     if(over.coordinates().is_shared(e))
@@ -51,6 +51,6 @@ int main(int argc, char* argv[])
   IT::refine(refined, IT::parameters::minimum_angle(25));
   refined.collect_garbage();
   std::cout << "refined, the first one has "
-            << IT::triangulation_over(constrained, refined).number_of_inserted_vertices()
+            << IT::rebase(constrained, refined).number_of_inserted_vertices()
             << " vertices more, and " << IT::flip_to(refined, constrained) << " flips lead back\n";
 }

@@ -157,7 +157,7 @@ public:
   {
     const auto& s = map.subdivision();
     for(Face_index f : s.mesh().faces())
-      if(map.is_front(s.parent_face(Layer::A, f)))
+      if(map.is_original(s.parent_face(Layer::A, f)))
         m_is_used[s.parent_face(Layer::C, f)] = true;
   }
 
@@ -278,7 +278,7 @@ inline Location corner(const Delta_complex& mesh, Vertex_index v)
 inline Location random_front_location(const Planar_conformal_map& map, CGAL::Random& random)
 {
   for(;;)
-    if(const Location p = random_location(mesh_A(map), random); map.is_front(p.first))
+    if(const Location p = random_location(mesh_A(map), random); map.is_original(p.first))
       return p;
 }
 

@@ -159,12 +159,12 @@ TEST(Bounded_surface, the_inside_of_a_surface_is_not_copied)
   const Triangulation half(mesh);
   const std::size_t n = half.mesh().number_of_vertices();
   Doubled_problem problem(half, default_conditions(half.mesh()), DCM::Flipping::to_Delaunay);
-  EXPECT_GT(problem.front().size(), n);
-  EXPECT_LT(problem.front().size(), n + n / 2);
+  EXPECT_GT(problem.originals().size(), n);
+  EXPECT_LT(problem.originals().size(), n + n / 2);
   EXPECT_TRUE(IT::is_valid_Delta_complex(problem.triangulation().mesh()));
   EXPECT_TRUE(IT::is_valid_Delta_complex(problem.triangulation().input_mesh()));
   problem.complete();
-  EXPECT_EQ(problem.front().size(), 2 * n - 160);
+  EXPECT_EQ(problem.originals().size(), 2 * n - 160);
   EXPECT_FALSE(has_border(problem.triangulation().mesh()));
   EXPECT_LT(DCM::map_to_sphere(mesh).ideal().mesh().number_of_vertices(), n + n / 2);
 }
@@ -187,11 +187,12 @@ TEST(Doubled_surface, copies_some_faces)
     const auto copied = std::size_t(std::count(has_copy.begin(), has_copy.end(), 1));
     ASSERT_EQ(mesh.number_of_faces(), s.half.number_of_faces() + copied);
     for(Vertex_index v : s.half.vertices())
-      EXPECT_EQ(doubled.front()[v], v);
+      EXPECT_EQ(doubled.originals()[v], v);
     for(Edge_index e : s.half.edges()) {
       const Edge_index m = doubled.mirrored(e);
       const auto ends = [&](Edge_index x) {
-        return std::minmax(doubled.front()[mesh.vertex(x, 0)], doubled.front()[mesh.vertex(x, 1)]);
+        return std::minmax(doubled.originals()[mesh.vertex(x, 0)],
+                           doubled.originals()[mesh.vertex(x, 1)]);
       };
       EXPECT_EQ(ends(m), ends(e));
       EXPECT_EQ(mesh.is_border(e), false);

@@ -255,9 +255,9 @@ TEST(Flatten, bipyramid_has_a_closed_form)
         condition.resize(n + 2, Vertex_condition::curvature(at_apex));
         const Triangulation t(bipyramid(n, height));
         const Planar_conformal_map map = flatten(t, condition);
-        const double ring = 2 * std::sin(pi / double(n)), spoke = std::hypot(1, height);
+        const double ring = 2 * std::sin(pi / double(n)), outgoing = std::hypot(1, height);
         EXPECT_NEAR(log_scale(map, 0) - log_scale(map, n),
-                    2 * std::log(2 * std::sin(angle / 2) * spoke / ring), 1e-12);
+                    2 * std::log(2 * std::sin(angle / 2) * outgoing / ring), 1e-12);
         for(std::size_t v = 0; v < n; ++v)
           EXPECT_NEAR(log_scale(map, v), log_scale(map, 0), 1e-12);
         EXPECT_NEAR(log_scale(map, n), log_scale(map, n + 1), 1e-12);

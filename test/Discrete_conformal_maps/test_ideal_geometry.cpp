@@ -685,7 +685,7 @@ public:
     return beyond(turned(a, m_mesh.prev(a.h)));
   }
 
-  // the end of a halfedge of T2 that starts at the source of the spoke `a` of T1
+  // the end of a halfedge of T2 that starts at the source of the outgoing halfedge `a` of T1
   Vector_3 end_of(Halfedge_index h, Lifted_triangle a) const
   {
     const auto trace = IT::trace_intrinsic_edge(m_t, h);
@@ -700,14 +700,14 @@ public:
   {
     const Halfedge_index x = m_t.mesh().halfedge(p.first),
                          z = m_t.mesh().opposite(m_t.mesh().prev(x));
-    const Lifted_triangle start = first(m_t.input_spoke_before(x));
+    const Lifted_triangle start = first(m_t.input_outgoing_before(x));
     const Vector_3 &X = start.q[0], Y = end_of(x, start);
     Lifted_triangle a = start;
     Vector_3 Z = Y;
     for(bool is_first = true; !(determinant(X, Y, Z) > 0); is_first = false) {
       if(!is_first)
         a = counterclockwise(a);
-      while(a.h != m_t.input_spoke_before(z))
+      while(a.h != m_t.input_outgoing_before(z))
         a = counterclockwise(a);
       Z = end_of(z, a);
     }
@@ -733,7 +733,7 @@ private:
            determinant(a.q[0], a.q[1], p) >= 0;
   }
 
-  // straight from the source of the spoke `a` to `p`
+  // straight from the source of the outgoing halfedge `a` to `p`
   std::pair<Halfedge_index, std::array<Rational, 3>> walk(Lifted_triangle a,
                                                           const Vector_3& p) const
   {

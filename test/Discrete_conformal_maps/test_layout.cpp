@@ -285,7 +285,7 @@ TEST(Layout, faces_of_the_subdivision_are_not_turned_over)
     const auto& s = m.map.subdivision();
     const double size = size_of(m.map);
     for(Face_index f : s.mesh().faces()) {
-      if(!m.map.is_front(s.parent_face(Layer::A, f)))
+      if(!m.map.is_original(s.parent_face(Layer::A, f)))
         continue;
       std::vector<Complex> corners;
       for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
@@ -320,7 +320,7 @@ TEST(Planar_conformal_map, is_linear_on_the_subdivision)
     const double size = size_of(m.map);
     for(Face_index f : s.mesh().faces())
       // in a sliver, a point may count as one of the next face, perhaps beyond a seam
-      if(m.map.is_front(s.parent_face(Layer::A, f)) && area_on_A(m.map, f) > 1e-12) {
+      if(m.map.is_original(s.parent_face(Layer::A, f)) && area_on_A(m.map, f) > 1e-12) {
         const Sample sample = random_point(m.map, f, random);
         EXPECT_LT(std::abs(m.map(sample.on_A) - sample.expected), 1e-9 * size) << f;
       }
@@ -336,7 +336,7 @@ TEST(Planar_conformal_map, is_continuous_across_edges_of_a_disk)
     const Delta_complex& mesh = mesh_A(map);
     for(Edge_index e : mesh.edges()) {
       const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
-      if(map.is_front(mesh.face(h)) && map.is_front(mesh.face(o)))
+      if(map.is_original(mesh.face(h)) && map.is_original(mesh.face(o)))
         for(const double t : {0.01, 0.3, 0.5, 0.99}) {
           const Location p = on_edge(mesh, h, t);
           EXPECT_LT(std::abs(map(p) - map(beyond_edge(map, p, h))), 1e-9 * size_of(map)) << e;
@@ -385,9 +385,9 @@ TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
     const Complex z = place[apex], x = place[(apex + 1) % 3], y = place[(apex + 2) % 3];
     // Along the bisector the point with height h of the old triangle goes to a point with the same
     // cross ratio to apex, foot, and the second intersection with the circumcircle.
-    const double spoke = std::hypot(1, 0.5), ring = 2 * std::sin(pi / 12);
-    const double old_foot = std::sqrt(spoke * spoke - ring * ring / 4),
-                 old_end = spoke * spoke / old_foot;
+    const double outgoing = std::hypot(1, 0.5), ring = 2 * std::sin(pi / 12);
+    const double old_foot = std::sqrt(outgoing * outgoing - ring * ring / 4),
+                 old_end = outgoing * outgoing / old_foot;
     const double new_foot = std::abs((x + y) / 2. - z), new_end = std::norm(x - z) / new_foot;
     const auto cross_ratio = [](double p, double foot, double end) {
       return (p / (p - end)) / (foot / (foot - end));

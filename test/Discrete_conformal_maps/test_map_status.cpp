@@ -172,7 +172,7 @@ Points boundary_image(const Planar_conformal_map& map)
   const auto& s = map.subdivision();
   Points result;
   for(Halfedge_index h : s.mesh().halfedges())
-    if(map.is_front(h) && !map.is_front(s.mesh().opposite(h)) &&
+    if(map.is_original(h) && !map.is_original(s.mesh().opposite(h)) &&
        s.parent_vertex(Layer::A, s.mesh().target(h)).is_valid()) {
       const auto z = map.homogeneous_coordinates(s.location(Layer::C, h));
       result.push_back(std::complex<double>(z[0], z[1]) / z[2]);

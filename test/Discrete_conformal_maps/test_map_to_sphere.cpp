@@ -95,7 +95,7 @@ double distance_from_center(const Spherical_conformal_map& map)
   Position sum{0, 0, 0};
   double total = 0;
   for(Face_index f : mesh.faces()) {
-    if(!map.is_front(f))
+    if(!map.is_original(f))
       continue;
     const auto side = IT::sides(f, mesh);
     const double a = map.Delaunay().input_length(mesh.edge(side[0])),
@@ -350,7 +350,7 @@ void check_polygon(const Spherical_conformal_map& map, const Mesh& mesh)
   const auto& subdivision = map.subdivision();
   for(Face_index f : subdivision.mesh().faces()) {
     const Halfedge_index first = subdivision.mesh().halfedge(f);
-    if(!map.is_front(first))
+    if(!map.is_original(first))
       continue;
     const auto at = [&](Halfedge_index h) {
       return map.image(map.homogeneous_coordinates(subdivision.location(Layer::C, h)));

@@ -52,9 +52,9 @@ std::vector<Flat_boundary> flat_boundaries(const Planar_conformal_map& map)
 {
   const auto& s = map.subdivision();
   const auto& mesh = s.mesh();
-  const auto is_front = [&](Halfedge_index h) { return map.is_front(h); };
+  const auto is_original = [&](Halfedge_index h) { return map.is_original(h); };
   const auto is_boundary = [&](Halfedge_index h) {
-    return is_front(h) && !is_front(mesh.opposite(h));
+    return is_original(h) && !is_original(mesh.opposite(h));
   };
   std::set<Halfedge_index> seen;
   std::vector<Flat_boundary> result;
@@ -366,7 +366,7 @@ TEST(Flatten_to_disk, measures_the_boundary_in_strips)
       for(IT::Edge_index e : input.mesh().edges())
         edges += input.mesh().is_border(e);
       for(const auto h : map.subdivision().mesh().halfedges())
-        segments += map.is_front(h) && !map.is_front(IT::opposite(h));
+        segments += map.is_original(h) && !map.is_original(IT::opposite(h));
       crossed += segments > edges;
     }
   EXPECT_GT(crossed, 0u);
@@ -403,8 +403,9 @@ TEST(Flatten_to_disk, is_the_hemisphere_in_the_plane)
       std::size_t boundary = 0;
       for(Edge_index e : s.edges())
         if(const Edge_index a = map.subdivision().parent_edge(Layer::A, e); a.is_valid())
-          boundary += map.is_front(mesh_A(map).face(mesh_A(map).halfedge(a))) !=
-                      map.is_front(mesh_A(map).face(mesh_A(map).opposite(mesh_A(map).halfedge(a))));
+          boundary +=
+            map.is_original(mesh_A(map).face(mesh_A(map).halfedge(a))) !=
+            map.is_original(mesh_A(map).face(mesh_A(map).opposite(mesh_A(map).halfedge(a))));
       return boundary != 20;
     };
     if(is_crossed(disk) || is_crossed(sphere))

@@ -128,14 +128,14 @@ TEST(Peacock_triangulation, joins_all_vertices_to_the_center)
       const Peacock peacock(t.mesh(), t.length_map(), center);
       const Delta_complex& mesh = peacock.mesh();
       EXPECT_TRUE(IT::is_valid_Delta_complex(mesh));
-      std::vector<int> spokes(mesh.number_of_vertices(), 0);
+      std::vector<int> outgoing_halfedges(mesh.number_of_vertices(), 0);
       for(Edge_index e : mesh.edges()) {
         const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
         EXPECT_TRUE(v == center || w == center);
-        ++spokes[v == center ? w : v];
+        ++outgoing_halfedges[v == center ? w : v];
       }
       for(Vertex_index v : mesh.vertices())
-        EXPECT_GE(spokes[v], v == center ? 0 : 1);
+        EXPECT_GE(outgoing_halfedges[v], v == center ? 0 : 1);
     }
 }
 

@@ -92,19 +92,19 @@ Hyperbolic_surface regular_surface(int g, unsigned int seed)
   Sides faces;
   std::vector<double> length(std::size_t(5 * n + n / 2));
   // edges: middle to corner k, middle to inner point k, corner k to it, corner k + 1 to it, sides
-  const auto spoke = [&](int k) { return 1 + k % n; };
+  const auto outgoing = [&](int k) { return 1 + k % n; };
   for(int k = 0; k < n; ++k) {
     const Polar_point middle{0, 0}, corner{radius, turn * k}, next{radius, turn * (k + 1)},
       inner{inner_radius * random.get_double(0.2, 0.9), turn * (k + random.get_double(0.4, 0.6))};
     const int to_inner = 1 + n + k, from_corner = 1 + 2 * n + k, from_next = 1 + 3 * n + k,
               side = k < n / 2 ? 1 + 4 * n + k : -(1 + 4 * n + k - n / 2);
-    faces.push_back({spoke(k), from_corner, -to_inner});
+    faces.push_back({outgoing(k), from_corner, -to_inner});
     faces.push_back({side, from_next, -from_corner});
-    faces.push_back({-spoke(k + 1), to_inner, -from_next});
+    faces.push_back({-outgoing(k + 1), to_inner, -from_next});
     const auto set = [&](int edge, const Polar_point& p, const Polar_point& q) {
       length[std::size_t(std::abs(edge) - 1)] = half_sinh(p, q);
     };
-    set(spoke(k), middle, corner);
+    set(outgoing(k), middle, corner);
     set(to_inner, middle, inner);
     set(from_corner, corner, inner);
     set(from_next, next, inner);

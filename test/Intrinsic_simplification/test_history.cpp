@@ -66,10 +66,10 @@ TEST(Surface_history, keeps_the_faces_of_each_operation)
   const auto removal = operation<IS::Vertex_change>(history, 3);
   EXPECT_FALSE(removal.is_insertion);
   EXPECT_FALSE(removal.is_border);
-  Halfedge_index spoke = h;
+  Halfedge_index outgoing = h;
   for(const IS::Face_corner& c : removal.corners) {
-    expect_corner(c, spoke, mesh);
-    spoke = IT::next_spoke(spoke, mesh);
+    expect_corner(c, outgoing, mesh);
+    outgoing = IT::next_around_source(outgoing, mesh);
   }
   expect_corner(removal.whole, mesh.halfedge(mesh.face(h)), mesh);
   EXPECT_EQ(removal.weight, (std::array<double, 2>{0.125, 0.5}));
@@ -85,7 +85,8 @@ TEST(Surface_history, keeps_the_faces_of_changes_at_the_boundary)
   for(Vertex_index v : mesh.vertices()) {
     if(mesh.degree(v) != 3)
       continue;
-    const Halfedge_index a = IT::first_spoke(v, mesh), b = IT::next_spoke(a, mesh);
+    const Halfedge_index a = IT::first_outgoing_halfedge(v, mesh),
+                         b = IT::next_around_source(a, mesh);
     const IS::Face_corner whole(mesh.face(b), 2);
     history.add_removal(a, mesh, 0.375, 0);
     history.add_insertion(a, mesh, whole, 0.25, 0);

@@ -269,7 +269,7 @@ TEST(Refine, splits_constrained_edges)
   EXPECT_NO_THROW(IS::Surface_subdivision<>(Surface_map(surface, coarse, refined)));
 }
 
-// Where rounding leaves doubts, refinement starts anew, and so does the history.
+// Where rounding leaves doubts, refinement restarts, and so does the history.
 TEST(Refine, starts_anew_with_exact_decisions)
 {
   struct Restart_counter : IT::Default_refinement_visitor

@@ -81,11 +81,11 @@ TEST(Flattening, area_change)
   });
 }
 
-TEST(Flattening, spokes_are_in_order)
+TEST(Flattening, outgoing_halfedges_are_in_order)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto) {
     for(std::size_t n = 0; n < star.number_of_corners(); ++n)
-      EXPECT_EQ(IT::next_spoke(star[n].halfedge, s.mesh()), star[star.next(n)].halfedge);
+      EXPECT_EQ(IT::next_around_source(star[n].halfedge, s.mesh()), star[star.next(n)].halfedge);
     EXPECT_EQ(star.is_border(), is_on_border(star.center(), s.mesh()));
   });
 }
@@ -107,7 +107,8 @@ Vertex_index inner_vertex(const Delta_complex& mesh)
   return {};
 }
 
-// With equal spokes the center would have to be that of the circumcircle of the other three edges.
+// With equal outgoing halfedges the center would have to be that of the circumcircle of the other
+// three edges.
 TEST(Flattening, a_star_around_an_obtuse_triangle_cannot_become_flat)
 {
   const Delta_complex mesh = tripod();

@@ -197,7 +197,7 @@ TEST(Loop_signatures, against_cutting)
         const int turns = random.get_int(1, 6);
         h = c.mesh.opposite(h);
         for(int t = 0; t < turns && !c.mesh.is_border(h); ++t)
-          h = IT::next_spoke(h, c.mesh);
+          h = IT::next_around_source(h, c.mesh);
       }
       if(met == walk.end())
         continue;

@@ -82,11 +82,11 @@ TEST(Tangent_prolongation, of_a_constant_field_on_a_flat_torus_is_exact)
     const Complex field(0.6, -0.8);
     Eigen::VectorXcd expected(72), values(6);
     for(Vertex_index v : fine.mesh().vertices()) {
-      const Complex axis = complex(flat.vector[IT::first_spoke(v, fine.mesh())]);
+      const Complex axis = complex(flat.vector[IT::first_outgoing_halfedge(v, fine.mesh())]);
       expected[v.idx()] = field / (axis / std::abs(axis));
     }
     for(Vertex_index v : coarse.mesh().vertices())
-      values[v.idx()] = field / direction(IT::first_spoke(v, coarse.mesh()), map, flat);
+      values[v.idx()] = field / direction(IT::first_outgoing_halfedge(v, coarse.mesh()), map, flat);
     EXPECT_LT((tangent_prolongation(map) * values - expected).cwiseAbs().maxCoeff(), 1e-9);
   }
 }
@@ -103,10 +103,11 @@ TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
   Mesh sphere = mesh;
   for(Vertex_index v : mesh.vertices())
     sphere.point(v) = points[v];
-  // seen in the tangent plane with the first spoke of the fine mesh ahead
+  // seen in the tangent plane with the first outgoing halfedge of the fine mesh ahead
   const auto value = [&](Vertex_index v) {
     const Kernel::Vector_3 n = points[v] - CGAL::ORIGIN, field(-n.y(), n.x(), 0);
-    const Halfedge_index h = IT::first_spoke(v, IT::Intrinsic_triangulation<>(sphere).mesh());
+    const Halfedge_index h =
+      IT::first_outgoing_halfedge(v, IT::Intrinsic_triangulation<>(sphere).mesh());
     Kernel::Vector_3 x = points[sphere.target(h)] - points[v];
     x = x - (x * n) * n;
     x = x / std::sqrt(x.squared_length());

@@ -112,7 +112,7 @@ void expect_end(const Trace_piece& piece, std::size_t end, Vertex_index coarse,
     return;
   }
   const Delta_complex& mesh = map.coarse().mesh();
-  const Location p = map.to_fine(location(IT::first_spoke(coarse, mesh), 0, mesh));
+  const Location p = map.to_fine(location(IT::first_outgoing_halfedge(coarse, mesh), 0, mesh));
   EXPECT_EQ(piece.ends[end].place, mesh.is_border(coarse) ? Trace_place::edge : Trace_place::face);
   expect_same_place(p, {piece.face, piece.ends[end].coordinates}, map.fine().mesh());
 }

@@ -305,13 +305,13 @@ public:
 
   std::map<Vertex_index, Complex> moments(const Evolving_surface& s, Vertex_index i) const
   {
-    const std::vector<Halfedge_index> spokes = spokes_to_others(s, i);
+    const std::vector<Halfedge_index> outgoing_halfedges = outgoing_halfedges_to_others(s, i);
     std::map<Vertex_index, Complex> result;
-    for(Halfedge_index h : spokes)
+    for(Halfedge_index h : outgoing_halfedges)
       result[s.mesh().target(h)] = m_moment[s.mesh().target(h)];
-    for(Halfedge_index h : spokes) // what comes from i comes from its center
+    for(Halfedge_index h : outgoing_halfedges) // what comes from i comes from its center
       result[s.mesh().target(h)] +=
-        (m_moment[i] - m_mass[i] * vector(s, h)) / static_cast<double>(spokes.size());
+        (m_moment[i] - m_mass[i] * vector(s, h)) / static_cast<double>(outgoing_halfedges.size());
     return result;
   }
 
@@ -327,13 +327,14 @@ public:
   {
     for(const auto& [j, moment] : moments(s, i))
       m_moment[j] = moment;
-    const std::vector<Halfedge_index> spokes = spokes_to_others(s, i);
-    for(Halfedge_index h : spokes)
-      m_mass[s.mesh().target(h)] += m_mass[i] / static_cast<double>(spokes.size());
+    const std::vector<Halfedge_index> outgoing_halfedges = outgoing_halfedges_to_others(s, i);
+    for(Halfedge_index h : outgoing_halfedges)
+      m_mass[s.mesh().target(h)] += m_mass[i] / static_cast<double>(outgoing_halfedges.size());
   }
 
 private:
-  static std::vector<Halfedge_index> spokes_to_others(const Evolving_surface& s, Vertex_index i)
+  static std::vector<Halfedge_index> outgoing_halfedges_to_others(const Evolving_surface& s,
+                                                                  Vertex_index i)
   {
     std::vector<Halfedge_index> result;
     for(Halfedge_index h : s.mesh().halfedges())

@@ -56,7 +56,7 @@ inline std::vector<double> state(const Triangulation& t)
   }
   for(Vertex_index v : mesh.vertices()) {
     note(v.idx());
-    note(t.spokes().degree(v));
+    note(t.outgoing_halfedges().degree(v));
     if(!t.is_inserted(v))
       continue;
     const auto& place = t.inserted_vertex(v);
@@ -143,7 +143,8 @@ public:
   {
     const auto side = IT::sides(f, m_tri.mesh());
     const int b1 = random.get_int(1, 15), b2 = random.get_int(1, 17 - b1);
-    const Vector p = b1 * m_vector[side[0]] - b2 * m_vector[side[2]]; // 16 times the spoke
+    const Vector p =
+      b1 * m_vector[side[0]] - b2 * m_vector[side[2]]; // 16 times the outgoing halfedge
     const Vector from_corner{p.x / 128 * 8, p.y / 128 * 8};
     return is_clear(m_point[m_tri.mesh().source(side[0])] + from_corner) &&
            insert(f, from_corner, {}, 0);
@@ -197,16 +198,16 @@ public:
   {
     if(!m_tri.is_inserted(v) || m_tri.mesh().is_removed(v))
       return false;
-    std::set<Edge_index> spokes = edges_at(v);
+    std::set<Edge_index> outgoing_halfedges = edges_at(v);
     const Face_index f = m_inserter.remove(v, [&](Halfedge_index h) {
       after_flip(h);
-      spokes = edges_at(v);
+      outgoing_halfedges = edges_at(v);
     });
     if(!f.is_valid())
       return false;
     const auto side = IT::sides(f, m_tri.mesh());
     for(std::size_t s = 0; s < 3; ++s)
-      if(spokes.count(m_tri.mesh().edge(side[s])) > 0)
+      if(outgoing_halfedges.count(m_tri.mesh().edge(side[s])) > 0)
         set_vector(side[s], -(m_vector[side[(s + 1) % 3]] + m_vector[side[(s + 2) % 3]]));
     for(Halfedge_index h : side)
       check(m_tri.mesh().edge(h));
@@ -310,9 +311,9 @@ private:
   {
     const auto side = IT::sides(f, m_tri.mesh());
     const Vector u = m_vector[side[0]], w = -m_vector[side[2]];
-    const std::array<Vector, 3> spoke{-p, u - p, w - p};
+    const std::array<Vector, 3> outgoing{-p, u - p, w - p};
     for(std::size_t s = 0; s < 3; ++s)
-      if(!is_fat(spoke[s], spoke[(s + 1) % 3] - spoke[s]))
+      if(!is_fat(outgoing[s], outgoing[(s + 1) % 3] - outgoing[s]))
         return false;
     const Vector place = m_point[m_tri.mesh().source(side[0])] + p;
     const double area = static_cast<double>(det(u, w));
@@ -321,7 +322,7 @@ private:
     const Vertex_index m = m_inserter.insert({f, {1 - b1 - b2, b1, b2}}, closeness);
     add_vertex(m, place, on);
     for(std::size_t s = 0; s < 3; ++s)
-      set_vector(m_tri.mesh().prev(side[s]), spoke[s]);
+      set_vector(m_tri.mesh().prev(side[s]), outgoing[s]);
     check_around(m);
     return true;
   }
@@ -397,7 +398,7 @@ private:
   }
 
   // the halfedges of T1 that start at a vertex, or on which it lies, with its place
-  std::vector<On_input> spokes_at(Vertex_index v) const
+  std::vector<On_input> outgoing_halfedges_at(Vertex_index v) const
   {
     std::vector<On_input> result;
     if(m_tri.is_inserted(v)) {
@@ -414,7 +415,7 @@ private:
   // The edge of T1 that contains the edge of `h`, and where on it the source is.
   std::optional<On_input> on_input(Halfedge_index h) const
   {
-    for(const On_input& start : spokes_at(m_tri.mesh().source(h))) {
+    for(const On_input& start : outgoing_halfedges_at(m_tri.mesh().source(h))) {
       const Vector &along = m_surface.vector[start.halfedge], end = start.offset + m_vector[h];
       if(det(along, m_vector[h]) == 0 && dot(along, m_vector[h]) > 0 &&
          dot(along, end) <= dot(along, along))
@@ -444,15 +445,16 @@ private:
   {
     const Vertex_index v = m_tri.mesh().source(h);
     const auto r = m_tri.coordinates().roundabout(h);
-    const auto spokes = spokes_at(v);
-    ASSERT_EQ(m_tri.spokes().degree(v), spokes.size());
-    ASSERT_LT(r, (std::max)(spokes.size(), std::size_t(1)));
-    const auto first =
-      std::min_element(spokes.begin(), spokes.end(), [&](const On_input& a, const On_input& b) {
+    const auto outgoing_halfedges = outgoing_halfedges_at(v);
+    ASSERT_EQ(m_tri.outgoing_halfedges().degree(v), outgoing_halfedges.size());
+    ASSERT_LT(r, (std::max)(outgoing_halfedges.size(), std::size_t(1)));
+    const auto first = std::min_element(
+      outgoing_halfedges.begin(), outgoing_halfedges.end(),
+      [&](const On_input& a, const On_input& b) {
         return is_before(m_vector[h], m_surface.vector[a.halfedge], m_surface.vector[b.halfedge]);
       });
-    if(first != spokes.end()) {
-      ASSERT_EQ(m_tri.spokes().halfedge(v, r), first->halfedge) << h;
+    if(first != outgoing_halfedges.end()) {
+      ASSERT_EQ(m_tri.outgoing_halfedges().halfedge(v, r), first->halfedge) << h;
     }
   }
 

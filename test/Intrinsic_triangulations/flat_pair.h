@@ -18,7 +18,7 @@ namespace Test_surfaces {
 
 using IT::Integer_coordinates;
 using IT::Operation_status;
-using IT::Vertex_spokes;
+using IT::Outgoing_halfedges;
 
 // T2 over a flat T1, with the exact vectors of T2's halfedges beside its integer coordinates.
 template <typename Integer = std::int64_t>
@@ -31,7 +31,7 @@ public:
     : t1(std::move(surface)),
       mesh(t1.mesh),
       coordinates(mesh),
-      spokes(t1.mesh, coordinates.roundabout_map()),
+      outgoing_halfedges(t1.mesh, coordinates.roundabout_map()),
       vector(t1.vector)
   {}
   Flat_pair(const Flat_pair&) = delete;
@@ -51,7 +51,7 @@ public:
   void flip(Halfedge_index h)
   {
     const Vector lk = -vector[mesh.next(mesh.opposite(h))] - vector[mesh.prev(h)];
-    coordinates.flip(h, mesh, spokes);
+    coordinates.flip(h, mesh, outgoing_halfedges);
     vector[h] = lk;
     vector[mesh.opposite(h)] = -lk;
   }
@@ -88,7 +88,9 @@ public:
     const Halfedge_index h = mesh.halfedge(e);
     ASSERT_EQ(coordinates.normal_coordinate(e), normal_coordinate(h)) << e;
     for(Halfedge_index x : {h, mesh.opposite(h)})
-      ASSERT_EQ(spokes.halfedge(mesh.source(x), coordinates.roundabout(x)), roundabout(x)) << x;
+      ASSERT_EQ(outgoing_halfedges.halfedge(mesh.source(x), coordinates.roundabout(x)),
+                roundabout(x))
+        << x;
   }
 
   void check_all() const
@@ -96,14 +98,14 @@ public:
     for(Edge_index e : mesh.edges())
       check(e);
     EXPECT_TRUE(IT::is_valid_Delta_complex(mesh, true));
-    EXPECT_TRUE(coordinates.is_valid(mesh, spokes));
-    EXPECT_EQ(IT::internal::curve_defect(coordinates, mesh, t1.mesh, spokes), "");
+    EXPECT_TRUE(coordinates.is_valid(mesh, outgoing_halfedges));
+    EXPECT_EQ(IT::internal::curve_defect(coordinates, mesh, t1.mesh, outgoing_halfedges), "");
   }
 
   Flat_surface t1;
   Delta_complex mesh; // T2
   Coordinates coordinates;
-  Vertex_spokes spokes;
+  Outgoing_halfedges outgoing_halfedges;
   std::vector<Vector> vector;
 };
 

@@ -98,7 +98,7 @@ struct Cone
     apex = mesh.input_mesh().source(halfedge_of(1));
   }
 
-  Halfedge_index spoke(Face_index f) const
+  Halfedge_index outgoing(Face_index f) const
   {
     for(Halfedge_index h : Flat_faces(Side::input, mesh).sides(f))
       if(mesh.input_mesh().source(h) == apex)
@@ -109,14 +109,14 @@ struct Cone
   // distance and angle (on the surface) from the apex
   Complex polar(const Location& p) const
   {
-    const Complex v = IT::logarithm(mesh.input(), spoke(p.first), p);
+    const Complex v = IT::logarithm(mesh.input(), outgoing(p.first), p);
     return {std::abs(v), std::arg(v) / (2 * pi) * total};
   }
 
   // the unit vector away from the apex, in the frame of the face
   Complex outwards(const Location& p) const
   {
-    const Location tip = Flat_faces(Side::input, mesh).on(spoke(p.first), 0);
+    const Location tip = Flat_faces(Side::input, mesh).on(outgoing(p.first), 0);
     const Complex v = IT::logarithm(mesh.input(), tip, p);
     return v / std::abs(v);
   }

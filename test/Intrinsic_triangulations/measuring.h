@@ -136,7 +136,7 @@ public:
     return sum;
   }
 
-  // the angle from `h` to the next spoke at its source
+  // the angle from `h` to the next outgoing halfedge at its source
   Real angle(Halfedge_index h) const
   {
     const Place apex = layout(h)[2];

@@ -60,7 +60,7 @@ inline Real least_sector(Vertex_index v, const Triangulation& t, const std::vect
   const Delta_complex& mesh = t.input_mesh();
   std::vector<Real> place;
   Real sum = 0;
-  IT::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+  IT::for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
     if(fixed[mesh.edge(h).idx()])
       place.push_back(sum);
     if(!mesh.is_border(h))
@@ -84,8 +84,8 @@ inline std::set<Vertex_index> narrow_vertices(const Triangulation& t)
   return result;
 }
 
-// For each face of T2, the narrow vertices such that it lies in faces of T1 at the vertex and only
-// edges of T1 that end there cross it.
+// For each face of T2, the small-angle vertices such that it lies in faces of T1 at the vertex and
+// only edges of T1 that end there cross it.
 class Faces_beside_narrow_vertices
 {
 public:
@@ -127,13 +127,13 @@ private:
 inline void check_excuse(const IT::Remaining_face& r, const Triangulation& t,
                          const Faces_beside_narrow_vertices& beside, IT::Remaining_reason otherwise)
 {
-  std::vector<Vertex_index> narrow_corners;
+  std::vector<Vertex_index> small_corners;
   for(Halfedge_index h : IT::sides(r.face, t.mesh()))
     if(beside.narrow_vertices().count(t.mesh().source(h)))
-      narrow_corners.push_back(t.mesh().source(h));
-  if(narrow_corners.size() == 1) {
+      small_corners.push_back(t.mesh().source(h));
+  if(small_corners.size() == 1) {
     EXPECT_EQ(r.reason, IT::Remaining_reason::at_narrow_vertex) << r.face;
-    EXPECT_EQ(r.vertex, narrow_corners[0]) << r.face;
+    EXPECT_EQ(r.vertex, small_corners[0]) << r.face;
   } else if(!beside[r.face].empty()) {
     EXPECT_EQ(r.reason, IT::Remaining_reason::beside_narrow_vertex) << r.face;
     EXPECT_TRUE(beside[r.face].count(r.vertex)) << r.face;

@@ -169,9 +169,9 @@ void check_split_inner_edge(Halfedge_index h, const Delta_complex& before)
     Delta_complex mesh = before;
     const Vertex_index m = mesh.target(split(h, mesh));
     EXPECT_EQ(IT::removal_status(m, mesh), Operation_status::wrong_degree);
-    const Halfedge_index spoke(mesh.number_of_halfedges() - 2 - 2 * cut);
-    EXPECT_TRUE(mesh.source(spoke) == m || mesh.target(spoke) == m);
-    IT::flip_edge(spoke, mesh);
+    const Halfedge_index outgoing(mesh.number_of_halfedges() - 2 - 2 * cut);
+    EXPECT_TRUE(mesh.source(outgoing) == m || mesh.target(outgoing) == m);
+    IT::flip_edge(outgoing, mesh);
     EXPECT_EQ(IT::removal_status(m, mesh), Operation_status::possible);
     IT::remove_degree_3_vertex(m, mesh);
     expect_valid(mesh, counts(before));
@@ -179,14 +179,14 @@ void check_split_inner_edge(Halfedge_index h, const Delta_complex& before)
   }
 }
 
-struct Spokes_found
+struct Outgoing_halfedges_found
 {
   std::size_t degree = 0, loops = 0;
 };
 
-Spokes_found count_spokes(Vertex_index v, const Delta_complex& mesh)
+Outgoing_halfedges_found count_outgoing_halfedges(Vertex_index v, const Delta_complex& mesh)
 {
-  Spokes_found result;
+  Outgoing_halfedges_found result;
   for(Halfedge_index h : mesh.halfedges()) {
     result.degree += mesh.target(h) == v;
     result.loops += mesh.target(h) == v && mesh.source(h) == v; // twice for each
@@ -203,14 +203,14 @@ void check_split_inside_face(Halfedge_index h, const Delta_complex& before)
   EXPECT_NE(IT::removal_status(mesh.target(first), mesh), Operation_status::possible);
   const Halfedge_index to_tip = winds_around_target ? h : mesh.opposite(first);
   EXPECT_EQ(mesh.next(to_tip), mesh.opposite(to_tip));
-  EXPECT_EQ(count_spokes(mesh.target(to_tip), mesh).degree, 1u);
-  EXPECT_EQ(count_spokes(mesh.source(to_tip), mesh).degree, 5u);
-  EXPECT_EQ(count_spokes(mesh.source(to_tip), mesh).loops, 2u);
+  EXPECT_EQ(count_outgoing_halfedges(mesh.target(to_tip), mesh).degree, 1u);
+  EXPECT_EQ(count_outgoing_halfedges(mesh.source(to_tip), mesh).degree, 5u);
+  EXPECT_EQ(count_outgoing_halfedges(mesh.source(to_tip), mesh).loops, 2u);
 }
 
 void check_removal(Vertex_index v, const Delta_complex& before)
 {
-  const Spokes_found found = count_spokes(v, before);
+  const Outgoing_halfedges_found found = count_outgoing_halfedges(v, before);
   const Operation_status status = IT::removal_status(v, before);
   EXPECT_EQ(status == Operation_status::possible, found.degree == 3 && found.loops == 0);
   EXPECT_TRUE(status != Operation_status::self_edge || found.loops > 0);
@@ -393,17 +393,17 @@ TEST(Delta_complex, random_operations)
     });
 }
 
-TEST(Delta_complex, spokes_are_in_order)
+TEST(Delta_complex, outgoing_halfedges_are_in_order)
 {
   for_each_complex([](const Delta_complex& mesh) {
     for(Halfedge_index h : mesh.halfedges()) {
       if(mesh.is_border(h))
         continue;
-      EXPECT_EQ(mesh.source(IT::next_spoke(h, mesh)), mesh.source(h));
-      EXPECT_EQ(IT::previous_spoke(IT::next_spoke(h, mesh), mesh), h);
+      EXPECT_EQ(mesh.source(IT::next_around_source(h, mesh)), mesh.source(h));
+      EXPECT_EQ(IT::previous_around_source(IT::next_around_source(h, mesh), mesh), h);
     }
     for(Vertex_index v : mesh.vertices()) {
-      const Halfedge_index first = IT::first_spoke(v, mesh);
+      const Halfedge_index first = IT::first_outgoing_halfedge(v, mesh);
       EXPECT_EQ(mesh.source(first), v);
       EXPECT_EQ(mesh.is_border(mesh.opposite(first)), mesh.is_border(v));
     }

@@ -52,7 +52,7 @@ double angle_in_plane(Halfedge_index h, const Flat_triangulation& flat,
                       const IT::Tangent_frames<>& frames)
 {
   const Vertex_index v = flat->mesh().source(h);
-  const Halfedge_index first = IT::first_spoke(v, flat->input_mesh());
+  const Halfedge_index first = IT::first_outgoing_halfedge(v, flat->input_mesh());
   const double angle = std::arg(complex(flat.vector(h)) / complex(flat.input_vector(first)));
   if(!flat->mesh().is_border(v))
     return angle;
@@ -260,9 +260,10 @@ Halfedge_index input_axis(Halfedge_index h, const Triangulation& t)
 {
   const Vertex_index v = t.mesh().source(h);
   if(!t.is_inserted(v))
-    return IT::first_spoke(v, t.input_mesh());
-  return t.spokes().degree(v) > 0 ? t.spokes().halfedge(v, 0)
-                                  : t.input_mesh().halfedge(t.inserted_vertex(v).location.first);
+    return IT::first_outgoing_halfedge(v, t.input_mesh());
+  return t.outgoing_halfedges().degree(v) > 0
+           ? t.outgoing_halfedges().halfedge(v, 0)
+           : t.input_mesh().halfedge(t.inserted_vertex(v).location.first);
 }
 
 double angle_in_plane(Halfedge_index h, const Plane_vectors& vectors,
@@ -296,7 +297,7 @@ void check_by_walking(const Triangulation& t, const Angles& angles)
 bool is_link_inserted(Vertex_index v, const Triangulation& t)
 {
   bool result = !t.mesh().is_border(v);
-  IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+  IT::for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
     result = result && t.mesh().target(h) != v && t.is_inserted(t.mesh().target(h)) &&
              !t.mesh().is_border(t.mesh().target(h));
   });
@@ -308,7 +309,8 @@ Complex holonomy_around(Vertex_index v, const Angles& angles)
 {
   const Delta_complex& mesh = angles.triangulation().mesh();
   Complex product = 1;
-  IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { product *= angles.transport(mesh.next(h)); });
+  IT::for_each_outgoing_halfedge(
+    v, mesh, [&](Halfedge_index h) { product *= angles.transport(mesh.next(h)); });
   return product;
 }
 
@@ -514,12 +516,12 @@ TEST(Angular_coordinates, tangent_vectors_across_at_inserted_vertices)
 void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
 {
   const Triangulation& t = angles.triangulation();
-  IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+  IT::for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
     EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(t, h), 2 * pi), 0, 1e-12);
     if(t.mesh().is_border(h))
       return;
     const double corner = IT::internal::angle_at_source(h, t);
-    const double gap = angles.angle(IT::next_spoke(h, t.mesh())) - angles.angle(h);
+    const double gap = angles.angle(IT::next_around_source(h, t.mesh())) - angles.angle(h);
     const double scale = t.is_inserted(v) ? 1 : angles.frames().scale(v);
     EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-12);
   });

@@ -79,8 +79,8 @@ TEST(Edge_marks, directions)
   for(size_type i = 0; i < 4; ++i) {
     const Halfedge_index h(i), x(6), y(7);
     EXPECT_EQ(IT::is_first_halfedge(h), IT::first_halfedge(Edge_index(h)) == h);
-    EXPECT_EQ(IT::directed_as(h, x), IT::is_first_halfedge(h) ? x : y);
-    EXPECT_EQ(IT::directed_as(h, IT::directed_as(h, y)), y);
+    EXPECT_EQ(IT::oriented_like(h, x), IT::is_first_halfedge(h) ? x : y);
+    EXPECT_EQ(IT::oriented_like(h, IT::oriented_like(h, y)), y);
   }
 }
 

@@ -165,10 +165,11 @@ Halfedges random_walk(const Delta_complex& mesh, int n, bool is_loop, CGAL::Rand
   Halfedges result;
   Vertex_index v(0);
   while(n-- > 0 || (is_loop && v != Vertex_index(0))) {
-    Halfedges spokes;
-    IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { spokes.push_back(h); });
-    result.push_back(
-      spokes[static_cast<std::size_t>(random.get_int(0, static_cast<int>(spokes.size())))]);
+    Halfedges outgoing_halfedges;
+    IT::for_each_outgoing_halfedge(v, mesh,
+                                   [&](Halfedge_index h) { outgoing_halfedges.push_back(h); });
+    result.push_back(outgoing_halfedges[static_cast<std::size_t>(
+      random.get_int(0, static_cast<int>(outgoing_halfedges.size())))]);
     v = mesh.target(result.back());
   }
   return result;
@@ -285,12 +286,12 @@ TEST(Edge_paths, blocked_by_paths_and_constraints)
   const Triangulation square(mesh);
   const Vertex_index middle(4);
   Halfedge_index diagonal;
-  IT::for_each_spoke(middle, square.mesh(), [&](Halfedge_index h) {
+  IT::for_each_outgoing_halfedge(middle, square.mesh(), [&](Halfedge_index h) {
     if(square.length(square.mesh().edge(h)) > 1.2)
       diagonal = h;
   });
-  const Halfedges corner{IT::opposite(IT::previous_spoke(diagonal, square.mesh())),
-                         IT::next_spoke(diagonal, square.mesh())};
+  const Halfedges corner{IT::opposite(IT::previous_around_source(diagonal, square.mesh())),
+                         IT::next_around_source(diagonal, square.mesh())};
   for(int obstacle = 0; obstacle < 3; ++obstacle) {
     const auto is_constrained = boost::make_function_property_map<Edge_index>(
       [&](Edge_index e) { return obstacle == 2 && e == Edge_index(diagonal); });
@@ -312,18 +313,19 @@ Halfedges spiral_with_excursions(const Delta_complex& mesh, std::size_t turns, C
   Vertex_index at(0);
   const auto halfedge_to = [&](Vertex_index v, Vertex_index w) {
     Halfedge_index result;
-    IT::for_each_spoke(v, mesh,
-                       [&](Halfedge_index h) { result = mesh.target(h) == w ? h : result; });
+    IT::for_each_outgoing_halfedge(
+      v, mesh, [&](Halfedge_index h) { result = mesh.target(h) == w ? h : result; });
     return result;
   };
   const auto step = [&](int by) {
     Halfedges excursion;
     Vertex_index v = at;
     for(int n = random.get_int(-6, 7); n > 0; --n) {
-      Halfedges spokes;
-      IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { spokes.push_back(h); });
-      excursion.push_back(
-        spokes[static_cast<std::size_t>(random.get_int(0, static_cast<int>(spokes.size())))]);
+      Halfedges outgoing_halfedges;
+      IT::for_each_outgoing_halfedge(v, mesh,
+                                     [&](Halfedge_index h) { outgoing_halfedges.push_back(h); });
+      excursion.push_back(outgoing_halfedges[static_cast<std::size_t>(
+        random.get_int(0, static_cast<int>(outgoing_halfedges.size())))]);
       v = mesh.target(excursion.back());
     }
     result.insert(result.end(), excursion.begin(), excursion.end());
@@ -383,7 +385,7 @@ TEST(Edge_paths, around_a_cylinder)
     Triangulation t = *flat;
     Halfedges walk;
     const auto step = [&](Vertex_index v, const Vector& d) {
-      IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+      IT::for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
         if(flat.input_vector(h) == d)
           walk.push_back(h);
       });

@@ -696,7 +696,7 @@ TEST(Exact_Delaunay, certificate_names_bent_edges)
     if(IT::flip_status(h, t.mesh()) != IT::Operation_status::possible || t.is_flippable(h))
       continue;
     t.flip(h);
-    EXPECT_EQ(IT::certify_Delaunay(t).bent_edges, std::vector<Edge_index>{e});
+    EXPECT_EQ(IT::certify_Delaunay(t).non_straight_edges, std::vector<Edge_index>{e});
     ++bent;
   }
   EXPECT_GT(bent, 10u);

@@ -88,7 +88,7 @@ void expect_certified(const Any_triangulation& tri, const Refinement_result& res
   EXPECT_NE(result.status, IT::Refinement_status::insertion_limit);
   EXPECT_TRUE(tri.is_valid(true));
   const IT::Delaunay_certificate certificate = IT::certify_Delaunay(tri);
-  EXPECT_TRUE(certificate.bent_edges.empty());
+  EXPECT_TRUE(certificate.non_straight_edges.empty());
   EXPECT_TRUE(certificate.non_Delaunay_edges.empty());
   EXPECT_TRUE(certificate.folded_vertices.empty());
   expect_bound(tri, result);
@@ -143,7 +143,7 @@ struct Insertion_counter : IT::Default_refinement_visitor
   bool has_exact_flips = false;
 };
 
-// In `double`, refinement does what exact traits do if it starts anew in doubt, and otherwise,
+// In `double`, refinement does what exact traits do if it restarts in doubt, and otherwise,
 // going on exactly or not, needs about as many vertices at most. In any case the result is
 // certified.
 void expect_refined_in_double(const std::string& name, const Mesh& mesh)
@@ -155,12 +155,12 @@ void expect_refined_in_double(const std::string& name, const Mesh& mesh)
     tri, IT::parameters::maximum_number_of_insertions(insertion_limit).visitor(std::ref(counter)));
   EXPECT_EQ(counter.vertices, tri.number_of_inserted_vertices());
   EXPECT_EQ(counter.vertices, result.insertions - result.removals);
-  const bool is_anew = counter.restarts == 1 || counter.has_exact_flips;
-  EXPECT_TRUE(result.is_exact || !is_anew);
+  const bool is_restarted = counter.restarts == 1 || counter.has_exact_flips;
+  EXPECT_TRUE(result.is_exact || !is_restarted);
   expect_certified(tri, result);
   Exact_triangulation exact(mesh);
   const std::size_t expected = refined(exact).insertions;
-  if(!is_anew) {
+  if(!is_restarted) {
     EXPECT_LE(double(result.insertions), 10 + 1.2 * double(expected));
     return;
   }
@@ -400,7 +400,7 @@ template <typename Mesh_type>
 std::multiset<Vertex_index> neighbors(Vertex_index v, const Mesh_type& mesh)
 {
   std::multiset<Vertex_index> result;
-  IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { result.insert(mesh.target(h)); });
+  IT::for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) { result.insert(mesh.target(h)); });
   return result;
 }
 

@@ -90,7 +90,7 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
     if(mesh.is_border(v))
       continue;
     const Complex vector = random_vector(8000, random);
-    const Complex axis = flat.vector(IT::first_spoke(v, mesh));
+    const Complex axis = flat.vector(IT::first_outgoing_halfedge(v, mesh));
     const auto& origin = t.surface().point[v];
     check_straight(IT::trace_geodesic(t->surface(side), v, vector),
                    {static_cast<double>(origin.x), static_cast<double>(origin.y)},
@@ -132,9 +132,9 @@ void check_edges(Side side, const Triangulation& t)
     EXPECT_EQ(g.status, Status::reached);
     const std::size_t s = corner_at(g.end);
     ASSERT_LT(s, 3u) << h;
-    const Halfedge_index spoke = faces.sides(g.end.first)[s];
-    EXPECT_EQ(mesh.source(spoke), mesh.target(h));
-    const Complex arrival = IT::tangent_vector_at_vertex(t.surface(side), spoke, g.direction);
+    const Halfedge_index outgoing = faces.sides(g.end.first)[s];
+    EXPECT_EQ(mesh.source(outgoing), mesh.target(h));
+    const Complex arrival = IT::tangent_vector_at_vertex(t.surface(side), outgoing, g.direction);
     expect_close(arrival * std::abs(vector) / vector, frames.transport(h), 1e-11);
   }
 }
@@ -372,7 +372,7 @@ TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
     for(Delta_complex::size_type r : {0u, 1u}) {
       if(!t.is_inserted(v))
         continue;
-      const Halfedge_index h = t.spokes().halfedge(v, r);
+      const Halfedge_index h = t.outgoing_halfedges().halfedge(v, r);
       const double length = t.input_length(mesh.edge(h)) * (1 - t.place_along(h, v));
       const Complex vector = length * Complex(r == 0 ? 1 : -1);
       const Geodesic g = IT::trace_geodesic(t, Side::input, v, vector);
@@ -475,8 +475,8 @@ TEST(Exponential_map, slides_from_a_boundary_vertex)
     const Geodesic g =
       IT::trace_geodesic(t.input(), Vertex_index(4), std::polar(1., angle), At_boundary::slide);
     EXPECT_EQ(g.status, Status::slid_along_boundary);
-    const Halfedge_index spoke = Flat_faces(Side::input, t).sides(g.end.first)[corner_at(g.end)];
-    EXPECT_EQ(t.input_mesh().source(spoke), Vertex_index(angle < 0 ? 8 : 0));
+    const Halfedge_index outgoing = Flat_faces(Side::input, t).sides(g.end.first)[corner_at(g.end)];
+    EXPECT_EQ(t.input_mesh().source(outgoing), Vertex_index(angle < 0 ? 8 : 0));
   }
 }
 

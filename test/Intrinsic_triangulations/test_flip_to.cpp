@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/triangulation_over.h>
+#include <CGAL/Intrinsic_triangulations/rebase.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,10 +31,11 @@ bool all_are_shared(const Triangulation& t)
 void expect_same_triangulation(const Triangulation& t, const Triangulation& target)
 {
   EXPECT_TRUE(t.is_valid(true));
-  const Triangulation over = IT::triangulation_over(target, t);
+  const Triangulation over = IT::rebase(target, t);
   EXPECT_TRUE(all_are_shared(over));
   for(Halfedge_index h : t.mesh().halfedges()) {
-    const Halfedge_index there = over.coordinates().shared_halfedge(h, over.mesh(), over.spokes());
+    const Halfedge_index there =
+      over.coordinates().shared_halfedge(h, over.mesh(), over.outgoing_halfedges());
     const Edge_index e(h), e_there(there);
     EXPECT_EQ(t.mesh().target(h), target.mesh().target(there));
     EXPECT_EQ(t.coordinates().roundabout(h), target.coordinates().roundabout(there));
@@ -68,7 +69,7 @@ struct Flat_triangulation
 
 void expect_brute_force(const Flat_triangulation& t2, const Flat_triangulation& t3)
 {
-  const Triangulation over = IT::triangulation_over(t2.tri, t3.tri);
+  const Triangulation over = IT::rebase(t2.tri, t3.tri);
   Flat_surface surface(t2.exact.t1);
   surface.mesh = t2.exact.mesh;
   surface.vector = t2.exact.vector;
@@ -129,7 +130,7 @@ TEST(Flip_to, all_complexes)
       const int tries = static_cast<int>(std::min(3 * c.mesh.number_of_edges(), 100u));
       random_flips(t2, tries, seed);
       random_flips(t3, tries, seed + 100);
-      expect_lengths(IT::triangulation_over(t2, t3), t3);
+      expect_lengths(IT::rebase(t2, t3), t3);
       Triangulation t(t2);
       flip_to(t, t3);
       expect_same_triangulation(t, t3);
@@ -142,7 +143,7 @@ TEST(Flip_to, flips_to_a_neighbor_at_once)
   random_flips(t2, 300, 1);
   Triangulation t3(t2);
   EXPECT_EQ(flip_to(t2, t3), 0u);
-  EXPECT_TRUE(all_are_shared(IT::triangulation_over(t2, t3)));
+  EXPECT_TRUE(all_are_shared(IT::rebase(t2, t3)));
   CGAL::Random random(2);
   Halfedge_index h;
   do
@@ -158,7 +159,7 @@ TEST(Flip_to, composes_to_the_input)
   const Triangulation t1 = triangulation(flat_torus(3, 4, 3));
   Triangulation t2(t1);
   random_flips(t2, 300, 1);
-  const Triangulation over = IT::triangulation_over(t1, t2);
+  const Triangulation over = IT::rebase(t1, t2);
   for(Edge_index e : t2.mesh().edges())
     EXPECT_EQ(over.coordinates().normal_coordinate(e), t2.coordinates().normal_coordinate(e));
   Triangulation back(t2);
@@ -170,7 +171,7 @@ TEST(Flip_to, names_what_does_not_fit)
 {
   Triangulation t = triangulation(flat_torus(3, 4, 3));
   EXPECT_THROW(flip_to(t, triangulation(flat_torus(4, 3, 3))), IT::Invalid_input);
-  EXPECT_THROW(IT::triangulation_over(t, triangulation(flat_torus(3, 3, 3))), IT::Invalid_input);
+  EXPECT_THROW(IT::rebase(t, triangulation(flat_torus(3, 3, 3))), IT::Invalid_input);
 }
 
 } // namespace Test_flip_to

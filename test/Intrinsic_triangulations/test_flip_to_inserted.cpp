@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/rebase.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
-#include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -205,10 +205,10 @@ std::size_t check_polygon(unsigned seed)
   for(const Vector& p : surface.point)
     points.emplace_back(double(p.x), double(p.y));
   const Points points2 = with_inserted(points, t2), points3 = with_inserted(points, t3);
-  const Triangulation over = IT::triangulation_over(t2, t3);
+  const Triangulation over = IT::rebase(t2, t3);
   const Points all = with_inserted(points2, over);
   expect_brute_force(over, all);
-  const Triangulation back = IT::triangulation_over(t3, t2);
+  const Triangulation back = IT::rebase(t3, t2);
   EXPECT_EQ(over.mesh().number_of_vertices(), back.mesh().number_of_vertices());
   std::size_t split = 0; // edges of T1 are, where both have vertices on them
   for(Vertex_index v : back.mesh().vertices())
@@ -230,7 +230,7 @@ TEST(Flip_to_inserted, polygons_against_brute_force)
 // T3, to which vertices are added, over T2.
 void expect_lengths(const Triangulation& t2, const Triangulation& t3)
 {
-  const Triangulation over = IT::triangulation_over(t2, t3);
+  const Triangulation over = IT::rebase(t2, t3);
   ASSERT_TRUE(over.is_valid(true));
   const std::vector<double> found = sorted_lengths(over), expected = sorted_lengths(t3);
   ASSERT_EQ(found.size(), expected.size());
@@ -270,8 +270,7 @@ TEST(Flip_to_inserted, refined_surfaces)
     Triangulation t3(t2);
     IT::refine(t3, IT::parameters::minimum_angle(29));
     t3.collect_garbage();
-    const Triangulation over = IT::triangulation_over(t2, t3),
-                        back = IT::triangulation_over(t3, t2);
+    const Triangulation over = IT::rebase(t2, t3), back = IT::rebase(t3, t2);
     EXPECT_TRUE(over.is_valid(true));
     EXPECT_TRUE(back.is_valid(true));
     EXPECT_EQ(over.mesh().number_of_vertices(), back.mesh().number_of_vertices());
@@ -309,7 +308,7 @@ TEST(Flip_to_inserted, keeps_constraints)
                      all.begin(), boost::typed_identity_property_map<Edge_index>())));
   IT::Vertex_inserter<>(t2).split_edge(t2.mesh().halfedge(Edge_index(0)), 0.25);
   IT::Vertex_inserter<>(t3).insert({Face_index(0), {0.25, 0.25, 0.5}});
-  const Triangulation over = IT::triangulation_over(t2, t3);
+  const Triangulation over = IT::rebase(t2, t3);
   std::size_t constrained = 0;
   for(Edge_index e : over.mesh().edges())
     constrained += over.is_constrained(e);

@@ -241,7 +241,7 @@ double angle_between(const Complex& x, const Complex& y) { return std::abs(std::
 Kernel::Vector_3 in_space(const Mesh& mesh, const IT::Tangent_frames<>& frames, Vertex_index v,
                           const Complex& x)
 {
-  const Halfedge_index h = IT::first_spoke(v, mesh);
+  const Halfedge_index h = IT::first_outgoing_halfedge(v, mesh);
   const Kernel::Vector_3 normal = mesh.point(v) - CGAL::ORIGIN;
   Kernel::Vector_3 u = mesh.point(mesh.target(h)) - mesh.point(v);
   u = u - (u * normal) * normal;

@@ -131,7 +131,7 @@ TEST(High_degree, hub_of_four_thousand)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Mesh mesh = rough_bipyramid(4000, seed);
     Triangulation t(mesh);
-    EXPECT_EQ(t.spokes().degree(Vertex_index(4000)), 4000u);
+    EXPECT_EQ(t.outgoing_halfedges().degree(Vertex_index(4000)), 4000u);
     EXPECT_GT(IT::make_Delaunay(t), 1000u);
     expect_Delaunay(t);
     const Correspondence c(t);

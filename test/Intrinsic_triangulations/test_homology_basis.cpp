@@ -167,7 +167,7 @@ TEST(Dijkstra_search, against_relaxation)
           EXPECT_EQ(mesh.target(h), v);
           EXPECT_EQ(distance[mesh.source(h).idx()] + t.length(mesh.edge(h)), last);
         }
-        IT::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+        IT::for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
           search.reach(mesh.target(h), distance[v.idx()] + t.length(mesh.edge(h)), h);
         });
       }

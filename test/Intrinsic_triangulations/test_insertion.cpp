@@ -136,7 +136,7 @@ TEST(Insertion, exact_places_on_input_edges)
   for(std::size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(t.length(t.mesh().edge(parts[i])), length / 64);
     EXPECT_EQ(t.input_halfedge(parts[i]), t.input_mesh().halfedge(e, 0));
-    EXPECT_EQ(t.start_on_spoke(parts[i]).t, double(i) / 64);
+    EXPECT_EQ(t.start_on_outgoing(parts[i]).t, double(i) / 64);
   }
   EXPECT_TRUE(t.is_valid(true));
 }

@@ -313,7 +313,7 @@ TEST(Insertion_exact, halves_of_halves)
     for(; halves < 2000; ++halves) {
       inserter.split_edge(h, 0.5); // h is the second half
       ASSERT_EQ(t.length(t.mesh().edge(h)), std::ldexp(length, -halves - 1));
-      ASSERT_EQ(t.start_on_spoke(h).t, 1 - std::ldexp(1., -halves - 1));
+      ASSERT_EQ(t.start_on_outgoing(h).t, 1 - std::ldexp(1., -halves - 1));
     }
   } catch(const IT::Numerical_error&) {
   }

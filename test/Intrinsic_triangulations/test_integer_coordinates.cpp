@@ -28,7 +28,7 @@ using Crossing = Integer_coordinates<std::int64_t>::Crossing;
 struct Trace
 {
   std::vector<Crossing> crossings;
-  Halfedge_index spoke_at_end; // of T1
+  Halfedge_index outgoing_at_end; // of T1
 };
 
 // The curves of T1 by their first halfedges; those along an edge of T2 have no crossings.
@@ -39,17 +39,17 @@ std::map<Halfedge_index, Trace> trace_all(const Pair& pair)
   std::map<Halfedge_index, Trace> result;
   for(Halfedge_index h : pair.mesh.halfedges()) {
     if(c.is_shared(pair.mesh.edge(h)))
-      result[c.shared_halfedge(h, pair.mesh, pair.spokes)].spoke_at_end =
-        c.shared_halfedge(pair.mesh.opposite(h), pair.mesh, pair.spokes);
+      result[c.shared_halfedge(h, pair.mesh, pair.outgoing_halfedges)].outgoing_at_end =
+        c.shared_halfedge(pair.mesh.opposite(h), pair.mesh, pair.outgoing_halfedges);
     if(pair.mesh.is_border(h))
       continue;
     for(std::int64_t k = 0; k < c.curves_leaving(pair.mesh.next(h), pair.mesh); ++k) {
-      Trace& trace = result[c.spoke_in_corner(h, k, pair.mesh, pair.spokes)];
+      Trace& trace = result[c.outgoing_in_corner(h, k, pair.mesh, pair.outgoing_halfedges)];
       Crossing crossing = c.first_crossing(h, k, pair.mesh);
       do
         trace.crossings.push_back(crossing);
       while(c.advance(crossing, pair.mesh) != Integer_coordinates<std::int64_t>::Turn::ends);
-      trace.spoke_at_end = c.spoke_at_end(crossing, pair.mesh, pair.spokes);
+      trace.outgoing_at_end = c.outgoing_at_end(crossing, pair.mesh, pair.outgoing_halfedges);
     }
   }
   return result;
@@ -78,8 +78,8 @@ template <typename Pair>
 void check_directions(const Pair& pair, const std::map<Halfedge_index, Trace>& traces)
 {
   for(const auto& [start, trace] : traces) {
-    ASSERT_EQ(trace.spoke_at_end, pair.mesh.opposite(start));
-    const std::vector<Crossing>& back = traces.at(trace.spoke_at_end).crossings;
+    ASSERT_EQ(trace.outgoing_at_end, pair.mesh.opposite(start));
+    const std::vector<Crossing>& back = traces.at(trace.outgoing_at_end).crossings;
     ASSERT_EQ(trace.crossings.size(), back.size());
     for(std::size_t i = 0; i < back.size(); ++i) {
       const Crossing &c = trace.crossings[i], &d = back[back.size() - 1 - i];
@@ -132,10 +132,10 @@ struct Curved_pair
 {
   const Delta_complex& mesh;
   const Triangulation::Coordinates& coordinates;
-  const Vertex_spokes& spokes;
+  const Outgoing_halfedges& outgoing_halfedges;
 
   explicit Curved_pair(const Triangulation& t)
-    : mesh(t.mesh()), coordinates(t.coordinates()), spokes(t.spokes())
+    : mesh(t.mesh()), coordinates(t.coordinates()), outgoing_halfedges(t.outgoing_halfedges())
   {}
 };
 
@@ -202,7 +202,7 @@ int flips_before_overflow()
     } catch(const IT::Overflow_error&) {
       EXPECT_TRUE(same_combinatorics(before, t));
       EXPECT_EQ(length_difference(before, t), 0);
-      EXPECT_TRUE(t.coordinates().is_valid(t.mesh(), t.spokes()));
+      EXPECT_TRUE(t.coordinates().is_valid(t.mesh(), t.outgoing_halfedges()));
       return i;
     }
   }
@@ -227,14 +227,14 @@ int flips_before_overflow_without_lengths()
 {
   Delta_complex mesh = flat_torus(1, 1, 0).mesh;
   Integer_coordinates<Integer> coordinates(mesh);
-  const Vertex_spokes spokes(mesh, coordinates.roundabout_map());
+  const Outgoing_halfedges outgoing_halfedges(mesh, coordinates.roundabout_map());
   for(int i = 0;; ++i) {
     const std::vector<Integer> before = numbers(mesh, coordinates);
     try {
-      coordinates.flip(nth_edge_in_turn(i), mesh, spokes);
+      coordinates.flip(nth_edge_in_turn(i), mesh, outgoing_halfedges);
     } catch(const IT::Overflow_error&) {
       EXPECT_EQ(before, numbers(mesh, coordinates));
-      EXPECT_TRUE(coordinates.is_valid(mesh, spokes));
+      EXPECT_TRUE(coordinates.is_valid(mesh, outgoing_halfedges));
       return i;
     }
   }
@@ -294,21 +294,23 @@ TEST(Integer_coordinates, torus_with_one_vertex_in_closed_form)
   }
 }
 
-TEST(Integer_coordinates, spokes_are_numbered_counterclockwise)
+TEST(Integer_coordinates, outgoing_halfedges_are_numbered_counterclockwise)
 {
   for(const Flat_surface& s : {flat_polygon(random_points(30, 5000, 1)), flat_torus(3, 2, 1)}) {
-    std::vector<Vertex_spokes::size_type> number(s.mesh.number_of_halfedges());
-    const Vertex_spokes spokes(
+    std::vector<Outgoing_halfedges::size_type> number(s.mesh.number_of_halfedges());
+    const Outgoing_halfedges outgoing_halfedges(
       s.mesh, boost::make_iterator_property_map(number.begin(), boost::identity_property_map()));
     for(Vertex_index v : s.mesh.vertices()) {
-      const Vector first = s.vector[spokes.halfedge(v, 0)];
-      EXPECT_TRUE(!s.mesh.is_border(v) || s.mesh.is_border(s.mesh.opposite(spokes.halfedge(v, 0))));
-      for(Vertex_spokes::size_type k = 0; k < spokes.degree(v); ++k) {
-        const Halfedge_index h = spokes.halfedge(v, k);
+      const Vector first = s.vector[outgoing_halfedges.halfedge(v, 0)];
+      EXPECT_TRUE(!s.mesh.is_border(v) ||
+                  s.mesh.is_border(s.mesh.opposite(outgoing_halfedges.halfedge(v, 0))));
+      for(Outgoing_halfedges::size_type k = 0; k < outgoing_halfedges.degree(v); ++k) {
+        const Halfedge_index h = outgoing_halfedges.halfedge(v, k);
         EXPECT_EQ(s.mesh.source(h), v);
-        EXPECT_EQ(spokes.number(v, h), k);
+        EXPECT_EQ(outgoing_halfedges.number(v, h), k);
         EXPECT_EQ(number[h], k);
-        EXPECT_TRUE(k < 2 || is_before(first, s.vector[spokes.halfedge(v, k - 1)], s.vector[h]));
+        EXPECT_TRUE(k < 2 ||
+                    is_before(first, s.vector[outgoing_halfedges.halfedge(v, k - 1)], s.vector[h]));
       }
     }
   }
@@ -352,10 +354,11 @@ TEST(Integer_coordinates, damage_is_found)
 {
   Flat_pair<> good(flat_torus(3, 2, 5));
   random_flips(good, 60, 5);
-  ASSERT_TRUE(good.coordinates.is_valid(good.mesh, good.spokes));
+  ASSERT_TRUE(good.coordinates.is_valid(good.mesh, good.outgoing_halfedges));
   const auto is_good = [&] {
-    return good.coordinates.is_valid(good.mesh, good.spokes) &&
-           IT::internal::curve_defect(good.coordinates, good.mesh, good.t1.mesh, good.spokes)
+    return good.coordinates.is_valid(good.mesh, good.outgoing_halfedges) &&
+           IT::internal::curve_defect(good.coordinates, good.mesh, good.t1.mesh,
+                                      good.outgoing_halfedges)
              .empty();
   };
   for(Edge_index e : good.mesh.edges()) {
@@ -367,7 +370,8 @@ TEST(Integer_coordinates, damage_is_found)
     good.coordinates.set(e, n);
   }
   for(Halfedge_index h : good.mesh.halfedges()) {
-    const auto r = good.coordinates.roundabout(h), degree = good.spokes.degree(good.mesh.source(h));
+    const auto r = good.coordinates.roundabout(h),
+               degree = good.outgoing_halfedges.degree(good.mesh.source(h));
     for(auto wrong : {(r + 1) % degree, (r + degree - 1) % degree, degree}) {
       good.coordinates.set(h, wrong);
       EXPECT_FALSE(is_good()) << h << ": " << wrong << " in place of " << r;
@@ -423,16 +427,16 @@ TEST(Integer_coordinates, arbitrary_precision_goes_beyond)
 {
   Delta_complex mesh = flat_torus(1, 1, 0).mesh;
   Integer_coordinates<cpp_int> coordinates(mesh);
-  const Vertex_spokes spokes(mesh, coordinates.roundabout_map());
+  const Outgoing_halfedges outgoing_halfedges(mesh, coordinates.roundabout_map());
   std::vector<Wide_vector> vector{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}};
   for(int i = 0; i < 300; ++i) {
     const Halfedge_index h = nth_edge_in_turn(i), o = mesh.opposite(h);
     const Wide_vector il = vector[mesh.next(o)], ki = vector[mesh.prev(h)];
-    coordinates.flip(h, mesh, spokes);
+    coordinates.flip(h, mesh, outgoing_halfedges);
     vector[h] = {cpp_int(-il[0] - ki[0]), cpp_int(-il[1] - ki[1])};
     vector[o] = {cpp_int(il[0] + ki[0]), cpp_int(il[1] + ki[1])};
     ASSERT_EQ(coordinates.normal_coordinate(mesh.edge(h)), closed_form(vector[h]));
-    ASSERT_TRUE(coordinates.is_valid(mesh, spokes));
+    ASSERT_TRUE(coordinates.is_valid(mesh, outgoing_halfedges));
   }
   EXPECT_GT(coordinates.normal_coordinate(Edge_index(0)),
             (std::numeric_limits<std::int64_t>::max)());

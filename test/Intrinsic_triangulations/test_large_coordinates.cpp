@@ -137,7 +137,7 @@ TEST(Large_coordinates, Delaunay_triangulation_far_from_the_input)
         }
       EXPECT_EQ(found, 1u);
     }
-    EXPECT_TRUE(t.coordinates().is_valid(t.mesh(), t.spokes()));
+    EXPECT_TRUE(t.coordinates().is_valid(t.mesh(), t.outgoing_halfedges()));
     if(steps > 90) {
       EXPECT_GT(sum, (std::numeric_limits<std::uint64_t>::max)());
       EXPECT_THROW(IT::Correspondence<Traits>{t}, IT::Overflow_error);

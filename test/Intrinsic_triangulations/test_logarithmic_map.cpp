@@ -54,7 +54,7 @@ void expect_end(Side side, const Source& source, const Location& target, const L
 Location at_vertex(Side side, Vertex_index v, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
-  const Halfedge_index h = IT::first_spoke(v, faces.mesh());
+  const Halfedge_index h = IT::first_outgoing_halfedge(v, faces.mesh());
   return faces.on(h, 0);
 }
 

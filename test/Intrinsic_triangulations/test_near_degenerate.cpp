@@ -204,8 +204,8 @@ TEST(Near_degenerate_meshes, recomputed_lengths_of_needles)
 
 TEST(Near_degenerate_meshes, Delaunay_with_subdivision) { for_each_mesh(check_Delaunay); }
 
-// Every face has 25 degrees, or is excused by a narrow vertex, or the limit was hit. The counts are
-// what was measured: refinement of such meshes need not end.
+// Every face has 25 degrees, or is excused by a small-angle vertex, or the limit was hit. The
+// counts are what was measured: refinement of such meshes need not end.
 TEST(Near_degenerate_meshes, refined_with_subdivision)
 {
   std::map<IT::Refinement_status, unsigned int> count;

@@ -132,7 +132,7 @@ Field parallel_field(const Flat_surface& surface, const IT::Tangent_frames<>& fr
 {
   Field result(static_cast<Eigen::Index>(surface.mesh.number_of_vertices()));
   for(Vertex_index v : surface.mesh.vertices()) {
-    const Halfedge_index h = IT::first_spoke(v, surface.mesh);
+    const Halfedge_index h = IT::first_outgoing_halfedge(v, surface.mesh);
     const Vector d = surface.vector[h];
     result[v.idx()] = std::polar(
       1., frames.angle(h) - std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)));
@@ -369,16 +369,16 @@ TEST(Tangent_frames, angles)
     const Flat_faces faces(Side::intrinsic, t.triangulation);
     const IT::Tangent_frames<> frames(t.triangulation.intrinsic());
     for(Vertex_index v : mesh.vertices())
-      EXPECT_EQ(frames.angle(IT::first_spoke(v, mesh)), 0);
+      EXPECT_EQ(frames.angle(IT::first_outgoing_halfedge(v, mesh)), 0);
     for(Halfedge_index h : mesh.halfedges()) {
       const Vertex_index v = mesh.source(h);
       if(mesh.is_border(h)) {
         EXPECT_EQ(frames.angle(h), std::acos(-1.));
         continue;
       }
-      const Halfedge_index next = IT::next_spoke(h, mesh);
+      const Halfedge_index next = IT::next_around_source(h, mesh);
       const double whole = mesh.is_border(v) ? pi : 2 * pi;
-      const double end = next == IT::first_spoke(v, mesh) ? whole : frames.angle(next);
+      const double end = next == IT::first_outgoing_halfedge(v, mesh) ? whole : frames.angle(next);
       EXPECT_NEAR((end - frames.angle(h)) * frames.angle_sum(v) / whole,
                   static_cast<double>(faces.angle(h)), 1e-9);
     }

@@ -131,7 +131,7 @@ Results results(const IT::Correspondence<Traits>& c)
   }
   for(Side side : sides)
     for(IT::Halfedge_index h : c.mesh(side).halfedges()) {
-      results.add(c.spoke_before(side, h).idx());
+      results.add(c.outgoing_before(side, h).idx());
       for(unsigned int p = 0; p < c.number_of_crossings(side, Edge_index(h)); ++p)
         results.add(c.crossing(side, h, p).id);
     }
@@ -225,7 +225,7 @@ Results certificate_results(const Triangulation& tri, Tag tag)
   const IT::Delaunay_certificate c =
     IT::certify_Delaunay(tri, IT::parameters::concurrency_tag(tag));
   Results results;
-  for(const auto* edges : {&c.bent_edges, &c.non_Delaunay_edges, &c.ties}) {
+  for(const auto* edges : {&c.non_straight_edges, &c.non_Delaunay_edges, &c.ties}) {
     results.add(edges->size());
     for(Edge_index e : *edges)
       results.add(e.idx());

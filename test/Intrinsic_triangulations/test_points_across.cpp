@@ -104,7 +104,7 @@ void check_shared_edges(const Triangulation& t)
           const Location q = IT::point_across(c, side, faces.on(h, x));
           const auto zero = std::find(q.second.begin(), q.second.end(), 0.);
           ASSERT_NE(zero, q.second.end());
-          const Halfedge_index twin = c.spoke_before(side, h);
+          const Halfedge_index twin = c.outgoing_before(side, h);
           if(q.first == other_faces.mesh().face(twin))
             EXPECT_LT(other_faces.path(q, other_faces.on(twin, x)),
                       1e-15 * other_faces.length(twin))
@@ -176,8 +176,8 @@ void check_flat(const Flat_triangulation& flat)
 
 // ---- Geodesics from vertices ----
 
-// The angles between the halfedges of T2 and the first spoke of T1 around every vertex, kept up to
-// date by flips: signposts, which know nothing of integer coordinates.
+// The angles between the halfedges of T2 and the first outgoing halfedge of T1 around every vertex,
+// kept up to date by flips: signposts, which know nothing of integer coordinates.
 class Signposts
 {
 public:
@@ -186,14 +186,14 @@ public:
   {
     const Flat_faces faces(Side::input, t);
     for(Vertex_index v : t.mesh().vertices()) {
-      Halfedge_index h = IT::first_spoke(v, t.input_mesh());
+      Halfedge_index h = IT::first_outgoing_halfedge(v, t.input_mesh());
       do {
         m_angle[h] = m_total[v];
         if(t.input_mesh().is_border(h))
           break;
         m_total[v] += faces.angle(h);
-        h = IT::next_spoke(h, t.input_mesh());
-      } while(h != IT::first_spoke(v, t.input_mesh()));
+        h = IT::next_around_source(h, t.input_mesh());
+      } while(h != IT::first_outgoing_halfedge(v, t.input_mesh()));
     }
     m_input_angle = m_angle;
   }
@@ -202,7 +202,7 @@ public:
   {
     const Delta_complex& mesh = m_triangulation.mesh();
     for(Halfedge_index x : {h, mesh.opposite(h)}) {
-      const Halfedge_index before = IT::previous_spoke(x, mesh);
+      const Halfedge_index before = IT::previous_around_source(x, mesh);
       m_angle[x] =
         reduced(m_angle[before] + Flat_faces(Side::intrinsic, m_triangulation).angle(before),
                 mesh.source(x));
@@ -231,26 +231,27 @@ private:
     const Flat_faces faces(Side::intrinsic, m_triangulation);
     Halfedge_index best;
     Real least = std::numeric_limits<Real>::infinity();
-    Halfedge_index h = IT::first_spoke(v, mesh);
-    do { // the last spoke before the direction
+    Halfedge_index h = IT::first_outgoing_halfedge(v, mesh);
+    do { // the last outgoing halfedge before the direction
       const Real turn = m_angle[h] <= direction + 1e-12L ? direction - m_angle[h]
                                                          : direction - m_angle[h] + m_total[v];
       if(!mesh.is_border(h) && turn < least) {
         least = turn;
         best = h;
       }
-      h = mesh.is_border(h) ? IT::first_spoke(v, mesh) : IT::next_spoke(h, mesh);
-    } while(h != IT::first_spoke(v, mesh));
+      h =
+        mesh.is_border(h) ? IT::first_outgoing_halfedge(v, mesh) : IT::next_around_source(h, mesh);
+    } while(h != IT::first_outgoing_halfedge(v, mesh));
     return unfold(best, {distance * std::cos(least), distance * std::sin(least)});
   }
 
-  // Unfolds face after face along the line from the origin, the source of `spoke`, to `end`.
-  Location unfold(Halfedge_index spoke, const Place& end) const
+  // Unfolds face after face along the line from the origin, the source of `outgoing`, to `end`.
+  Location unfold(Halfedge_index outgoing, const Place& end) const
   {
     const Delta_complex& mesh = m_triangulation.mesh();
     const Flat_faces faces(Side::intrinsic, m_triangulation);
-    auto corner = faces.layout(spoke);
-    Halfedge_index h = spoke; // the layout is that of its source, its target and its apex
+    auto corner = faces.layout(outgoing);
+    Halfedge_index h = outgoing; // the layout is that of its source, its target and its apex
     Halfedge_index exit = mesh.next(h);
     for(int steps = 0; steps < 1000; ++steps) {
       const std::size_t s = exit == mesh.next(h) ? 1 : exit == mesh.prev(h) ? 2 : 0;

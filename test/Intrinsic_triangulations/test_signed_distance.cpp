@@ -273,7 +273,7 @@ TEST(Distance_sources, vertices_in_all_forms)
   IT::make_Delaunay(t);
   const auto surface = t.intrinsic();
   const Delta_complex& mesh = surface.mesh();
-  const Halfedge_index h = IT::first_spoke(Vertex_index(5), mesh);
+  const Halfedge_index h = IT::first_outgoing_halfedge(Vertex_index(5), mesh);
   const Values expected = IT::heat_distance(surface, Vertex_index(5));
   EXPECT_EQ(expected, IT::heat_distance(surface, IT::Edge_point<double>{h, 0}));
   EXPECT_EQ(expected, IT::heat_distance(surface, IT::Edge_point<double>{mesh.opposite(h), 1}));

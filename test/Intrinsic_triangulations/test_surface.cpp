@@ -72,14 +72,14 @@ Eigen::VectorXcd results(const Surface& surface)
   const IT::Geodesic<double> there = IT::trace_geodesic(surface, v, {0.3, 0.2});
   const IT::Geodesic<double> on = IT::trace_geodesic(surface, there.end, there.direction);
   const auto logarithms = IT::logarithmic_map(surface, v);
-  const Halfedge_index spoke = surface.mesh().halfedge(there.end.first);
+  const Halfedge_index outgoing = surface.mesh().halfedge(there.end.first);
   Eigen::VectorXcd result(11);
   result << distance.sum(), IT::cotan_laplacian(surface).norm(), IT::mass_matrix(surface).norm(),
     IT::solve_poisson(surface, distance).norm(), IT::connection_laplacian(surface, frames).norm(),
     (IT::divergence_matrix(surface) * IT::gradient_matrix(surface)).norm(),
     IT::Vector_heat<>(surface).transport(v, 1.).sum(), on.end.second[0], logarithms.back().vector,
-    IT::logarithm(surface, spoke, there.end),
-    IT::tangent_vector_at_vertex(surface, spoke, there.direction);
+    IT::logarithm(surface, outgoing, there.end),
+    IT::tangent_vector_at_vertex(surface, outgoing, there.direction);
   return result;
 }
 

@@ -150,7 +150,7 @@ TEST(Tufted_cover, of_a_moebius_band_is_a_torus)
   EXPECT_EQ(mesh.number_of_vertices() + mesh.number_of_faces(), mesh.number_of_edges());
 }
 
-TEST(Tufted_cover, vertices_are_umbrellas)
+TEST(Tufted_cover, vertices_are_fans)
 {
   // two triangles that touch in a vertex, and an isolated vertex
   const Cover cover = IT::tufted_cover(

@@ -443,7 +443,7 @@ TEST(Tufted_operators, of_a_refined_cover)
   EXPECT_NEAR(IT::mass_matrix(tufted.surface()).sum() / area(soup), 1, 1e-12);
 }
 
-// Vectors have no place at vertices without an umbrella.
+// Vectors have no place at vertices without a vertex fan.
 static_assert(!std::is_constructible_v<IT::Tangent_frames<double>, const Surface&>);
 
 // Vectors live on the cover: along a flat book of two pages they stay parallel.

@@ -19,6 +19,6 @@ public:
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
   /// is called if lengths leave too much in doubt, or if edges are bent: \f$T_2\f$ has become
-  /// \f$T_1\f$ again, with the inserted vertices, and flipping starts anew with exact decisions.
+  /// \f$T_1\f$ again, with the inserted vertices, and flipping restarts with exact decisions.
   void before_exact_flips();
 };

@@ -24,7 +24,7 @@ public:
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
   /// is called if lengths leave too much in doubt, or if edges are bent: \f$T_2\f$ has become
-  /// \f$T_1\f$ again, with the inserted vertices, and flipping starts anew with exact decisions.
+  /// \f$T_1\f$ again, with the inserted vertices, and flipping restarts with exact decisions.
   void before_exact_flips();
 
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.
@@ -41,7 +41,7 @@ public:
   void after_renumbering();
 
   /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, without flips
-  /// and with the vertices only that it had at the start, and refinement starts anew with exact
+  /// and with the vertices only that it had at the start, and refinement restarts with exact
   /// decisions.
   void before_exact_refinement();
 };

@@ -80,14 +80,21 @@ public:
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
   /// returns whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
-  bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
+  bool is_original(Face_index f) const { return f.idx() < m_data->number_of_original_faces; }
 
   /// returns whether `h`, a halfedge of `subdivision()`, is a side of a face that is part of the
   /// input, not of its second copy.
-  bool is_front(Halfedge_index h) const
+  bool is_original(Halfedge_index h) const
   {
     const Face_index f = subdivision().mesh().face(h);
-    return f.is_valid() && is_front(subdivision().parent_face(Layer::A, f));
+    return f.is_valid() && is_original(subdivision().parent_face(Layer::A, f));
+  }
+
+  /// \deprecated Use `is_original()`.
+  template <typename Index>
+  [[deprecated("use is_original()")]] bool is_front(Index i) const
+  {
+    return is_original(i);
   }
 
   /// returns the vertex of the input that `v` is, or of which it is the second copy.
@@ -145,7 +152,7 @@ private:
     std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
     std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
     std::unique_ptr<Subdivision> subdivision;
-    std::size_t number_of_front_faces = 0;
+    std::size_t number_of_original_faces = 0;
     std::vector<Vertex_index> input_vertex;
     std::vector<double> log_scale;
     Map_status status = Map_status::not_converged;

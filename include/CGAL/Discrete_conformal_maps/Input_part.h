@@ -32,8 +32,9 @@ class Input_part
 public:
   /// selects the elements. Complexity: linear.
   explicit Input_part(const Discrete_conformal_map& map)
-    : Base(map.subdivision(), number_of_vertices(map),
-           [&](Face_index f) { return map.is_front(map.subdivision().parent_face(Layer::A, f)); }),
+    : Base(
+        map.subdivision(), number_of_vertices(map),
+        [&](Face_index f) { return map.is_original(map.subdivision().parent_face(Layer::A, f)); }),
       m_map(&map),
       m_number_of_input_vertices(number_of_vertices(map))
   {}

@@ -64,7 +64,7 @@ public:
   typedef internal::Extended Extended;
 
   /// returns whether the input is a disk.
-  bool is_disk() const { return !is_front(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
+  bool is_disk() const { return !is_original(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
 
   /// returns whether the image is a convex polygon inscribed in a great circle: in the equator, if
   /// the input is a disk without vertices inside, or seen from both sides, if it is a sphere.

@@ -33,10 +33,10 @@ namespace internal {
 
 // calls `f` with the faces of the subdivision that are on the input
 template <typename Function>
-void for_each_front_face(const Planar_conformal_map& map, const Function& f)
+void for_each_original_face(const Planar_conformal_map& map, const Function& f)
 {
   for(Face_index part : map.subdivision().mesh().faces())
-    if(map.is_front(map.subdivision().parent_face(Layer::A, part)))
+    if(map.is_original(map.subdivision().parent_face(Layer::A, part)))
       f(part);
 }
 
@@ -48,7 +48,7 @@ public:
   explicit Whole_faces(const Planar_conformal_map& map) : m_map(map)
   {
     m_part.resize(map.Delaunay().input_mesh().num_halfedges());
-    for_each_front_face(map, [&](Face_index f) { add(f); });
+    for_each_original_face(map, [&](Face_index f) { add(f); });
   }
 
   std::array<double, 3> homogeneous_coordinates(Halfedge_index h) const
@@ -98,7 +98,7 @@ inline bool has_whole_faces(const Planar_conformal_map& map)
 {
   std::vector<char> is_met(map.Delaunay().input_mesh().num_faces(), 0);
   bool result = true;
-  internal::for_each_front_face(map, [&](Face_index part) {
+  internal::for_each_original_face(map, [&](Face_index part) {
     char& is_second = is_met[map.subdivision().parent_face(Layer::A, part).idx()];
     result = result && !is_second;
     is_second = 1;

@@ -207,7 +207,7 @@ private:
 
   void cut_ears()
   {
-    for(const internal::Spoke_flip& flip : m_polygon.flips()) {
+    for(const internal::Star_flip& flip : m_polygon.flips()) {
       internal::flip(flip.halfedge, flip.geometry, m_surface, m_history);
       m_waiting.push_back(mesh().edge(flip.halfedge));
     }
@@ -216,8 +216,9 @@ private:
   // On the boundary, the first border edge takes the place of both.
   void remove_center(const Flattened_star& star)
   {
-    const Halfedge_index a = first_spoke(star.center(), mesh());
-    m_history.add_removal(a, mesh(), m_polygon.weight(a), m_polygon.weight(next_spoke(a, mesh())));
+    const Halfedge_index a = first_outgoing_halfedge(star.center(), mesh());
+    m_history.add_removal(a, mesh(), m_polygon.weight(a),
+                          m_polygon.weight(next_around_source(a, mesh())));
     Intrinsic_triangulations::remove_degree_3_vertex(star.center(), m_surface.mesh());
     if(!star.is_border())
       return;

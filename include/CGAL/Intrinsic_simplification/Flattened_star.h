@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/First_spokes.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/First_halfedges.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/angles.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -26,20 +26,20 @@ namespace CGAL::Intrinsic_simplification {
 /// \ingroup PkgIntrinsicSimplificationRef
 /// an edge that leaves the center of a star. What is said of lengths and directions holds before
 /// the center is flattened.
-struct Star_spoke
+struct Star_halfedge
 {
   Halfedge_index halfedge;             ///< leaves the center
   Vertex_index neighbor;               ///< where it ends
   double length;                       ///< the length of the edge
   std::complex<double> direction;      ///< its direction at the center, of length one
   std::complex<double> direction_back; ///< that of the opposite halfedge at the neighbor
-  /// returns the change of the angle at the neighbor in the two faces of the spoke, by flattening;
-  /// the curvature of the neighbor changes by its negative
+  /// returns the change of the angle at the neighbor in the two faces of the outgoing halfedge, by
+  /// flattening; the curvature of the neighbor changes by its negative
   double angle_change;
-  /// the share of the change at this spoke in that at all of them (Equation 5.7); equal shares if
-  /// the center is flat already, and none for a loop
+  /// the share of the change at this outgoing halfedge in that at all of them (Equation 5.7); equal
+  /// shares if the center is flat already, and none for a loop
   double weight;
-  /// the index of the first spoke with this neighbor
+  /// the index of the first outgoing halfedge with this neighbor
   std::size_t first_with_neighbor;
 };
 
@@ -55,9 +55,9 @@ struct Star_spoke
 class Flattened_star
 {
 public:
-  /// computes the spokes of `v` and its scale factor, to about half of its digits unless it is
-  /// zero: enough for a cost. Complexity: linear in the degree of `v`, for each step of Newton's
-  /// method.
+  /// computes the outgoing halfedges of `v` and its scale factor, to about half of its digits
+  /// unless it is zero: enough for a cost. Complexity: linear in the degree of `v`, for each step
+  /// of Newton's method.
   /// \returns whether `v` can be flattened; if it can, the functions below return the result
   Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
   {
@@ -85,17 +85,17 @@ public:
   /// returns whether an edge joins the center with itself.
   bool has_loop() const { return m_has_loop; }
 
-  /// returns the number of spokes; a loop counts twice.
-  std::size_t size() const { return m_spokes.size(); }
+  /// returns the number of outgoing halfedges; a loop counts twice.
+  std::size_t size() const { return m_outgoing_halfedges.size(); }
 
   /// returns the number of corners of faces at the center.
   std::size_t number_of_corners() const { return size() - (m_is_border ? 1 : 0); }
 
-  /// returns the spoke with index `n`, in counterclockwise order; at the boundary the first and the
-  /// last are border edges.
-  const Star_spoke& operator[](std::size_t n) const { return m_spokes[n]; }
+  /// returns the outgoing halfedge with index `n`, in counterclockwise order; at the boundary the
+  /// first and the last are border edges.
+  const Star_halfedge& operator[](std::size_t n) const { return m_outgoing_halfedges[n]; }
 
-  /// returns the spoke after `n` in counterclockwise order.
+  /// returns the outgoing halfedge after `n` in counterclockwise order.
   std::size_t next(std::size_t n) const { return n + 1 == size() ? 0 : n + 1; }
 
   /// returns the scale factor \f$u\f$; exactly zero if the center is flat up to rounding.
@@ -104,25 +104,28 @@ public:
   /// returns by how much flattening makes the area of the star larger, to about half of the digits.
   double area_change() const { return m_area_change; }
 
-  /// returns the length of a spoke after flattening.
-  double flat_length(std::size_t n) const { return m_spokes[n].length * m_power[ends(n)]; }
+  /// returns the length of an outgoing halfedge after flattening.
+  double flat_length(std::size_t n) const
+  {
+    return m_outgoing_halfedges[n].length * m_power[ends(n)];
+  }
 
-  /// returns the length of the edge across from the center, between the spokes `n` and `next(n)`,
-  /// after flattening.
+  /// returns the length of the edge across from the center, between the outgoing halfedges `n` and
+  /// `next(n)`, after flattening.
   double flat_opposite_length(std::size_t n) const
   {
     return m_opposite[n] * m_power[opposite_ends(n)];
   }
 
 private:
-  // the sides of the corner between two spokes
+  // the sides of the corner between two outgoing halfedges
   struct Corner
   {
     double p, q, opposite;
   };
 
   // how the angles at the center add up for some scale factor
-  struct Excess
+  struct Angle_excess
   {
     double value;      // over the angle of a flat vertex
     double derivative; // with respect to the scale factor
@@ -133,8 +136,11 @@ private:
 
   double flat_angle() const { return (m_is_border ? 1 : 2) * pi<double>(); }
 
-  // the number of ends of a spoke at the center
-  std::size_t ends(std::size_t n) const { return m_spokes[n].neighbor == m_center ? 2 : 1; }
+  // the number of ends of an outgoing halfedge at the center
+  std::size_t ends(std::size_t n) const
+  {
+    return m_outgoing_halfedges[n].neighbor == m_center ? 2 : 1;
+  }
 
   std::size_t opposite_ends(std::size_t n) const { return ends(n) + ends(next(n)) - 2; }
 
@@ -145,7 +151,7 @@ private:
 
   Corner original_corner(std::size_t n) const
   {
-    return {m_spokes[n].length, m_spokes[next(n)].length, m_opposite[n]};
+    return {m_outgoing_halfedges[n].length, m_outgoing_halfedges[next(n)].length, m_opposite[n]};
   }
 
   void set_scale(double u)
@@ -159,30 +165,31 @@ private:
   {
     const Delta_complex& mesh = surface.mesh();
     m_center = v;
-    m_spokes.clear();
+    m_outgoing_halfedges.clear();
     m_opposite.clear();
     m_has_loop = false;
     set_scale(0);
     if(mesh.is_isolated(v))
       return Removal_status::isolated;
     bool is_protected = false;
-    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       is_protected = is_protected || surface.is_constrained(mesh.edge(h));
-      add_spoke(h, surface);
+      add_outgoing(h, surface);
     });
-    m_is_border = mesh.is_border(m_spokes.back().halfedge);
+    m_is_border = mesh.is_border(m_outgoing_halfedges.back().halfedge);
     if(is_protected)
       return Removal_status::protected_vertex;
     return m_has_loop ? status_with_loops() : degree_status();
   }
 
-  void add_spoke(Halfedge_index h, const Intrinsic_surface& surface)
+  void add_outgoing(Halfedge_index h, const Intrinsic_surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
     const Vertex_index j = mesh.target(h);
     m_has_loop = m_has_loop || j == m_center;
-    m_spokes.push_back({h, j, surface.length(h), surface.direction(h),
-                        surface.direction(opposite(h)), 0, 0, m_spokes.size()});
+    m_outgoing_halfedges.push_back({h, j, surface.length(h), surface.direction(h),
+                                    surface.direction(opposite(h)), 0, 0,
+                                    m_outgoing_halfedges.size()});
     m_opposite.push_back(mesh.is_border(h) ? 0 : surface.length(mesh.next(h)));
   }
 
@@ -201,11 +208,11 @@ private:
     return degree_status();
   }
 
-  Excess excess() const
+  Angle_excess excess() const
   {
     namespace IT = Intrinsic_triangulations;
     internal::Angle_sum sum;
-    Excess result{0, 0, true};
+    Angle_excess result{0, 0, true};
     for(std::size_t n = 0; n < number_of_corners(); ++n) {
       const Corner c = corner(n);
       const double product = IT::doubled_corner_product(c.opposite, c.p, c.q);
@@ -238,7 +245,7 @@ private:
   {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for(int step = 0; step < 100; ++step) {
-      const Excess e = excess();
+      const Angle_excess e = excess();
       if(std::abs(e.value) <= internal::angle_rounding(size()))
         return is_solution(e);
       (e.value > 0 ? low : high) = m_u;
@@ -249,12 +256,12 @@ private:
     return false;
   }
 
-  static bool is_solution(const Excess& e)
+  static bool is_solution(const Angle_excess& e)
   {
     return e.is_valid && std::abs(e.value) <= internal::greatest_last_step * std::abs(e.derivative);
   }
 
-  double next_scale(const Excess& e, double low, double high) const
+  double next_scale(const Angle_excess& e, double low, double high) const
   {
     const double newton = m_u - e.value / e.derivative;
     if(newton > low && newton < high && std::abs(newton - m_u) < internal::greatest_newton_step)
@@ -279,7 +286,7 @@ private:
                                                    {after.q, after.opposite, after.p, new_area});
       }
     for(std::size_t n = 0; n < size(); ++n)
-      m_spokes[n].angle_change = angle_change(n);
+      m_outgoing_halfedges[n].angle_change = angle_change(n);
   }
 
   double angle_change(std::size_t n) const
@@ -309,18 +316,19 @@ private:
     std::size_t others = 0;
     for(std::size_t n = 0; n < size(); ++n)
       if(ends(n) == 1) {
-        sum += std::abs(m_spokes[n].angle_change);
+        sum += std::abs(m_outgoing_halfedges[n].angle_change);
         ++others;
       }
     for(std::size_t n = 0; n < size(); ++n) {
-      Star_spoke& spoke = m_spokes[n];
-      spoke.weight = ends(n) == 2 ? 0
-                     : sum > 0    ? std::abs(spoke.angle_change) / sum
-                                  : 1 / static_cast<double>(others);
+      Star_halfedge& outgoing = m_outgoing_halfedges[n];
+      outgoing.weight = ends(n) == 2 ? 0
+                        : sum > 0    ? std::abs(outgoing.angle_change) / sum
+                                     : 1 / static_cast<double>(others);
     }
     m_neighbors.start(size());
     for(std::size_t n = 0; n < size(); ++n)
-      m_spokes[n].first_with_neighbor = m_neighbors.first(m_spokes[n].neighbor, n);
+      m_outgoing_halfedges[n].first_with_neighbor =
+        m_neighbors.first(m_outgoing_halfedges[n].neighbor, n);
   }
 
   Vertex_index m_center;
@@ -328,10 +336,10 @@ private:
   double m_u = 0;
   double m_area_change = 0;
   std::array<double, 3> m_power{1, 1, 1}; // by the number of ends at the center
-  std::vector<Star_spoke> m_spokes;
+  std::vector<Star_halfedge> m_outgoing_halfedges;
   std::vector<double> m_opposite; // of each corner
-  std::vector<Complex> m_change;  // of the angles after and before each spoke
-  internal::First_spokes m_neighbors;
+  std::vector<Complex> m_change;  // of the angles after and before each outgoing halfedge
+  internal::First_halfedges m_neighbors;
 };
 
 } // namespace CGAL::Intrinsic_simplification

@@ -31,9 +31,9 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-using Intrinsic_triangulations::first_spoke;
-using Intrinsic_triangulations::for_each_spoke;
-using Intrinsic_triangulations::next_spoke;
+using Intrinsic_triangulations::first_outgoing_halfedge;
+using Intrinsic_triangulations::for_each_outgoing_halfedge;
+using Intrinsic_triangulations::next_around_source;
 using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::pi;
 
@@ -158,8 +158,8 @@ public:
   }
 
   /// inserts a vertex into the face of `h` (see `Intrinsic_triangulations::split_face()`). It gets
-  /// a frame in which the direction of the first spoke is 1. Elements get new indices, never those
-  /// of removed ones. Complexity: constant, amortized.
+  /// a frame in which the direction of the first outgoing halfedge is 1. Elements get new indices,
+  /// never those of removed ones. Complexity: constant, amortized.
   /// \param h a halfedge
   /// \param new_length the lengths of the edges from the vertex to the source and the target of `h`
   ///   and to the opposite corner
@@ -168,12 +168,12 @@ public:
   {
     const Halfedge_index a = m_mesh.next(Intrinsic_triangulations::split_face(h, m_mesh));
     add_data();
-    Halfedge_index spoke = a;
+    Halfedge_index outgoing = a;
     for(double length : new_length) {
-      set_length(m_mesh.edge(spoke), length);
-      spoke = next_spoke(spoke, m_mesh);
+      set_length(m_mesh.edge(outgoing), length);
+      outgoing = next_around_source(outgoing, m_mesh);
     }
-    direct_spokes(m_mesh.source(a));
+    direct_outgoing_halfedges(m_mesh.source(a));
     return a;
   }
 
@@ -191,10 +191,10 @@ public:
     set_direction(first, direction(h));
     set_length(m_mesh.edge(h), new_length[0]);
     set_length(m_mesh.edge(first), new_length[1]);
-    set_length(m_mesh.edge(next_spoke(h, m_mesh)), new_length[2]);
+    set_length(m_mesh.edge(next_around_source(h, m_mesh)), new_length[2]);
     if(is_constrained(m_mesh.edge(h)))
       constrain(m_mesh.edge(first), true);
-    direct_spokes(m_mesh.source(h));
+    direct_outgoing_halfedges(m_mesh.source(h));
   }
 
   /// sets whether `e` must stay.
@@ -242,13 +242,13 @@ private:
   }
 
   // gives directions to both ends of the edges at the new vertex `v`
-  void direct_spokes(Vertex_index v)
+  void direct_outgoing_halfedges(Vertex_index v)
   {
     double sum = 0, angle = 0;
-    for_each_spoke(v, m_mesh,
-                   [&](Halfedge_index h) { sum += m_mesh.is_border(h) ? 0 : corner_angle(h); });
+    for_each_outgoing_halfedge(
+      v, m_mesh, [&](Halfedge_index h) { sum += m_mesh.is_border(h) ? 0 : corner_angle(h); });
     const double all = m_mesh.is_border(v) ? pi<double>() : 2 * pi<double>();
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       set_direction(h, std::polar(1., angle));
       if(!m_mesh.is_border(h) && sum > 0)
         angle += corner_angle(h) * (all / sum);

@@ -66,7 +66,7 @@ public:
   {
     const std::size_t first = m_corners.size();
     if(has_corners)
-      for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
         if(!mesh.is_border(h))
           m_corners.emplace_back(h, mesh);
       });
@@ -89,10 +89,10 @@ public:
   }
 
   /// appends the removal of a vertex of degree three, which is about to happen.
-  /// \param a its first spoke
+  /// \param a its first outgoing halfedge
   /// \param mesh the mesh
   /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
-  ///   the next spoke; the latter is zero on the boundary
+  ///   the next outgoing halfedge; the latter is zero on the boundary
   void add_removal(Halfedge_index a, const Delta_complex& mesh, double w_a, double w_b)
   {
     const std::size_t first = mesh.is_border(opposite(a)) ? 1 : 0;
@@ -100,12 +100,13 @@ public:
   }
 
   /// appends the insertion of a vertex of degree three, which has just happened.
-  /// \param a its first spoke; for an interior vertex, the spoke to the first corner of the face as
+  /// \param a its first outgoing halfedge; for an interior vertex, the outgoing halfedge to the
+  /// first corner of the face as
   ///   it was
   /// \param mesh the mesh
   /// \param whole the corner of the face as it was that is the target of `a`
   /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
-  ///   the next spoke; the latter is zero on the boundary
+  ///   the next outgoing halfedge; the latter is zero on the boundary
   void add_insertion(Halfedge_index a, const Delta_complex& mesh, Face_corner whole, double w_a,
                      double w_b)
   {
@@ -137,8 +138,9 @@ private:
                          Face_corner whole, double w_a, double w_b)
   {
     const bool is_border = mesh.is_border(opposite(a));
-    const Halfedge_index b = next_spoke(a, mesh);
-    const Face_corner third = is_border ? Face_corner() : Face_corner(next_spoke(b, mesh), mesh);
+    const Halfedge_index b = next_around_source(a, mesh);
+    const Face_corner third =
+      is_border ? Face_corner() : Face_corner(next_around_source(b, mesh), mesh);
     const Vertex_change change{is_insertion,
                                is_border,
                                {Face_corner(a, mesh), Face_corner(b, mesh), third},

@@ -161,7 +161,7 @@ Surface_map::Location image_of_vertex(Vertex_index v, const Map& map)
 {
   const Delta_complex& mesh = map.fine().mesh();
   return map.to_coarse(Intrinsic_triangulations::face_location(
-    Intrinsic_triangulations::Edge_point<double>{first_spoke(v, mesh), 0}, mesh));
+    Intrinsic_triangulations::Edge_point<double>{first_outgoing_halfedge(v, mesh), 0}, mesh));
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -173,7 +173,7 @@ Surface_map::Location preimage_of_vertex(Vertex_index v, const Map& map)
 {
   const Delta_complex& mesh = map.coarse().mesh();
   return map.to_fine(Intrinsic_triangulations::face_location(
-    Intrinsic_triangulations::Edge_point<double>{first_spoke(v, mesh), 0}, mesh));
+    Intrinsic_triangulations::Edge_point<double>{first_outgoing_halfedge(v, mesh), 0}, mesh));
 }
 
 } // namespace CGAL::Intrinsic_simplification

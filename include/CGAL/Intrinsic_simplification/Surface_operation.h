@@ -79,7 +79,7 @@ struct Flip
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a vertex of degree three is removed or, as the inverse, inserted: the faces around it, three or,
 /// on the boundary, two, become one, or one face becomes these. The corners of the whole face are
-/// the targets of the first, the second and the third spoke of the vertex.
+/// the targets of the first, the second and the third outgoing halfedge of the vertex.
 struct Vertex_change
 {
   static constexpr int code = 2; ///< the index of the type in files, and the first of four
@@ -87,7 +87,8 @@ struct Vertex_change
   bool is_border;                ///< whether the vertex is on the boundary
   /// the corners of the faces around the vertex, at the vertex; on the boundary, the third is none
   std::array<Face_corner, 3> corners;
-  Face_corner whole; ///< the corner of the whole face that is the target of the first spoke
+  Face_corner
+    whole; ///< the corner of the whole face that is the target of the first outgoing halfedge
   /// the barycentric coordinates of the vertex in the whole face that belong to the first two
   /// targets. The second is zero on the boundary.
   std::array<double, 2> weight;

@@ -123,11 +123,11 @@ public:
     const Vertex_index v = this->mesh().target(h);
     if(side == Level::fine || !has_places_on_edges(v))
       return Base::coordinates(side, h);
-    const Halfedge_index spoke = this->parted_spoke(side, h);
-    const Halfedge_index parent = this->parent_halfedge(side, spoke);
-    const auto found = first_place(v, Edge_index(spoke));
+    const Halfedge_index outgoing = this->parted_outgoing(side, h);
+    const Halfedge_index parent = this->parent_halfedge(side, outgoing);
+    const auto found = first_place(v, Edge_index(outgoing));
     const bool is_inside =
-      found != m_places_on_edges.end() && found->v == v && found->part == Edge_index(spoke);
+      found != m_places_on_edges.end() && found->v == v && found->part == Edge_index(outgoing);
     const auto p = is_inside ? Intrinsic_triangulations::edge_point(parent, found->t)
                              : Intrinsic_triangulations::Edge_point<double>{parent, 0};
     return Intrinsic_triangulations::face_location(p, this->mesh(side)).second;
@@ -305,7 +305,7 @@ private:
   {
     std::vector<Halfedge_index> out;
     for(Vertex_index v : m_mesh.vertices()) {
-      m_rotation.collect_spokes(v, out);
+      m_rotation.collect_outgoing_halfedges(v, out);
       for(std::size_t n = 0; n < out.size(); ++n) {
         const Halfedge_index in = m_mesh.opposite(out[n]);
         m_mesh.set_next(in, out[n == 0 ? out.size() - 1 : n - 1]);

@@ -59,7 +59,7 @@ public:
       m_number_of_faces(tri.mesh().number_of_faces())
   {
     CGAL_precondition(!tri.mesh().has_garbage());
-    take(tri);
+    copy_from(tri);
   }
 
   /// \name The Surface
@@ -134,12 +134,12 @@ public:
       sides.push_back(length(h));
     const double radius = internal::disk_radius(sides);
     const Vertex_index apex = add_vertex(Vertex_index());
-    std::vector<Halfedge_index> spoke; // from the source of each side
+    std::vector<Halfedge_index> outgoing; // from the source of each side
     for(Halfedge_index h : loop)
-      spoke.push_back(add_edge(m_mesh.source(h), apex, radius, false));
+      outgoing.push_back(add_edge(m_mesh.source(h), apex, radius, false));
     for(std::size_t i = 0; i < loop.size(); ++i)
-      fill(loop[i], spoke[(i + 1) % loop.size()], opposite(spoke[i]), radius);
-    m_mesh.set_halfedge(apex, spoke[0]);
+      fill(loop[i], outgoing[(i + 1) % loop.size()], opposite(outgoing[i]), radius);
+    m_mesh.set_halfedge(apex, outgoing[0]);
     for(Halfedge_index h : loop)
       m_mesh.set_halfedge(m_mesh.target(h), h);
     ++m_number_of_disks;
@@ -175,7 +175,7 @@ public:
   {
     CGAL_precondition(tri.number_of_inserted_vertices() == 0 &&
                       tri.input_mesh().number_of_faces() == m_mesh.number_of_faces());
-    take(tri);
+    copy_from(tri);
     m_stages.push_back(std::move(tri));
   }
 
@@ -190,7 +190,7 @@ private:
     return result;
   }
 
-  void take(const Triangulation& tri)
+  void copy_from(const Triangulation& tri)
   {
     m_mesh = tri.mesh();
     m_mesh.remove_all_property_maps();
@@ -252,7 +252,7 @@ private:
     return opposite(inner);
   }
 
-  // gives the umbrella of the border halfedge `border` a vertex of its own, as its target
+  // gives the vertex fan of the border halfedge `border` a vertex of its own, as its target
   void separate_left(Halfedge_index border)
   {
     const Vertex_index v = add_vertex(m_origin[m_mesh.target(border)]);

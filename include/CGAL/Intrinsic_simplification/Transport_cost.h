@@ -221,7 +221,7 @@ private:
     double sum = 0;
     std::size_t corners = 0;
     bool is_border = false;
-    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       if(mesh.is_border(h))
         is_border = true;
       else
@@ -291,7 +291,7 @@ private:
   }
 
   // The moments that the neighbors would have (Equations 5.6 and 5.8, times the mass): each at its
-  // first spoke.
+  // first outgoing halfedge.
   void find_moments(const Flattened_star& star)
   {
     m_moment.resize(star.size() * m_channels);
@@ -306,20 +306,20 @@ private:
 
   void add_share(const Flattened_star& star, std::size_t n)
   {
-    const Star_spoke& spoke = star[n];
-    const Complex& back = spoke.direction_back;
-    const Complex transport = -back * std::conj(spoke.direction);
+    const Star_halfedge& outgoing = star[n];
+    const Complex& back = outgoing.direction_back;
+    const Complex transport = -back * std::conj(outgoing.direction);
     for(std::size_t c = 0; c < m_channels; ++c) {
       const State& s = state(star.center(), c);
-      m_moment[spoke.first_with_neighbor * m_channels + c] +=
-        spoke.weight * (transport * s.moment + s.mass * spoke.length * back);
+      m_moment[outgoing.first_with_neighbor * m_channels + c] +=
+        outgoing.weight * (transport * s.moment + s.mass * outgoing.length * back);
     }
   }
 
   std::size_t m_number_of_vertices, m_channels = 0;
   double m_area_change_factor = 0, m_boundary_change_factor = 0;
   std::vector<State> m_state;    // of each vertex, all masses together
-  std::vector<Complex> m_moment; // of the spokes of the star at hand
+  std::vector<Complex> m_moment; // of the outgoing halfedges of the star at hand
 };
 
 } // namespace CGAL::Intrinsic_simplification

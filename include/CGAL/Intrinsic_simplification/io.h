@@ -57,7 +57,8 @@ inline void write_operation(std::ostream& os, const Flip& f)
              hexadecimal_text(f.crossing_after));
 }
 
-// A removal is determined by the first spoke of the vertex, an insertion by the whole face.
+// A removal is determined by the first outgoing halfedge of the vertex, an insertion by the whole
+// face.
 inline void write_operation(std::ostream& os, const Vertex_change& c)
 {
   const int code = Surface_operation(c).code();

@@ -78,7 +78,7 @@ private:
   // halfedges stand for the directions around them
   void weigh_corner(Halfedge_index h)
   {
-    const Halfedge_index next = next_spoke(h, m_fine);
+    const Halfedge_index next = next_around_source(h, m_fine);
     double corner = m_fine_frames.angle(next) - m_fine_frames.angle(h);
     if(corner <= 0)
       corner += 2 * pi<double>();

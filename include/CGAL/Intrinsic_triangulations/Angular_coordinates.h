@@ -125,9 +125,9 @@ public:
   {
     const Delta_complex& mesh = m_tri.mesh();
     m_angle.resize(mesh.num_halfedges());
-    const Halfedge_index start = spoke_to_start_with(v);
+    const Halfedge_index start = outgoing_to_start_with(v);
     set_angles_around(v, start, angle_in_strip(start, inserter.courses()(start)));
-    for_each_spoke(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
   }
 
   /// gives the sides of the face `f`, which has taken the place of the vertex `v`, the angles of
@@ -163,54 +163,54 @@ private:
     return starts_at_inserted(h) ? FT(1) : m_frames.scale(m_tri.mesh().source(h));
   }
 
-  FT angle_of_spoke_before(Halfedge_index h) const
+  FT angle_of_outgoing_before(Halfedge_index h) const
   {
-    return starts_at_inserted(h) ? internal::angle_of_inserted_spoke(h, m_tri)
-                                 : m_frames.angle(m_tri.input_spoke_before(h));
+    return starts_at_inserted(h) ? internal::angle_of_inserted_outgoing(h, m_tri)
+                                 : m_frames.angle(m_tri.input_outgoing_before(h));
   }
 
   FT angle_in_strip(Halfedge_index h, const Edge_course& course)
   {
-    return angle_of_spoke_before(h) +
-           scale_at(h) * internal::angle_from_spoke(h, course, m_tri, m_strip);
+    return angle_of_outgoing_before(h) +
+           scale_at(h) * internal::angle_from_outgoing(h, course, m_tri, m_strip);
   }
 
   void set_angle(Halfedge_index h)
   {
-    m_angle[h.idx()] = is_shared(h) ? angle_of_spoke_before(h) : angle_between_neighbors(h);
+    m_angle[h.idx()] = is_shared(h) ? angle_of_outgoing_before(h) : angle_between_neighbors(h);
   }
 
   // a shared one if there is any, or one inside a face of T1; of several the longest, whose
   // direction has the smallest error
-  Halfedge_index spoke_to_start_with(Vertex_index v) const
+  Halfedge_index outgoing_to_start_with(Vertex_index v) const
   {
     const auto rank = [this](Halfedge_index h) {
       return std::make_tuple(is_shared(h), m_tri.coordinates().crossings(h) == 0,
                              m_tri.length(m_tri.mesh().edge(h)));
     };
-    Halfedge_index best = first_spoke(v, m_tri.mesh());
-    for_each_spoke(v, m_tri.mesh(), [&](Halfedge_index h) {
+    Halfedge_index best = first_outgoing_halfedge(v, m_tri.mesh());
+    for_each_outgoing_halfedge(v, m_tri.mesh(), [&](Halfedge_index h) {
       if(rank(best) < rank(h))
         best = h;
     });
     return best;
   }
 
-  // The spokes of the inserted vertex `v` in the proportion of the corners, from the one that is
-  // known.
+  // The outgoing halfedges of the inserted vertex `v` in the proportion of the corners, from the
+  // one that is known.
   void set_angles_around(Vertex_index v, Halfedge_index start, const FT& angle_of_start)
   {
     const Delta_complex& mesh = m_tri.mesh();
     FT sum(0);
-    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       m_angle[h.idx()] = sum;
       sum += mesh.is_border(h) ? FT(0) : corner(h);
     });
     const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * pi<FT>();
-    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       const FT part = sum > 0 ? (angle(h) - before_start) / sum : FT(0);
       m_angle[h.idx()] =
-        is_shared(h) ? angle_of_spoke_before(h) : wrapped(angle_of_start + whole * part);
+        is_shared(h) ? angle_of_outgoing_before(h) : wrapped(angle_of_start + whole * part);
     });
   }
 
@@ -225,10 +225,10 @@ private:
   // What the corners on either side of `h` lack of the angle between its neighbors is shared out.
   FT angle_between_neighbors(Halfedge_index h) const
   {
-    const Halfedge_index before = previous_spoke(h, m_tri.mesh());
+    const Halfedge_index before = previous_around_source(h, m_tri.mesh());
     const FT scale = scale_at(h), turn = 2 * pi<FT>();
     const FT right = scale * corner(before), both = right + scale * corner(h);
-    const FT gap = angle(next_spoke(h, m_tri.mesh())) - angle(before);
+    const FT gap = angle(next_around_source(h, m_tri.mesh())) - angle(before);
     const FT lack = std::remainder(gap - both, turn);
     return wrapped(angle(before) + right + (both > 0 ? lack * (right / both) : FT(0)));
   }

@@ -190,7 +190,7 @@ private:
       m_result.set_parent(Side::intrinsic, intrinsic_piece(h, p), h);
     if(m_correspondence.is_shared(Side::intrinsic, e))
       m_result.set_parent(Side::input, intrinsic_piece(h, 0),
-                          m_correspondence.spoke_before(Side::intrinsic, h));
+                          m_correspondence.outgoing_before(Side::intrinsic, h));
   }
 
   void set_places()
@@ -199,8 +199,8 @@ private:
     for_each<Vertex_index>(m_intrinsic, [&](Vertex_index v) {
       if(m_intrinsic.is_isolated(v))
         return;
-      const Halfedge_index spoke = first_spoke(v, m_intrinsic);
-      m_result.m_place[v] = {tri.start_on_spoke(spoke), {spoke, FT(0)}};
+      const Halfedge_index outgoing = first_outgoing_halfedge(v, m_intrinsic);
+      m_result.m_place[v] = {tri.start_on_outgoing(outgoing), {outgoing, FT(0)}};
     });
     for_each_chunk(m_concurrency, m_correspondence.number_of_crossings(),
                    [&](std::size_t begin, std::size_t end) {
@@ -263,9 +263,9 @@ private:
   // the face of T1 in which a face of T2 lies if no edge of T1 crosses it
   Face_index face_across(Halfedge_index side) const
   {
-    const Halfedge_index spoke = m_correspondence.spoke_before(Side::intrinsic, side);
-    return spoke.is_valid() ? m_input.face(spoke)
-                            : m_correspondence.triangulation().input_location(side).first;
+    const Halfedge_index outgoing = m_correspondence.outgoing_before(Side::intrinsic, side);
+    return outgoing.is_valid() ? m_input.face(outgoing)
+                               : m_correspondence.triangulation().input_location(side).first;
   }
 
   // The halfedge of T1 along the curve from one corner of a region to another, and its piece there.

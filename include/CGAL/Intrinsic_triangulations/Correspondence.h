@@ -152,7 +152,7 @@ public:
   Halfedge_index piece_to(size_type id, Halfedge_index h) const
   {
     const size_type before = piece_before(id);
-    return directed_as(h, first_halfedge(Edge_index(is_first_halfedge(h) ? before : before + 1)));
+    return oriented_like(h, first_halfedge(Edge_index(is_first_halfedge(h) ? before : before + 1)));
   }
 
   /// returns the number of crossings on the edge `e` of `side`.
@@ -215,14 +215,14 @@ public:
     return !m_contains_inserted.empty() && m_contains_inserted[f.idx()];
   }
 
-  /// returns the halfedge of the other side that is the last spoke at or clockwise from the
-  /// halfedge `h` of `side` around its source: `h` itself if its edge is shared, otherwise it
+  /// returns the halfedge of the other side that is the last outgoing halfedge at or clockwise from
+  /// the halfedge `h` of `side` around its source: `h` itself if its edge is shared, otherwise it
   /// starts in the same corner. Null if the source lies inside a face of the other side.
-  Halfedge_index spoke_before(Side side, Halfedge_index h) const
+  Halfedge_index outgoing_before(Side side, Halfedge_index h) const
   {
     if(side == Side::input)
-      return m_spoke_before[h.idx()];
-    return m_tri.input_spoke_before(h);
+      return m_outgoing_before[h.idx()];
+    return m_tri.input_outgoing_before(h);
   }
 
 private:
@@ -232,7 +232,7 @@ private:
     internal::Part_starts<Traits> starts(tri, m_part_numbers);
     m_on_intrinsic = internal::number_crossings(tri.coordinates(), tri.mesh(), concurrency);
     resize(starts, concurrency);
-    starts.find(m_spoke_before, concurrency);
+    starts.find(m_outgoing_before, concurrency);
     trace_all(starts, concurrency);
     note_inserted();
   }
@@ -240,12 +240,12 @@ private:
   void resize(internal::Part_starts<Traits>& starts, Concurrency concurrency)
   {
     const size_type crossings = m_on_intrinsic.size();
-    m_spoke_before.reserve(m_tri.input_mesh().num_halfedges());
+    m_outgoing_before.reserve(m_tri.input_mesh().num_halfedges());
     run_together(
       concurrency,
       [&] {
         starts.resize();
-        m_spoke_before.resize(m_tri.input_mesh().num_halfedges());
+        m_outgoing_before.resize(m_tri.input_mesh().num_halfedges());
       },
       [&] {
         m_parts.resize(m_part_numbers.size());
@@ -268,7 +268,8 @@ private:
   Crossing seen_from_intrinsic(Halfedge_index h, size_type id) const
   {
     const Record& r = m_records[id];
-    return {id, edge_point(h, r.t), edge_point(opposite(directed_as(h, m_courses.exit(id))), r.s)};
+    return {id, edge_point(h, r.t),
+            edge_point(opposite(oriented_like(h, m_courses.exit(id))), r.s)};
   }
 
   // the index of the piece that ends at crossing `id` in the direction of the first halfedge of
@@ -430,12 +431,12 @@ private:
       const auto& start = starts(e, v);
       Part& part = m_parts[m_part_numbers.before(e) + i];
       part = {static_cast<size_type>(chunk.crossings.size()), 0, chunk.pieces, start.is_shared(),
-              m_tri.mesh().target(start.spoke)};
+              m_tri.mesh().target(start.outgoing)};
       if(!part.is_shared) {
-        tracer.trace(start.spoke, start.k);
+        tracer.trace(start.outgoing, start.k);
         if(!m_doubt.is_doubtful.empty())
           note_doubt(h, tracer);
-        part.end = m_tri.mesh().target(tracer.last_spoke());
+        part.end = m_tri.mesh().target(tracer.last_outgoing());
         record(internal::part_of_edge(h, v, part.end, m_tri), h, tracer, chunk);
         part.count = static_cast<size_type>(chunk.crossings.size()) - part.first;
       }
@@ -601,7 +602,7 @@ private:
   Edge_marks m_part_numbers; // of the parts of the edges of T1
   std::vector<Part> m_parts;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1
-  std::vector<Halfedge_index> m_spoke_before;
+  std::vector<Halfedge_index> m_outgoing_before;
   std::vector<char> m_contains_inserted; // for each face of T1; empty if there are none
   Edge_marks m_on_intrinsic; // the indices of crossings: they are ordered along the edges of T2
   std::vector<Record> m_records;

@@ -49,7 +49,7 @@ public:
     for(Vertex_index end : m_mesh.vertices())
       for(Vertex_index v = end; count[v.idx()] == 1 && !is_terminal[v.idx()];) {
         Halfedge_index seam;
-        for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+        for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
           if(is_seam(Edge_index(h)))
             seam = h;
         });

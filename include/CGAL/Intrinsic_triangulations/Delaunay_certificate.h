@@ -24,7 +24,7 @@ struct Delaunay_certificate
   /// the edges that violate the local Delaunay condition.
   std::vector<Edge_index> non_Delaunay_edges;
   /// the edges that are not straight segments in the strips that their integer coordinates name.
-  std::vector<Edge_index> bent_edges;
+  std::vector<Edge_index> non_straight_edges;
   /// the inserted vertices around which the faces do not lie once, each with positive area unless
   /// it lies in faces of \f$T_1\f$ without area.
   std::vector<Vertex_index> folded_vertices;
@@ -32,7 +32,7 @@ struct Delaunay_certificate
   /// the edges whose local Delaunay condition remains undecided, see `certify_Delaunay()`.
   std::vector<Edge_index> possibly_non_Delaunay_edges;
   /// the edges of which it remains undecided whether they are straight.
-  std::vector<Edge_index> possibly_bent_edges;
+  std::vector<Edge_index> possibly_non_straight_edges;
   /// the inserted vertices of which it remains undecided whether the faces around them are folded.
   std::vector<Vertex_index> possibly_folded_vertices;
 
@@ -48,14 +48,14 @@ struct Delaunay_certificate
   /// returns the number of edges and vertices about which something remains undecided.
   std::size_t undecided() const
   {
-    return possibly_non_Delaunay_edges.size() + possibly_bent_edges.size() +
+    return possibly_non_Delaunay_edges.size() + possibly_non_straight_edges.size() +
            possibly_folded_vertices.size();
   }
   /// returns whether the triangulation certainly is geodesic.
   bool is_geodesic() const
   {
-    return bent_edges.empty() && folded_vertices.empty() && possibly_bent_edges.empty() &&
-           possibly_folded_vertices.empty();
+    return non_straight_edges.empty() && folded_vertices.empty() &&
+           possibly_non_straight_edges.empty() && possibly_folded_vertices.empty();
   }
   /// returns whether the triangulation certainly is geodesic and Delaunay.
   bool is_Delaunay() const

@@ -83,7 +83,7 @@ inline Halfedge_index first_halfedge(Edge_index e) { return Halfedge_index(2 * e
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns `x` if `h` is the first halfedge of its edge, otherwise the opposite of `x`: a halfedge
 /// that is recorded for the first halfedge of an edge, as seen from `h`. This is its own inverse.
-inline Halfedge_index directed_as(Halfedge_index h, Halfedge_index x)
+inline Halfedge_index oriented_like(Halfedge_index h, Halfedge_index x)
 {
   return Halfedge_index(x.idx() ^ (h.idx() & 1));
 }
@@ -92,7 +92,7 @@ inline Halfedge_index directed_as(Halfedge_index h, Halfedge_index x)
 /// returns the outgoing halfedge after `h` in counterclockwise order around the source of `h`.
 /// \pre `h` is not a border halfedge
 template <typename P>
-Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
+Halfedge_index next_around_source(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
   return opposite(mesh.prev(h));
 }
@@ -101,34 +101,34 @@ Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 /// returns the outgoing halfedge before `h` in counterclockwise order around the source of `h`.
 /// \pre `opposite(h)` is not a border halfedge
 template <typename P>
-Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
+Halfedge_index previous_around_source(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
   return mesh.next(opposite(h));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns the first outgoing halfedge of `v`; at a boundary vertex the one with the boundary on
-/// its right, so that `next_spoke()` visits all of them.
+/// its right, so that `next_around_source()` visits all of them.
 /// \pre `v` is not isolated
 template <typename P>
-Halfedge_index first_spoke(Vertex_index v, const Surface_mesh<P>& mesh)
+Halfedge_index first_outgoing_halfedge(Vertex_index v, const Surface_mesh<P>& mesh)
 {
   return opposite(mesh.halfedge(v));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// calls `visit(h)` for every outgoing halfedge of `v`, in the order of `next_spoke()`.
+/// calls `visit(h)` for every outgoing halfedge of `v`, in the order of `next_around_source()`.
 /// \pre `v` is not isolated
 template <typename P, typename Visit>
-void for_each_spoke(Vertex_index v, const Surface_mesh<P>& mesh, const Visit& visit)
+void for_each_outgoing_halfedge(Vertex_index v, const Surface_mesh<P>& mesh, const Visit& visit)
 {
-  const Halfedge_index first = first_spoke(v, mesh);
+  const Halfedge_index first = first_outgoing_halfedge(v, mesh);
   Halfedge_index h = first;
   do {
     visit(h);
     if(mesh.is_border(h))
       return;
-    h = next_spoke(h, mesh);
+    h = next_around_source(h, mesh);
   } while(h != first);
 }
 
@@ -300,13 +300,13 @@ Operation_status removal_status(Vertex_index v, const Surface_mesh<P>& mesh)
 {
   if(mesh.is_isolated(v))
     return Operation_status::wrong_degree;
-  Halfedge_index h = first_spoke(v, mesh);
-  for(int spoke = 0; spoke < 3; ++spoke) {
+  Halfedge_index h = first_outgoing_halfedge(v, mesh);
+  for(int outgoing = 0; outgoing < 3; ++outgoing) {
     if(mesh.target(h) == v)
       return Operation_status::self_edge;
     const bool is_last = mesh.is_border(h);
-    h = is_last ? first_spoke(v, mesh) : next_spoke(h, mesh);
-    if((spoke == 2) != (h == first_spoke(v, mesh)))
+    h = is_last ? first_outgoing_halfedge(v, mesh) : next_around_source(h, mesh);
+    if((outgoing == 2) != (h == first_outgoing_halfedge(v, mesh)))
       return Operation_status::wrong_degree;
   }
   return Operation_status::possible;
@@ -315,10 +315,11 @@ Operation_status removal_status(Vertex_index v, const Surface_mesh<P>& mesh)
 namespace internal {
 
 template <typename P>
-void remove_vertex_with_edges(Vertex_index v, std::initializer_list<Halfedge_index> spokes,
+void remove_vertex_with_edges(Vertex_index v,
+                              std::initializer_list<Halfedge_index> outgoing_halfedges,
                               Surface_mesh<P>& mesh)
 {
-  for(Halfedge_index h : spokes)
+  for(Halfedge_index h : outgoing_halfedges)
     mesh.remove_edge(mesh.edge(h));
   mesh.remove_vertex(v);
 }
@@ -327,12 +328,12 @@ void remove_vertex_with_edges(Vertex_index v, std::initializer_list<Halfedge_ind
 template <typename P>
 Face_index remove_interior_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 {
-  const Halfedge_index a = first_spoke(v, mesh);
-  const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
+  const Halfedge_index a = first_outgoing_halfedge(v, mesh);
+  const Halfedge_index b = next_around_source(a, mesh), c = next_around_source(b, mesh);
   const Face_index f = mesh.face(a);
-  for(Halfedge_index spoke : {a, b, c})
-    if(mesh.halfedge(mesh.target(spoke)) == spoke)
-      mesh.set_halfedge(mesh.target(spoke), mesh.prev(mesh.opposite(spoke)));
+  for(Halfedge_index outgoing : {a, b, c})
+    if(mesh.halfedge(mesh.target(outgoing)) == outgoing)
+      mesh.set_halfedge(mesh.target(outgoing), mesh.prev(mesh.opposite(outgoing)));
   const Halfedge_index ab = mesh.next(a), bc = mesh.next(b), ca = mesh.next(c);
   mesh.remove_face(mesh.face(b));
   mesh.remove_face(mesh.face(c));
@@ -345,8 +346,9 @@ Face_index remove_interior_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 template <typename P>
 Face_index remove_boundary_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 {
-  const Halfedge_index a = first_spoke(v, mesh); // a's right side and c's left side are border
-  const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
+  const Halfedge_index a =
+    first_outgoing_halfedge(v, mesh); // a's right side and c's left side are border
+  const Halfedge_index b = next_around_source(a, mesh), c = next_around_source(b, mesh);
   const Halfedge_index border = mesh.opposite(a); // from the target of a to v; is led on to c's
   const Vertex_index vb = mesh.target(b), vc = mesh.target(c);
   const Face_index f = mesh.face(a);
@@ -400,7 +402,7 @@ std::string halfedge_defect(Halfedge_index h, const Surface_mesh<P>& mesh)
 // Returns the number of halfedges with target `v` that are reached from halfedge(v), at most
 // `limit` + 1.
 template <typename P>
-std::size_t umbrella_size(Vertex_index v, std::size_t limit, const Surface_mesh<P>& mesh)
+std::size_t fan_size(Vertex_index v, std::size_t limit, const Surface_mesh<P>& mesh)
 {
   std::size_t count = 0;
   Halfedge_index h = mesh.halfedge(v);
@@ -422,7 +424,7 @@ std::string vertex_defect(Vertex_index v, std::size_t degree, std::size_t border
     return "its halfedge does not lead to it";
   if(border_degree == 1 && !mesh.is_border(h))
     return "it is on the boundary but its halfedge is not";
-  if(border_degree > 1 || umbrella_size(v, degree, mesh) != degree)
+  if(border_degree > 1 || fan_size(v, degree, mesh) != degree)
     return "it has more than one umbrella";
   return {};
 }
@@ -454,7 +456,7 @@ std::string Delta_complex_defect(const Surface_mesh<P>& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// checks whether `mesh` is a triangulated surface: links in order, faces triangles, one umbrella
+/// checks whether `mesh` is a triangulated surface: links in order, faces triangles, one vertex fan
 /// at every vertex, border vertices with a border halfedge. Loops and parallel edges are allowed.
 /// Complexity: linear.
 /// \param mesh the mesh

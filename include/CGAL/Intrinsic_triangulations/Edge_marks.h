@@ -96,7 +96,7 @@ public:
   {
     const size_type e = Edge_index(h).idx();
     const size_type marks = is_first_halfedge(h) ? m_first[e] + p : m_first[e + 1] - p;
-    return directed_as(h, first_halfedge(Edge_index(e + marks)));
+    return oriented_like(h, first_halfedge(Edge_index(e + marks)));
   }
   /// returns the last piece of the halfedge `h`, which ends where `h` ends.
   Halfedge_index last_piece(Halfedge_index h) const { return piece(h, size(Edge_index(h))); }

@@ -168,7 +168,7 @@ public:
     for(std::size_t i = 0; i < m_path.size(); ++i)
       for(Index s = m_path[i].first; s != Segments::null;) {
         const Index t = m_segment[s].next;
-        if(t != Segments::null && (is_bent(s, t, true) || is_bent(s, t, false)))
+        if(t != Segments::null && (is_not_straight(s, t, true) || is_not_straight(s, t, false)))
           return false;
         s = t == m_path[i].first ? Segments::null : t;
       }
@@ -181,7 +181,7 @@ public:
   /// @}
 
 private:
-  typedef std::vector<Halfedge_index> Spokes;
+  typedef std::vector<Halfedge_index> Fan;
   typedef std::tuple<FT, Index, Index, bool> Joint; // angle, two segments, on their left
 
   static constexpr std::size_t greatest_number_of_idle_moves = 1000;
@@ -195,9 +195,9 @@ private:
   Halfedge_index halfedge(Index s) const { return m_segment[s].halfedge; }
 
   // Paths to and fro have no sides: beside them, others could lie in an order that crosses.
-  static Spokes without_spurs(const Spokes& halfedges, bool is_loop)
+  static Fan without_spurs(const Fan& halfedges, bool is_loop)
   {
-    Spokes result;
+    Fan result;
     for(Halfedge_index h : halfedges)
       if(!result.empty() && result.back() == opposite(h))
         result.pop_back();
@@ -211,13 +211,13 @@ private:
     return {first, last};
   }
 
-  std::size_t add(const Spokes& halfedges, bool is_loop)
+  std::size_t add(const Fan& halfedges, bool is_loop)
   {
     CGAL_precondition(is_connected(halfedges, is_loop));
     const Index path = static_cast<Index>(m_path.size());
     const Index first = static_cast<Index>(m_segment.size());
-    const Spokes spokes = without_spurs(halfedges, is_loop);
-    for(Halfedge_index h : spokes) {
+    const Fan outgoing = without_spurs(halfedges, is_loop);
+    for(Halfedge_index h : outgoing) {
       const Index s = m_segment.add(h, path);
       m_segment.link(s == first ? Segments::null : s - 1, s);
     }
@@ -230,7 +230,7 @@ private:
     return path;
   }
 
-  bool is_connected(const Spokes& halfedges, bool is_loop) const
+  bool is_connected(const Fan& halfedges, bool is_loop) const
   {
     for(std::size_t i = is_loop ? 0 : 1; i < halfedges.size(); ++i)
       if(m_mesh.target(halfedges[(i == 0 ? halfedges.size() : i) - 1]) !=
@@ -242,7 +242,7 @@ private:
   // ---- Joints ----
 
   // A joint on the right is one on the left of the reversed path.
-  Spokes fan(Index s, Index t, bool is_left) const
+  Fan fan(Index s, Index t, bool is_left) const
   {
     return is_left
              ? internal::fan(halfedge(s), halfedge(t), m_mesh)
@@ -251,14 +251,14 @@ private:
 
   bool is_spur(Index s, Index t) const { return halfedge(t) == m_mesh.opposite(halfedge(s)); }
 
-  bool is_bent(Index s, Index t, bool is_left) const
+  bool is_not_straight(Index s, Index t, bool is_left) const
   {
     if(is_spur(s, t))
       return true;
     if(m_straight.count({s, t}) > 0)
       return false;
-    const Spokes spokes = fan(s, t, is_left);
-    return !spokes.empty() && m_flipping.is_less_than_pi(spokes);
+    const Fan outgoing = fan(s, t, is_left);
+    return !outgoing.empty() && m_flipping.is_less_than_pi(outgoing);
   }
 
   void note(Index s, Index t)
@@ -270,8 +270,8 @@ private:
       return;
     }
     for(bool is_left : {true, false})
-      if(const Spokes spokes = fan(s, t, is_left); !spokes.empty()) {
-        const auto sum = internal::fan_angle(spokes, m_tri.intrinsic(), Flipping::length_error());
+      if(const Fan outgoing = fan(s, t, is_left); !outgoing.empty()) {
+        const auto sum = internal::fan_angle(outgoing, m_tri.intrinsic(), Flipping::length_error());
         if(possibly(internal::is_less_than_pi(sum)))
           m_queue.push({sum.angle, s, t, is_left});
       }
@@ -288,10 +288,10 @@ private:
   }
 
   // Whether nothing is in the fan but edges that may be flipped.
-  bool is_free(const Spokes& spokes) const
+  bool is_free(const Fan& outgoing) const
   {
-    for(std::size_t i = 1; i + 1 < spokes.size(); ++i)
-      if(const Edge_index e = m_mesh.edge(spokes[i]);
+    for(std::size_t i = 1; i + 1 < outgoing.size(); ++i)
+      if(const Edge_index e = m_mesh.edge(outgoing[i]);
          !m_segment.is_free(e) || m_tri.is_constrained(e))
         return false;
     return true;
@@ -304,14 +304,14 @@ private:
   {
     if(is_spur(s, t))
       return cut_spur(s, t);
-    Spokes spokes = fan(s, t, is_left);
+    Fan outgoing = fan(s, t, is_left);
     const Index at_out = is_left ? t : s, at_in = is_left ? s : t;
-    if(m_segment.outermost(spokes.front()) != at_out ||
-       m_segment.outermost(m_mesh.opposite(spokes.back())) != at_in || !is_free(spokes) ||
-       !m_flipping.is_less_than_pi(spokes))
+    if(m_segment.outermost(outgoing.front()) != at_out ||
+       m_segment.outermost(m_mesh.opposite(outgoing.back())) != at_in || !is_free(outgoing) ||
+       !m_flipping.is_less_than_pi(outgoing))
       return false;
-    flip_out(spokes, s == t);
-    const Spokes arc = outer_arc(spokes, s == t);
+    flip_out(outgoing, s == t);
+    const Fan arc = outer_arc(outgoing, s == t);
     if(!is_shorter(arc, s, t)) {
       m_straight.insert({s, t});
       return false;
@@ -332,27 +332,27 @@ private:
   // at both ends of the fan, and its apex at both ends of the arc: it is left as it is unless the
   // whole angle there is less than pi. To flip its other sides one by one could wind them around
   // the loop without end.
-  void flip_out(Spokes& spokes, bool is_one_edge)
+  void flip_out(Fan& outgoing, bool is_one_edge)
   {
-    const std::size_t limit = m_flips + 16 * spokes.size();
-    flip_between(spokes, is_one_edge ? 2 : 1, limit);
-    while(is_one_edge && spokes.size() > 4 && m_flips < limit &&
-          m_flipping.is_less_than_pi(internal::fan(m_mesh.next(spokes[spokes.size() - 3]),
-                                                   m_mesh.next(spokes[1]), m_mesh))) {
-      flip(spokes[1]);
-      spokes = internal::fan(m_mesh.opposite(spokes.back()), spokes.front(), m_mesh);
-      flip_between(spokes, 2, limit);
+    const std::size_t limit = m_flips + 16 * outgoing.size();
+    flip_between(outgoing, is_one_edge ? 2 : 1, limit);
+    while(is_one_edge && outgoing.size() > 4 && m_flips < limit &&
+          m_flipping.is_less_than_pi(internal::fan(m_mesh.next(outgoing[outgoing.size() - 3]),
+                                                   m_mesh.next(outgoing[1]), m_mesh))) {
+      flip(outgoing[1]);
+      outgoing = internal::fan(m_mesh.opposite(outgoing.back()), outgoing.front(), m_mesh);
+      flip_between(outgoing, 2, limit);
     }
   }
 
-  // Leaves as many spokes as `margin` at both ends. Each flip takes one away, and adds one only
-  // where a face has two corners at the apex: then the fan is taken anew.
-  void flip_between(Spokes& spokes, std::size_t margin, std::size_t limit)
+  // Leaves as many outgoing halfedges as `margin` at both ends. Each flip takes one away, and adds
+  // one only where a face has two corners at the apex: then the fan is taken anew.
+  void flip_between(Fan& outgoing, std::size_t margin, std::size_t limit)
   {
-    const Vertex_index apex = m_mesh.source(spokes.front());
-    const Halfedge_index in = m_mesh.opposite(spokes.back());
-    for(std::size_t i = margin; i + margin < spokes.size() && m_flips < limit;) {
-      const Halfedge_index h = spokes[i];
+    const Vertex_index apex = m_mesh.source(outgoing.front());
+    const Halfedge_index in = m_mesh.opposite(outgoing.back());
+    for(std::size_t i = margin; i + margin < outgoing.size() && m_flips < limit;) {
+      const Halfedge_index h = outgoing[i];
       if(!m_flipping.is_flippable(h)) {
         ++i;
         continue;
@@ -360,10 +360,10 @@ private:
       const bool is_loop = m_mesh.target(h) == apex;
       flip(h);
       if(is_loop || m_mesh.source(h) == apex || m_mesh.target(h) == apex) {
-        spokes = internal::fan(in, spokes.front(), m_mesh);
+        outgoing = internal::fan(in, outgoing.front(), m_mesh);
         i = margin;
       } else {
-        spokes.erase(spokes.begin() + static_cast<std::ptrdiff_t>(i));
+        outgoing.erase(outgoing.begin() + static_cast<std::ptrdiff_t>(i));
         i = (std::max)(i - 1, margin);
       }
     }
@@ -377,18 +377,18 @@ private:
 
   // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has the
   // face of this edge at both ends of the fan, and moves to what is between.
-  Spokes outer_arc(const Spokes& spokes, bool is_one_edge) const
+  Fan outer_arc(const Fan& outgoing, bool is_one_edge) const
   {
-    Spokes result;
+    Fan result;
     const std::size_t skipped = is_one_edge ? 1 : 0;
-    for(std::size_t i = skipped; i + 1 + skipped < spokes.size(); ++i)
-      result.push_back(m_mesh.next(spokes[i]));
+    for(std::size_t i = skipped; i + 1 + skipped < outgoing.size(); ++i)
+      result.push_back(m_mesh.next(outgoing[i]));
     return result;
   }
 
   // Whether the path may move: it must not become longer. Moves that gain no more than rounding, as
   // beside short edges, are limited in number unless decisions are exact.
-  bool is_shorter(const Spokes& arc, Index s, Index t)
+  bool is_shorter(const Fan& arc, Index s, Index t)
   {
     const auto length = [&](Halfedge_index h) { return m_tri.length(m_mesh.edge(h)); };
     const FT before = length(halfedge(s)) + (s == t ? FT(0) : length(halfedge(t)));
@@ -404,7 +404,7 @@ private:
 
   // Replaces two segments, or a loop of one, by an arc around the vertex between them, which is on
   // the left of the halfedges of the arc.
-  void replace(Index s, Index t, const Spokes& arc, bool is_left)
+  void replace(Index s, Index t, const Fan& arc, bool is_left)
   {
     const Index path = m_segment[s].path;
     const bool is_whole_loop = m_path[path].is_loop && m_segment[t].next == s;

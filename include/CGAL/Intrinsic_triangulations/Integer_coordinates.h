@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+#include <CGAL/Intrinsic_triangulations/Outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ template <typename Integer>
 struct Face_split
 {
   std::array<Integer, 3> n; ///< the normal coordinates
-  std::array<Vertex_spokes::size_type, 3>
+  std::array<Outgoing_halfedges::size_type, 3>
     r; ///< the roundabouts at \f$m\f$; 0 if it is inside a face of \f$T_1\f$
 };
 
@@ -71,7 +71,7 @@ public:
   /// the type of normal coordinates.
   typedef Integer_ Integer;
   /// the type of roundabouts.
-  typedef Vertex_spokes::size_type size_type;
+  typedef Outgoing_halfedges::size_type size_type;
   /// the type of the map of normal coordinates.
   typedef Delta_complex::Property_map<Edge_index, Integer> Normal_coordinate_map;
   /// the type of the map of roundabouts.
@@ -98,7 +98,7 @@ public:
 
   /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none
   /// they are created, with every edge shared; if `mesh` is \f$T_1\f$, its roundabouts are the
-  /// indices of its own spokes.
+  /// indices of its own outgoing halfedges.
   explicit Integer_coordinates(Delta_complex& mesh)
     : m_n(mesh.template add_property_map<Edge_index, Integer>("e:normal_coordinate", -1).first),
       m_r(mesh.template add_property_map<Halfedge_index, size_type>("h:roundabout", 0).first)
@@ -111,8 +111,8 @@ public:
   /// the number of its crossings with edges of \f$T_1\f$.
   const Integer& normal_coordinate(Edge_index e) const { return m_n[e]; }
 
-  /// returns the roundabout \f$r\f$ of `h`: the index of the first spoke of \f$T_1\f$ at or
-  /// counterclockwise from `h` around its source.
+  /// returns the roundabout \f$r\f$ of `h`: the index of the first outgoing halfedge of \f$T_1\f$
+  /// at or counterclockwise from `h` around its source.
   size_type roundabout(Halfedge_index h) const { return m_r[h]; }
 
   /// returns whether the edge of `h` is in \f$T_1\f$ too.
@@ -150,10 +150,10 @@ public:
                                                    crossings(mesh.next(h)));
   }
 
-  /// returns the number of spokes of \f$T_1\f$ at or counterclockwise from `h` and before the next
-  /// spoke of \f$T_2\f$: those that start in the corner at the source of `h`, and the one along
-  /// `h`.
-  Integer spokes_from(Halfedge_index h, const Delta_complex& mesh) const
+  /// returns the number of outgoing halfedges of \f$T_1\f$ at or counterclockwise from `h` and
+  /// before the next outgoing halfedge of \f$T_2\f$: those that start in the corner at the source
+  /// of `h`, and the one along `h`.
+  Integer outgoing_halfedges_from(Halfedge_index h, const Delta_complex& mesh) const
   {
     const int along = Intrinsic_triangulations::is_shared(m_n[edge_of(h)]);
     if(mesh.is_border(h))
@@ -166,13 +166,14 @@ public:
   /// Algorithms 1 and 2.
   /// @{
 
-  /// returns the first crossing of the curve that leaves the source of `spoke`, counted from
-  /// `spoke` as number `k` of those that start inside its corner. \pre
-  /// `k < curves_leaving(next(spoke))`
-  Crossing first_crossing(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh) const
+  /// returns the first crossing of the curve that leaves the source of `outgoing`, counted from
+  /// `outgoing` as number `k` of those that start inside its corner. \pre
+  /// `k < curves_leaving(next(outgoing))`
+  Crossing first_crossing(Halfedge_index outgoing, const Integer& k,
+                          const Delta_complex& mesh) const
   {
-    const Halfedge_index opposite_side = mesh.next(spoke);
-    return {opposite_side, static_cast<Integer>(curves_around(mesh.prev(spoke), mesh) + k)};
+    const Halfedge_index opposite_side = mesh.next(outgoing);
+    return {opposite_side, static_cast<Integer>(curves_around(mesh.prev(outgoing), mesh) + k)};
   }
 
   /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends. Repeated,
@@ -195,50 +196,52 @@ public:
     return Turn::ends;
   }
 
-  /// returns the spoke of \f$T_1\f$ along which the curve that ends beyond `c` runs, seen from its
-  /// end.
+  /// returns the outgoing halfedge of \f$T_1\f$ along which the curve that ends beyond `c` runs,
+  /// seen from its end.
   /// \pre `advance(c)` returns `Turn::ends`
-  Halfedge_index spoke_at_end(const Crossing& c, const Delta_complex& mesh,
-                              const Vertex_spokes& spokes) const
+  Halfedge_index outgoing_at_end(const Crossing& c, const Delta_complex& mesh,
+                                 const Outgoing_halfedges& outgoing_halfedges) const
   {
     const Halfedge_index ji = mesh.opposite(c.halfedge);
-    const Halfedge_index spoke = mesh.prev(ji);
+    const Halfedge_index outgoing = mesh.prev(ji);
     const Integer from_j = static_cast<Integer>(crossings(ji) - 1 - c.number);
-    return spoke_in_corner(spoke, static_cast<Integer>(from_j - curves_around(mesh.next(ji), mesh)),
-                           mesh, spokes);
+    return outgoing_in_corner(outgoing,
+                              static_cast<Integer>(from_j - curves_around(mesh.next(ji), mesh)),
+                              mesh, outgoing_halfedges);
   }
 
-  /// returns the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the
-  /// source of `spoke`.
-  Halfedge_index spoke_in_corner(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh,
-                                 const Vertex_spokes& spokes) const
+  /// returns the outgoing halfedge of \f$T_1\f$ that is number `k` of those that start inside the
+  /// corner at the source of `outgoing`.
+  Halfedge_index outgoing_in_corner(Halfedge_index outgoing, const Integer& k,
+                                    const Delta_complex& mesh,
+                                    const Outgoing_halfedges& outgoing_halfedges) const
   {
-    const Vertex_index v = mesh.source(spoke);
-    const size_type along = static_cast<size_type>(is_shared(edge_of(spoke)));
-    return spokes.halfedge(v,
-                           wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
+    const Vertex_index v = mesh.source(outgoing);
+    const size_type along = static_cast<size_type>(is_shared(edge_of(outgoing)));
+    return outgoing_halfedges.halfedge(
+      v, wrap(m_r[outgoing] + along + static_cast<size_type>(k), outgoing_halfedges.degree(v)));
   }
 
   /// calls `visit(k, start)` for every curve that starts inside the corner at the source of
-  /// `spoke`: it has index `k` there and runs along the spoke `start` of \f$T_1\f$. Complexity:
-  /// linear in their number.
+  /// `outgoing`: it has index `k` there and runs along the outgoing halfedge `start` of \f$T_1\f$.
+  /// Complexity: linear in their number.
   template <typename Visit>
-  void for_each_curve_end(Halfedge_index spoke, const Delta_complex& mesh,
-                          const Vertex_spokes& spokes, const Visit& visit) const
+  void for_each_curve_end(Halfedge_index outgoing, const Delta_complex& mesh,
+                          const Outgoing_halfedges& outgoing_halfedges, const Visit& visit) const
   {
     // a boundary edge is shared
-    if(!(m_n[edge_of(mesh.next(spoke))] > 0))
+    if(!(m_n[edge_of(mesh.next(outgoing))] > 0))
       return;
-    const Integer leaving = curves_leaving(mesh.next(spoke), mesh);
+    const Integer leaving = curves_leaving(mesh.next(outgoing), mesh);
     for(Integer k(0); k < leaving; ++k)
-      visit(k, spoke_in_corner(spoke, k, mesh, spokes));
+      visit(k, outgoing_in_corner(outgoing, k, mesh, outgoing_halfedges));
   }
 
   /// returns the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`
   Halfedge_index shared_halfedge(Halfedge_index h, const Delta_complex& mesh,
-                                 const Vertex_spokes& spokes) const
+                                 const Outgoing_halfedges& outgoing_halfedges) const
   {
-    return spokes.halfedge(mesh.source(h), m_r[h]);
+    return outgoing_halfedges.halfedge(mesh.source(h), m_r[h]);
   }
 
   /// @}
@@ -249,7 +252,7 @@ public:
   /// and the roundabouts of its halfedges (Equation 3.5). Complexity: constant.
   /// \throws Overflow_error if the new normal coordinate is out of range; nothing has changed then.
   /// \pre `flip_status(h, mesh) == Operation_status::possible`
-  void flip(Halfedge_index h, Delta_complex& mesh, const Vertex_spokes& spokes)
+  void flip(Halfedge_index h, Delta_complex& mesh, const Outgoing_halfedges& outgoing_halfedges)
   {
     const Diamond<Integer> n = diamond(m_n, h, mesh);
     const Integer n_kl = flipped_normal_coordinate(n);
@@ -257,8 +260,10 @@ public:
     const Halfedge_index lk = h, kl = opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
     flip_edge(h, mesh);
     m_n[edge_of(h)] = n_kl;
-    m_r[kl] = following_roundabout(ki, n.ki, n.il, n_kl, spokes.degree(mesh.target(lk)));
-    m_r[lk] = following_roundabout(lj, n.lj, n.jk, n_kl, spokes.degree(mesh.target(kl)));
+    m_r[kl] =
+      following_roundabout(ki, n.ki, n.il, n_kl, outgoing_halfedges.degree(mesh.target(lk)));
+    m_r[lk] =
+      following_roundabout(lj, n.lj, n.jk, n_kl, outgoing_halfedges.degree(mesh.target(kl)));
   }
 
   /// inserts a vertex into the face of `h` as `split_face()` does (Section 3.5.1).
@@ -266,26 +271,28 @@ public:
   /// \param h a halfedge that is not a border halfedge
   /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target,
   ///        and the target of the next halfedge; at most one of them is shared
-  /// \param spoke the first spoke of the new vertex if it is on an edge of \f$T_1\f$, otherwise
+  /// \param outgoing the first outgoing halfedge of the new vertex if it is on an edge of
+  /// \f$T_1\f$, otherwise
   ///   null
   /// \param mesh the mesh
-  /// \param spokes the spokes of \f$T_1\f$, to which those of the new vertex are added
+  /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which those of the new
+  /// vertex are added
   /// \returns the new vertex
   /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
-  Vertex_index split_face(Halfedge_index h, const Face_split<Integer>& at, Halfedge_index spoke,
-                          Delta_complex& mesh, Vertex_spokes& spokes)
+  Vertex_index split_face(Halfedge_index h, const Face_split<Integer>& at, Halfedge_index outgoing,
+                          Delta_complex& mesh, Outgoing_halfedges& outgoing_halfedges)
   {
     for(const Integer& value : at.n)
       internal::check_range(value);
     const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
     const Vertex_index m = mesh.target(Intrinsic_triangulations::split_face(h, mesh));
-    spokes.set_inserted(m, spoke);
+    outgoing_halfedges.set_inserted(m, outgoing);
     for(std::size_t s = 0; s < 3; ++s) {
       const Halfedge_index inward = mesh.opposite(mesh.prev(side[s]));
       m_n[edge_of(inward)] = at.n[s];
       m_r[mesh.opposite(inward)] = at.r[s];
       m_r[inward] = following_roundabout(side[s], m_n[edge_of(side[s])], at.n[(s + 1) % 3], at.n[s],
-                                         spokes.degree(mesh.source(inward)));
+                                         outgoing_halfedges.degree(mesh.source(inward)));
     }
     return m;
   }
@@ -295,15 +302,17 @@ public:
   /// \param h the halfedge from \f$i\f$ to \f$j\f$
   /// \param n the normal coordinates of the new edges; the two parts of a shared edge are shared
   /// \param r the roundabouts of the halfedges from \f$m\f$ along these edges
-  /// \param spoke the first spoke of \f$m\f$ if it is on an edge of \f$T_1\f$, otherwise null
+  /// \param outgoing the first outgoing halfedge of \f$m\f$ if it is on an edge of \f$T_1\f$,
+  /// otherwise null
   /// \param mesh the mesh
-  /// \param spokes the spokes of \f$T_1\f$, to which those of \f$m\f$ are added
+  /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which those of \f$m\f$ are
+  /// added
   /// \returns \f$m\f$; `h` leads on from there to \f$j\f$
   /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
   /// \pre the two sides of the edge are not in one face
   Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n,
-                          const Edge_split<size_type>& r, Halfedge_index spoke, Delta_complex& mesh,
-                          Vertex_spokes& spokes)
+                          const Edge_split<size_type>& r, Halfedge_index outgoing,
+                          Delta_complex& mesh, Outgoing_halfedges& outgoing_halfedges)
   {
     CGAL_precondition(flip_status(h, mesh) != Operation_status::same_face);
     for(const Integer& value : {n.im, n.mj, n.mk, n.ml})
@@ -312,19 +321,19 @@ public:
     const size_type r_i = m_r[h];
     const Halfedge_index im = Intrinsic_triangulations::split_edge(h, mesh);
     const Vertex_index m = mesh.target(im);
-    spokes.set_inserted(m, spoke);
+    outgoing_halfedges.set_inserted(m, outgoing);
     m_n[edge_of(im)] = n.im;
     m_n[edge_of(h)] = n.mj;
     m_r[im] = r_i;
     m_r[mesh.opposite(im)] = r.im;
     m_r[h] = r.mj;
-    set_cut(im, n.mk, r.mk, mesh, spokes);
-    set_cut(o, n.ml, r.ml, mesh, spokes);
+    set_cut(im, n.mk, r.mk, mesh, outgoing_halfedges);
+    set_cut(o, n.ml, r.ml, mesh, outgoing_halfedges);
     return m;
   }
 
   /// makes the edge of `h` shared: its ends are joined by an edge of \f$T_1\f$ that starts along
-  /// the spoke with index `r_source` of one and `r_target` of the other.
+  /// the outgoing halfedge with index `r_source` of one and `r_target` of the other.
   void set_shared(Halfedge_index h, size_type r_source, size_type r_target)
   {
     m_n[edge_of(h)] = Integer(-1);
@@ -340,8 +349,9 @@ public:
   /// @}
 
   /// checks the numbers against each other: crossings possible in each face, boundary edges shared,
-  /// and the spokes of both triangulations in step around every vertex. Complexity: linear.
-  bool is_valid(const Delta_complex& mesh, const Vertex_spokes& spokes) const
+  /// and the outgoing halfedges of both triangulations in step around every vertex. Complexity:
+  /// linear.
+  bool is_valid(const Delta_complex& mesh, const Outgoing_halfedges& outgoing_halfedges) const
   {
     for(Edge_index e : mesh.edges())
       if(m_n[e] < -1 || (mesh.is_border(e) && m_n[e] != -1))
@@ -350,7 +360,7 @@ public:
       if(!has_valid_crossings(mesh.halfedge(f), mesh))
         return false;
     for(Vertex_index v : mesh.vertices())
-      if(!mesh.is_isolated(v) && !has_valid_roundabouts(v, mesh, spokes))
+      if(!mesh.is_isolated(v) && !has_valid_roundabouts(v, mesh, outgoing_halfedges))
         return false;
     return true;
   }
@@ -364,8 +374,8 @@ private:
     return position < degree ? position : position - degree;
   }
 
-  // Equation 3.5: the roundabout of k->l, from the spoke k->i before it and the normal coordinates
-  // of their face
+  // Equation 3.5: the roundabout of k->l, from the outgoing halfedge k->i before it and the normal
+  // coordinates of their face
   size_type following_roundabout(Halfedge_index ki, const Integer& n_ki, const Integer& n_il,
                                  const Integer& n_kl, size_type degree) const
   {
@@ -379,7 +389,7 @@ private:
   // The coordinates of the edge mk after a vertex m has split an edge: k is on the left of its part
   // `im`.
   void set_cut(Halfedge_index im, const Integer& n_mk, size_type r_mk, const Delta_complex& mesh,
-               const Vertex_spokes& spokes)
+               const Outgoing_halfedges& outgoing_halfedges)
   {
     if(mesh.is_border(im))
       return;
@@ -387,7 +397,7 @@ private:
     m_n[edge_of(mk)] = n_mk;
     m_r[mk] = r_mk;
     m_r[mesh.opposite(mk)] = following_roundabout(ki, m_n[edge_of(ki)], m_n[edge_of(im)], n_mk,
-                                                  spokes.degree(mesh.source(ki)));
+                                                  outgoing_halfedges.degree(mesh.source(ki)));
   }
 
   bool has_valid_crossings(Halfedge_index h, const Delta_complex& mesh) const
@@ -396,20 +406,21 @@ private:
   }
 
   bool has_valid_roundabouts(Vertex_index v, const Delta_complex& mesh,
-                             const Vertex_spokes& spokes) const
+                             const Outgoing_halfedges& outgoing_halfedges) const
   {
-    const size_type degree = spokes.degree(v);
-    const Halfedge_index first = first_spoke(v, mesh);
+    const size_type degree = outgoing_halfedges.degree(v);
+    const Halfedge_index first = first_outgoing_halfedge(v, mesh);
     Integer total(0);
-    for(Halfedge_index h = first;; h = next_spoke(h, mesh)) {
+    for(Halfedge_index h = first;; h = next_around_source(h, mesh)) {
       if(m_r[h] >= (std::max)(degree, size_type(1)))
         return false;
-      total += spokes_from(h, mesh);
+      total += outgoing_halfedges_from(h, mesh);
       if(mesh.is_border(h))
         return m_r[h] == degree - 1 && total == Integer(degree);
-      const Halfedge_index following = next_spoke(h, mesh);
+      const Halfedge_index following = next_around_source(h, mesh);
       if(total > Integer(degree) ||
-         m_r[following] != wrap(m_r[h] + static_cast<size_type>(spokes_from(h, mesh)), degree))
+         m_r[following] !=
+           wrap(m_r[h] + static_cast<size_type>(outgoing_halfedges_from(h, mesh)), degree))
         return false;
       if(following == first)
         return total == Integer(degree);

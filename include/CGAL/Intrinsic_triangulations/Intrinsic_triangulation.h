@@ -11,15 +11,15 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
-#include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
 #include <algorithm>
@@ -70,10 +70,11 @@ class Intrinsic_triangulation : public Triangulation_pair<Traits_>
 {
   typedef Triangulation_pair<Traits_> Base;
   using Base::attach, Base::m_coordinates, Base::m_input, Base::m_input_metric, Base::m_inserted,
-    Base::m_is_constrained, Base::m_length, Base::m_mesh, Base::m_spokes, Base::m_traits;
+    Base::m_is_constrained, Base::m_length, Base::m_mesh, Base::m_outgoing_halfedges,
+    Base::m_traits;
 
 public:
-  using Base::first_inserted_spoke, Base::input, Base::inserted_vertex, Base::intrinsic,
+  using Base::first_inserted_outgoing, Base::input, Base::inserted_vertex, Base::intrinsic,
     Base::is_constrained, Base::is_inserted, Base::shared_length;
   using typename Base::FT;
   using typename Base::Integer;
@@ -129,8 +130,8 @@ public:
   ///
   /// Complexity: linear.
   /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than
-  ///         one umbrella, a length is not positive and finite, or the triangle inequality fails in
-  ///         a face: with exact traits and without positions, exactly; lengths of type `double`
+  ///         one vertex fan, a length is not positive and finite, or the triangle inequality fails
+  ///         in a face: with exact traits and without positions, exactly; lengths of type `double`
   ///         that exceed it by rounding are shortened to those of a flat triangle
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
@@ -150,10 +151,10 @@ public:
     for(const Delta_complex* complex : {&m_input, &m_mesh})
       if(!is_valid_Delta_complex(*complex))
         throw Invalid_input(internal::Delta_complex_defect(*complex));
-    m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
+    m_outgoing_halfedges = Outgoing_halfedges(m_input, boost::dummy_property_map());
     internal::check_lengths(this->input(), m_input_metric, m_traits);
     internal::check_inserted(*this);
-    number_inserted_spokes();
+    number_inserted_outgoing_halfedges();
     internal::check_triangles(this->input(), m_traits);
     internal::check_triangles(intrinsic(), m_traits);
     const std::string defect = internal::correspondence_defect(*this);
@@ -210,7 +211,7 @@ public:
     if(!m_traits.is_length_object()(length))
       throw Numerical_error("flipping edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " gives no positive finite length");
-    m_coordinates.flip(h, m_mesh, m_spokes);
+    m_coordinates.flip(h, m_mesh, m_outgoing_halfedges);
     const Edge_index e = m_mesh.edge(h);
     m_length[e] = m_coordinates.is_shared(e) ? shared_length(h) : length;
   }
@@ -233,11 +234,11 @@ public:
     std::vector<Edge_index> constrained;
     for(Edge_index e : m_mesh.edges())
       if(is_constrained(e))
-        constrained.emplace_back(Base::input_spoke_before(m_mesh.halfedge(e)));
+        constrained.emplace_back(Base::input_outgoing_before(m_mesh.halfedge(e)));
     m_mesh = m_input;
     m_inserted.clear();
     attach();
-    m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
+    m_outgoing_halfedges = Outgoing_halfedges(m_input, m_coordinates.roundabout_map());
     for(Edge_index e : constrained)
       m_is_constrained[e] = true;
   }
@@ -264,12 +265,12 @@ public:
     if constexpr(internal::Is_exact<Traits>::value)
       return measured(split_face(p.first, at, q, {}), internal::exact_decisions(*this));
     const auto side = sides(p.first, m_mesh);
-    std::array<FT, 3> spoke_length;
+    std::array<FT, 3> outgoing_length;
     for(std::size_t s = 0; s < 3; ++s)
-      spoke_length[s] = at.n[s] < 0
-                          ? internal::shared_spoke_length(*this, q, at.r[s], m_mesh.source(side[s]))
-                          : internal::distance_to_corner(*this, side[0], p.second, s);
-    return split_face(p.first, at, q, spoke_length);
+      outgoing_length[s] =
+        at.n[s] < 0 ? internal::shared_outgoing_length(*this, q, at.r[s], m_mesh.source(side[s]))
+                    : internal::distance_to_corner(*this, side[0], p.second, s);
+    return split_face(p.first, at, q, outgoing_length);
   }
 
   /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
@@ -294,7 +295,7 @@ public:
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const auto shared = [&](size_type r, Vertex_index v) {
-      return internal::shared_spoke_length(*this, q, r, v);
+      return internal::shared_outgoing_length(*this, q, r, v);
     };
     const auto part = [&](const FT& t) { return internal::checked_length(*this, t * m_length[e]); };
     const auto apex = [&](Halfedge_index x) { return m_mesh.target(m_mesh.next(x)); };
@@ -337,7 +338,7 @@ public:
       if(is_inserted(v))
         m_inserted.push_back(place[v]);
     m_mesh.remove_property_map(place);
-    number_inserted_spokes();
+    number_inserted_outgoing_halfedges();
   }
 
   /// adds a property of the elements of \f$T_2\f$, which follows them when they get other indices.
@@ -387,8 +388,8 @@ private:
                           const std::array<FT, 3>& length)
   {
     const auto side = sides(f, m_mesh);
-    const Vertex_index m =
-      m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
+    const Vertex_index m = m_coordinates.split_face(side[0], at, first_inserted_outgoing(q.along),
+                                                    m_mesh, m_outgoing_halfedges);
     set_inserted(m, q);
     for(std::size_t s = 0; s < 3; ++s)
       set_edge(m_mesh.prev(side[s]), length[s], false);
@@ -401,8 +402,8 @@ private:
   {
     const Halfedge_index o = m_mesh.opposite(h);
     const bool was_constrained = m_is_constrained[m_mesh.edge(h)];
-    const Vertex_index m =
-      m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
+    const Vertex_index m = m_coordinates.split_edge(h, n, r, first_inserted_outgoing(q.along),
+                                                    m_mesh, m_outgoing_halfedges);
     set_inserted(m, q);
     const Halfedge_index im = first_part(h, m_mesh);
     set_edge(im, length.im, was_constrained);
@@ -418,8 +419,8 @@ private:
   template <typename Decisions>
   Vertex_index measured(Vertex_index m, const Decisions& decisions)
   {
-    for_each_spoke(m, m_mesh,
-                   [&](Halfedge_index h) { m_length[m_mesh.edge(h)] = decisions.length(h); });
+    for_each_outgoing_halfedge(
+      m, m_mesh, [&](Halfedge_index h) { m_length[m_mesh.edge(h)] = decisions.length(h); });
     return m;
   }
 
@@ -427,12 +428,12 @@ private:
   template <typename Length>
   void turn(Halfedge_index h, const Length& length)
   {
-    m_coordinates.flip(h, m_mesh, m_spokes);
+    m_coordinates.flip(h, m_mesh, m_outgoing_halfedges);
     try {
       m_length[m_mesh.edge(h)] = length();
     } catch(...) {
       for(int flips = 0; flips < 3; ++flips)
-        m_coordinates.flip(h, m_mesh, m_spokes);
+        m_coordinates.flip(h, m_mesh, m_outgoing_halfedges);
       throw;
     }
   }
@@ -461,12 +462,13 @@ private:
     m_inserted[i] = place;
   }
 
-  // The first of the spokes of an inserted vertex follows from the boundary, or from the parity.
-  void number_inserted_spokes()
+  // The first of the outgoing halfedges of an inserted vertex follows from the boundary, or from
+  // the parity.
+  void number_inserted_outgoing_halfedges()
   {
     for(Vertex_index v : m_mesh.vertices())
       if(is_inserted(v))
-        m_spokes.set_inserted(v, first_inserted_spoke(inserted_vertex(v).along));
+        m_outgoing_halfedges.set_inserted(v, first_inserted_outgoing(inserted_vertex(v).along));
   }
 };
 
@@ -492,7 +494,7 @@ Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const N
     internal::make_triangles_exact(m_input_metric, input());
   m_mesh = m_input;
   attach();
-  m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
+  m_outgoing_halfedges = Outgoing_halfedges(m_input, m_coordinates.roundabout_map());
   internal::copy_constraints(g, np,
                              [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
 }

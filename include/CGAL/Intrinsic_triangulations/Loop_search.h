@@ -74,7 +74,7 @@ public:
     m_search.reach(center, FT(0));
     m_path_signature[center.idx()] = 0;
     for(Vertex_index v = m_search.next(); v.is_valid() && goes_on(v); v = m_search.next())
-      for_each_spoke(v, m_mesh, [&, from = m_search.distance(v)](Halfedge_index h) {
+      for_each_outgoing_halfedge(v, m_mesh, [&, from = m_search.distance(v)](Halfedge_index h) {
         const Vertex_index w = m_mesh.target(h);
         const Signature s = m_path_signature[v.idx()] ^ m_signatures[Edge_index(h)];
         const FT reached = from + internal::edge_length(h, m_surface);

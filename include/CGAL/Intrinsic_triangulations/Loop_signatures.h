@@ -132,7 +132,7 @@ private:
       for(open.assign(1, root); !open.empty();) {
         const Vertex_index v = open.back();
         open.pop_back();
-        for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+        for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
           const Vertex_index w = m_mesh.target(h);
           if(!m_trees.is_in_tree(Edge_index(h)) || is_reached[w])
             return;

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 enum class Refinement_status
 {
   bounds_met,             ///< every face obeys the bounds
-  bounds_met_but_excused, ///< every face that violates a bound is excused by a narrow vertex
+  bounds_met_but_excused, ///< every face that violates a bound is excused by a small-angle vertex
   insertion_limit,        ///< the allowed number of insertions was used up
   no_room                 ///< rounded numbers leave no room for vertices that would be needed
 };
@@ -64,7 +64,7 @@ std::size_t default_maximum_number_of_insertions(std::size_t faces, const FT& mi
 enum class Remaining_reason
 {
   at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
-  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a narrow vertex, and only edges of
+  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a small-angle vertex, and only edges of
                         ///< \f$T_1\f$ that end there cross it
   insertion_limit,      ///< no more insertions were allowed
   no_room,              ///< rounded numbers leave no room for the new edges
@@ -95,11 +95,11 @@ struct Remaining_face
 {
   Face_index face;         ///< the face of \f$T_2\f$
   Remaining_reason reason; ///< the reason
-  Vertex_index vertex;     ///< the narrow vertex that excuses it; null if none does
+  Vertex_index vertex;     ///< the small-angle vertex that excuses it; null if none does
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns whether a narrow vertex excuses `f`.
+/// returns whether a small-angle vertex excuses `f`.
 inline bool is_excused(const Remaining_face& f)
 {
   return f.reason == Remaining_reason::at_narrow_vertex ||

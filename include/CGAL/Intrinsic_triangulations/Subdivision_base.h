@@ -99,7 +99,7 @@ public:
   Halfedge_index parent_halfedge(Side side, Halfedge_index h) const
   {
     const Halfedge_index parent = m_parent_halfedge[index(side)][Edge_index(h).idx()];
-    return parent.is_valid() ? directed_as(h, parent) : parent;
+    return parent.is_valid() ? oriented_like(h, parent) : parent;
   }
 
   /// returns the edge of `side` of which `e` is a part; null if there is none.
@@ -121,9 +121,9 @@ public:
     const bool is_corner = is_vertex(side, v);
     if(!is_corner && parent_halfedge(side, h).is_valid())
       return on_side(side, parent_halfedge(side, h), p);
-    const Halfedge_index spoke = parent_halfedge(side, parted_spoke(side, h));
-    return is_corner ? face_location(Edge_point<FT>{spoke, FT(0)}, mesh(side)).second
-                     : on_side(side, spoke, p);
+    const Halfedge_index outgoing = parent_halfedge(side, parted_outgoing(side, h));
+    return is_corner ? face_location(Edge_point<FT>{outgoing, FT(0)}, mesh(side)).second
+                     : on_side(side, outgoing, p);
   }
 
   /// returns the place of the target of `h` in the parent of its face, with `coordinates(side, h)`.
@@ -230,7 +230,7 @@ protected:
 
   void set_parent(Side side, Halfedge_index h, Halfedge_index parent)
   {
-    m_parent_halfedge[index(side)][Edge_index(h).idx()] = directed_as(h, parent);
+    m_parent_halfedge[index(side)][Edge_index(h).idx()] = oriented_like(h, parent);
   }
   void set_parent(Side side, Face_index f, Face_index parent)
   {
@@ -239,7 +239,7 @@ protected:
 
   // the first halfedge that is a part of one of `side`, clockwise around the target of `h` from the
   // face of `h`
-  Halfedge_index parted_spoke(Side side, Halfedge_index h) const
+  Halfedge_index parted_outgoing(Side side, Halfedge_index h) const
   {
     do
       h = opposite(m_mesh.next(h));

@@ -65,7 +65,7 @@ void for_each_location(const Face_location<FT>& p, const Delta_complex& mesh, co
       visit(face_location(q, mesh));
   };
   if(is_corner(p.second))
-    return for_each_spoke(mesh.source(along), mesh, [&](Halfedge_index h) {
+    return for_each_outgoing_halfedge(mesh.source(along), mesh, [&](Halfedge_index h) {
       visit_on(Edge_point<FT>{h, FT(0)});
     });
   visit(p);

@@ -10,8 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Part_of_input_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
@@ -100,8 +100,8 @@ public:
   /// returns the edge lengths of \f$T_2\f$.
   const Edge_length_map& length_map() const { return m_length; }
 
-  /// returns the spokes of \f$T_1\f$.
-  const Vertex_spokes& spokes() const { return m_spokes; }
+  /// returns the outgoing halfedges of \f$T_1\f$.
+  const Outgoing_halfedges& outgoing_halfedges() const { return m_outgoing_halfedges; }
 
   /// returns the integer coordinates of \f$T_2\f$.
   const Coordinates& coordinates() const { return m_coordinates; }
@@ -151,7 +151,7 @@ public:
   {
     if constexpr(internal::Is_exact<Traits>::value)
       return part_of_input_edge(h).place(t, m_input);
-    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
+    const Edge_point<FT> start = start_on_outgoing(h), end = start_on_outgoing(m_mesh.opposite(h));
     const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
     if(!(start.t < p.t && p.t < 1 - end.t))
       throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
@@ -159,20 +159,20 @@ public:
     return {inside.halfedge, face_location(inside, m_input)};
   }
 
-  /// returns the first of the two spokes of a vertex inserted on the edge of `along`, null if
-  /// `along` is null: the one on the boundary, or the first halfedge of its edge.
-  Halfedge_index first_inserted_spoke(Halfedge_index along) const
+  /// returns the first of the two outgoing halfedges of a vertex inserted on the edge of `along`,
+  /// null if `along` is null: the one on the boundary, or the first halfedge of its edge.
+  Halfedge_index first_inserted_outgoing(Halfedge_index along) const
   {
     return along.is_valid()
-             ? internal::first_inserted_spoke(along, m_input.is_border(along),
-                                              m_input.is_border(m_input.opposite(along)))
+             ? internal::first_inserted_outgoing(along, m_input.is_border(along),
+                                                 m_input.is_border(m_input.opposite(along)))
              : along;
   }
 
-  /// returns the index of the spoke `spoke` at a vertex inserted on its edge.
-  size_type number_of_inserted_spoke(Halfedge_index spoke) const
+  /// returns the index of the outgoing halfedge `outgoing` at a vertex inserted on its edge.
+  size_type number_of_inserted_outgoing(Halfedge_index outgoing) const
   {
-    return first_inserted_spoke(spoke) == spoke ? 0 : 1;
+    return first_inserted_outgoing(outgoing) == outgoing ? 0 : 1;
   }
 
   /// @}
@@ -187,12 +187,12 @@ public:
       internal::side_lengths(m_input.halfedge(p.first), input()), p.second, q.second);
   }
 
-  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`,
-  /// if that is not null.
-  Edge_point<FT> start_on_spoke(Halfedge_index h) const
+  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ on
+  /// `input_outgoing_before(h)`, if that is not null.
+  Edge_point<FT> start_on_outgoing(Halfedge_index h) const
   {
-    const Halfedge_index spoke = input_spoke_before(h);
-    return {spoke, spoke.is_valid() ? place_along(spoke, m_mesh.source(h)) : FT(0)};
+    const Halfedge_index outgoing = input_outgoing_before(h);
+    return {outgoing, outgoing.is_valid() ? place_along(outgoing, m_mesh.source(h)) : FT(0)};
   }
 
   /// returns the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose
@@ -222,7 +222,7 @@ public:
   /// halfedge
   Face_location<FT> input_location(Halfedge_index h) const
   {
-    return input_location(m_mesh.source(h), {input_spoke_before(h), FT(0)});
+    return input_location(m_mesh.source(h), {input_outgoing_before(h), FT(0)});
   }
 
   /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
@@ -249,20 +249,20 @@ public:
   /// \pre the edge of `h` is shared
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
-    return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
+    return m_coordinates.shared_halfedge(h, m_mesh, m_outgoing_halfedges);
   }
 
-  /// returns the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around
-  /// its source; null if the source lies inside a face of \f$T_1\f$.
-  Halfedge_index input_spoke_before(Halfedge_index h) const
+  /// returns the last outgoing halfedge of \f$T_1\f$ at or clockwise from the halfedge `h` of
+  /// \f$T_2\f$ around its source; null if the source lies inside a face of \f$T_1\f$.
+  Halfedge_index input_outgoing_before(Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.source(h);
-    if(m_spokes.degree(v) == 0)
+    if(m_outgoing_halfedges.degree(v) == 0)
       return m_mesh.null_halfedge();
     const size_type r = m_coordinates.roundabout(h);
     if(m_coordinates.is_shared(m_mesh.edge(h)))
-      return m_spokes.halfedge(v, r);
-    return m_spokes.halfedge(v, (r == 0 ? m_spokes.degree(v) : r) - 1);
+      return m_outgoing_halfedges.halfedge(v, r);
+    return m_outgoing_halfedges.halfedge(v, (r == 0 ? m_outgoing_halfedges.degree(v) : r) - 1);
   }
 
   /// returns the length of the part of an edge of \f$T_1\f$ between two points, `start` on one of
@@ -281,7 +281,7 @@ public:
   {
     if constexpr(internal::Is_exact<Traits>::value)
       return part_of_input_edge(h).length(m_input_length);
-    return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
+    return part_length(start_on_outgoing(h), start_on_outgoing(m_mesh.opposite(h)));
   }
 
   /// returns the part of an edge of \f$T_1\f$ that coincides with the halfedge `h` of \f$T_2\f$.
@@ -289,14 +289,14 @@ public:
   /// \pre the edge of `h` is shared; `FT` is `double`
   internal::Part_of_input_edge part_of_input_edge(Halfedge_index h) const
   {
-    const Halfedge_index spoke = input_spoke_before(h), back = opposite(spoke);
+    const Halfedge_index outgoing = input_outgoing_before(h), back = opposite(outgoing);
     const auto ends = [&](Halfedge_index along, Vertex_index v) -> std::array<double, 2> {
       if(!is_inserted(v))
         return {1, 0};
       return {place_along(opposite(along), v), place_along(along, v)};
     };
-    const auto start = ends(spoke, m_mesh.source(h)), end = ends(back, m_mesh.target(h));
-    return {spoke, start, {end[1], end[0]}};
+    const auto start = ends(outgoing, m_mesh.source(h)), end = ends(back, m_mesh.target(h));
+    return {outgoing, start, {end[1], end[0]}};
   }
 
   /// @}
@@ -320,7 +320,7 @@ private:
     : m_traits(other.m_traits),
       m_input(other.m_input),
       m_input_metric(other.m_input_metric),
-      m_spokes(other.m_spokes),
+      m_outgoing_halfedges(other.m_outgoing_halfedges),
       m_mesh(other.m_mesh),
       m_inserted(other.m_inserted)
   {
@@ -351,7 +351,7 @@ private:
   Delta_complex m_input; // T1
   Edge_length_map m_input_length;
   Metric m_input_metric;
-  Vertex_spokes m_spokes;
+  Outgoing_halfedges m_outgoing_halfedges;
   Delta_complex m_mesh; // T2
   Edge_length_map m_length;
   Coordinates m_coordinates;

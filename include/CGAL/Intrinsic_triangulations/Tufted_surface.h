@@ -30,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// a triangulation of a tufted cover, with the vertices of the soup in place of those of the cover:
 /// what operators, Poisson equations and the heat method need for functions with one value at each
-/// vertex of the soup, whatever the number of umbrellas there.
+/// vertex of the soup, whatever the number of vertex fans there.
 ///
 /// `cotan_laplacian()`, `mass_matrix()`, `lumped_mass_matrix()` and `divergence_matrix()` of it are
 /// sums over the cover times `share()`, by default one half, as the cover has two faces for each
@@ -38,11 +38,11 @@ namespace CGAL::Intrinsic_triangulations {
 /// boundary a Delaunay triangulation has no negative weights. `gradient_matrix()` has two rows for
 /// each face of the cover. `Poisson_solver` and `Heat_distance` take this surface as any other.
 ///
-/// Around a vertex faces need not form one umbrella, so there are no tangent spaces: vectors live
+/// Around a vertex faces need not form one vertex fan, so there are no tangent spaces: vectors live
 /// on the cover itself.
 ///
 /// \tparam FT_ a floating point type
-/// \cgalModels `IntrinsicSurface`, except that vertices may have several umbrellas
+/// \cgalModels `IntrinsicSurface`, except that vertices may have several vertex fans
 template <typename FT_ = double>
 class Tufted_surface
 {
@@ -77,7 +77,7 @@ public:
       m_length.push_back(get(surface.length_map(), e));
   }
 
-  /// returns the connectivity. Its vertices are those of the soup, with any number of umbrellas.
+  /// returns the connectivity. Its vertices are those of the soup, with any number of vertex fans.
   const Delta_complex& mesh() const { return m_mesh; }
   /// returns the lengths of all edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
@@ -105,7 +105,7 @@ private:
 
 namespace internal {
 
-// The share of a matrix that is the sum of those of the umbrellas.
+// The share of a matrix that is the sum of those of the vertex fans.
 template <typename FT>
 Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surface<FT>& surface)
 {
@@ -116,7 +116,7 @@ Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surfa
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// computes `surface.share()` times the sum of the cotan Laplacians of the umbrellas, see
+/// computes `surface.share()` times the sum of the cotan Laplacians of the vertex fans, see
 /// `cotan_laplacian()`.
 template <typename FT>
 Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
@@ -125,7 +125,7 @@ Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// computes `surface.share()` times the sum of the mass matrices of the umbrellas, see
+/// computes `surface.share()` times the sum of the mass matrices of the vertex fans, see
 /// `mass_matrix()`.
 template <typename FT>
 Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
@@ -134,7 +134,7 @@ Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// computes `surface.share()` times the sum of the lumped mass matrices of the umbrellas, see
+/// computes `surface.share()` times the sum of the lumped mass matrices of the vertex fans, see
 /// `lumped_mass_matrix()`.
 template <typename FT>
 Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)

@@ -203,9 +203,9 @@ private:
     const Curve_near_by near = nearest_curve(face_map, number, p);
     const Vertex_index m = near.distance < closeness ? split_face_on_curve(p, near.curve, face_map)
                                                      : split_face_in_region(p, number, face_map);
-    const Halfedge_index a = first_spoke(m, m_tri.mesh());
-    const Halfedge_index b = next_spoke(a, m_tri.mesh());
-    m_courses.after_cut({a, b, next_spoke(b, m_tri.mesh())});
+    const Halfedge_index a = first_outgoing_halfedge(m, m_tri.mesh());
+    const Halfedge_index b = next_around_source(a, m_tri.mesh());
+    m_courses.after_cut({a, b, next_around_source(b, m_tri.mesh())});
     return m;
   }
 
@@ -250,8 +250,8 @@ private:
     return CGAL::abs(internal::orientation(a, b, p.second)) * area / length;
   }
 
-  // Inserts a vertex where `curve` comes closest to `p`. One spoke of the new vertex leads to the
-  // mark where the curve leaves the face, and one back.
+  // Inserts a vertex where `curve` comes closest to `p`. One outgoing halfedge of the new vertex
+  // leads to the mark where the curve leaves the face, and one back.
   Vertex_index split_face_on_curve(const Face_location<FT>& p,
                                    const internal::Face_regions::Curve& curve,
                                    const Face_map& face_map)
@@ -267,7 +267,7 @@ private:
     const Edge_point<FT> place{across.halfedge, start + t * (across.t - start)};
     return m_tri.split_face(
       {p.first, foot},
-      internal::split_on_curve<Integer>(curve, m_tri.number_of_inserted_spoke(across.halfedge),
+      internal::split_on_curve<Integer>(curve, m_tri.number_of_inserted_outgoing(across.halfedge),
                                         face_map.regions()),
       {place.halfedge, face_location(place, m_tri.input_mesh())});
   }
@@ -313,11 +313,11 @@ private:
   Vertex_index split_shared_edge(Halfedge_index h, const FT& t)
   {
     const Halfedge_index o = m_tri.mesh().opposite(h);
-    const auto forward = m_tri.number_of_inserted_spoke(m_tri.input_halfedge(h)),
+    const auto forward = m_tri.number_of_inserted_outgoing(m_tri.input_halfedge(h)),
                back = 1 - forward;
     const Edge_split<Integer> n{Integer(-1), Integer(-1), crossings_to_apex(h, 0),
                                 crossings_to_apex(o, 0)};
-    const Edge_split<Vertex_spokes::size_type> r{back, forward, back, forward};
+    const Edge_split<Outgoing_halfedges::size_type> r{back, forward, back, forward};
     if constexpr(can_be_exact)
       if(is_exact())
         return m_exact.split_shared_edge(h, t, n, r);
@@ -370,7 +370,7 @@ private:
   {
     const std::size_t n = m_courses.count(h);
     const Edge_point<FT> across = m_marks.across(s, p);
-    const auto forward = m_tri.number_of_inserted_spoke(across.halfedge), back = 1 - forward;
+    const auto forward = m_tri.number_of_inserted_outgoing(across.halfedge), back = 1 - forward;
     const Side_of_crossing left(p, regions_at(h));
     const Side_of_crossing right(n - 1 - p, regions_at(m_tri.mesh().opposite(h)));
     return m_tri.split_edge(h, m_marks.here(s, p),
@@ -396,7 +396,7 @@ private:
 
   // Returns the excess over pi of the angle at the source of `h` in the diamond around its edge.
   // Where it is not positive at either end, the edge can be flipped.
-  FT excess_at_source(Halfedge_index h) const
+  FT angle_excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
     return internal::angle_at_source(h, m_tri) +
@@ -422,23 +422,24 @@ private:
   std::vector<Candidate> m_candidates;
 };
 
-// A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three
-// spokes gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only. A
-// flat angle there is allowed, since the face without area is removed with `v`; at the other end it
-// would stay.
+// A flip of an outgoing halfedge takes it away from `v`, and a loop counts twice. A vertex with
+// less than three outgoing halfedges gets more by a flip of an edge opposite to it. Angles at `v`
+// exceed pi by rounding only. A flat angle there is allowed, since the face without area is removed
+// with `v`; at the other end it would stay.
 template <typename Traits>
 Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
-  for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
+  for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index) { ++degree; });
   const FT tolerance = internal::flat_angle_tolerance<FT>();
   m_candidates.clear();
-  for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
-    const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
-    if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
+  for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index outgoing) {
+    const Halfedge_index h = degree < 3 ? mesh.next(outgoing) : outgoing;
+    if((degree < 3 && mesh.is_border(outgoing)) || !can_be_flipped(h))
       return;
-    const FT at_source = excess_at_source(h), at_target = excess_at_source(mesh.opposite(h));
+    const FT at_source = angle_excess_at_source(h),
+             at_target = angle_excess_at_source(mesh.opposite(h));
     const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
     const bool is_loop = mesh.target(h) == mesh.source(h);
     const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first

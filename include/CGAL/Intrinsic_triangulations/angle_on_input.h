@@ -22,9 +22,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// frame of \f$T_1\f$ there.
 ///
 /// At a vertex of \f$T_1\f$ that is the frame of `Tangent_frames`. At a vertex that has been
-/// inserted on an edge of \f$T_1\f$ the real axis is along its first spoke (see `Vertex_spokes`),
-/// and at one inside a face `f` it is along `halfedge(f)`, as in `trace_geodesic()`; the surface is
-/// flat there, and normalized angles are angles.
+/// inserted on an edge of \f$T_1\f$ the real axis is along its first outgoing halfedge (see
+/// `Outgoing_halfedges`), and at one inside a face `f` it is along `halfedge(f)`, as in
+/// `trace_geodesic()`; the surface is flat there, and normalized angles are angles.
 ///
 /// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the
 /// corner comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that
@@ -39,10 +39,10 @@ typename Traits::FT angle_on_input(const Intrinsic_triangulation<Traits>& tri, H
   typedef typename Traits::FT FT;
   Euclidean_strip<FT> strip;
   const FT angle =
-    internal::angle_from_spoke(h, internal::Edge_courses<Traits>(tri)(h), tri, strip);
+    internal::angle_from_outgoing(h, internal::Edge_courses<Traits>(tri)(h), tri, strip);
   if(tri.is_inserted(tri.mesh().source(h)))
-    return internal::angle_of_inserted_spoke(h, tri) + angle;
-  return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input()).normalized(angle);
+    return internal::angle_of_inserted_outgoing(h, tri) + angle;
+  return internal::Vertex_angles<FT>(tri.input_outgoing_before(h), tri.input()).normalized(angle);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -62,8 +62,8 @@ public:
   Ideal_Delaunay_certificate operator()(const Is_fixed& is_fixed)
   {
     decide_by_intervals(is_fixed);
-    m_length.resize(m_in_doubt.empty() ? 0 : m_mesh.num_edges());
-    for(Edge_index e : m_in_doubt)
+    m_length.resize(m_filter_failures.empty() ? 0 : m_mesh.num_edges());
+    for(Edge_index e : m_filter_failures)
       decide_exactly(e);
     return std::move(m_result);
   }
@@ -86,7 +86,7 @@ private:
         diamond(map, m_mesh.halfedge(e), m_mesh));
       if(!certainly(condition.inner < condition.outer) &&
          !certainly(condition.inner > condition.outer)) {
-        m_in_doubt.push_back(e);
+        m_filter_failures.push_back(e);
         continue;
       }
       ++m_result.decided_in_floating_point;
@@ -125,7 +125,7 @@ private:
   const Delta_complex& m_mesh;
   const Interval_length& m_interval_length;
   const Exact_length& m_exact_length;
-  std::vector<Edge_index> m_in_doubt;
+  std::vector<Edge_index> m_filter_failures;
   std::vector<std::optional<Exact_field>> m_length;
   Ideal_Delaunay_certificate m_result;
 };

@@ -66,7 +66,7 @@ Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, const Source
 namespace internal {
 
 // From a vertex that only T2 has, over T1: the frame there is that of its face, or of its first
-// spoke.
+// outgoing halfedge.
 template <typename Traits, typename OutputIterator>
 Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<Traits>& tri,
                                                   Vertex_index v,
@@ -76,9 +76,9 @@ Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<
   typedef typename Traits::FT FT;
   const auto input = tri.input();
   const Delta_complex& mesh = input.mesh();
-  if(tri.spokes().degree(v) == 0)
+  if(tri.outgoing_halfedges().degree(v) == 0)
     return trace_geodesic(input, tri.inserted_vertex(v).location, vector, at_boundary, path);
-  const Halfedge_index axis = tri.spokes().halfedge(v, 0);
+  const Halfedge_index axis = tri.outgoing_halfedges().halfedge(v, 0);
   const Face_location<FT> p = face_location(Edge_point<FT>{axis, tri.place_along(axis, v)}, mesh);
   const std::complex<FT> turn =
     Flat_face<FT>(mesh.halfedge(p.first), input).direction(side_number(axis, mesh));

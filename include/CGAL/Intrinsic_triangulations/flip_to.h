@@ -35,7 +35,7 @@ public:
   std::size_t flip_to_input()
   {
     const auto flips =
-      flip_to_shared(m_result.m_coordinates, m_result.m_mesh, m_result.m_spokes).size();
+      flip_to_shared(m_result.m_coordinates, m_result.m_mesh, m_result.m_outgoing_halfedges).size();
     for(Edge_index e : m_result.mesh().edges())
       m_result.m_length[e] = m_result.shared_length(m_result.mesh().halfedge(e));
     m_tri = std::move(m_result);
@@ -46,12 +46,13 @@ public:
   {
     Delta_complex over = coordinates_over<Traits>(target, m_tri);
     typename Triangulation::Coordinates coordinates(over);
-    const Vertex_spokes spokes(target.mesh(), boost::dummy_property_map());
-    const std::vector<Halfedge_index> flips = flip_to_shared(coordinates, over, spokes);
+    const Outgoing_halfedges outgoing_halfedges(target.mesh(), boost::dummy_property_map());
+    const std::vector<Halfedge_index> flips = flip_to_shared(coordinates, over, outgoing_halfedges);
     for(Halfedge_index h : flips)
-      m_result.m_coordinates.flip(h, m_result.m_mesh, m_result.m_spokes);
+      m_result.m_coordinates.flip(h, m_result.m_mesh, m_result.m_outgoing_halfedges);
     for(Edge_index e : m_result.mesh().edges()) {
-      const Edge_index there(coordinates.shared_halfedge(over.halfedge(e), over, spokes));
+      const Edge_index there(
+        coordinates.shared_halfedge(over.halfedge(e), over, outgoing_halfedges));
       m_result.set_edge(m_result.mesh().halfedge(e), target.length(there),
                         target.is_constrained(there));
     }
@@ -91,7 +92,7 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
   const Intrinsic_triangulation<Traits> over = inserted_over(target, tri);
   Delta_complex mesh = over.mesh();
   typename Intrinsic_triangulation<Traits>::Coordinates coordinates(mesh);
-  const std::size_t flips = flip_to_shared(coordinates, mesh, over.spokes()).size();
+  const std::size_t flips = flip_to_shared(coordinates, mesh, over.outgoing_halfedges()).size();
   tri = target;
   return flips;
 }
@@ -101,15 +102,15 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
 /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
-/// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the indices of edges
+/// `rebase()`. Lengths and constraints become those of \f$T_3\f$; the indices of edges
 /// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the
 /// three triangulations with each other.
 ///
 /// Where vertices have been inserted, `tri` becomes a copy of `target`: its vertices are inserted,
-/// edges are flipped, and vertices that are not in it are removed, see `triangulation_over()`.
+/// edges are flipped, and vertices that are not in it are removed, see `rebase()`.
 /// \returns the number of flips until all edges of \f$T_3\f$ are there
 /// \throws Invalid_input if the two do not have the same input
-/// \throws Numerical_error as `triangulation_over()` if vertices have been inserted
+/// \throws Numerical_error as `rebase()` if vertices have been inserted
 /// \throws Overflow_error if a normal coordinate on the way is out of range
 /// After an exception nothing has changed.
 template <typename Traits>

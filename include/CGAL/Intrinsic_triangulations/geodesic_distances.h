@@ -75,12 +75,12 @@ constexpr std::size_t most_windows() { return 4 * most_expected_windows(); }
 // for an estimate of errors
 constexpr std::size_t most_compared_windows() { return most_expected_windows() / 2; }
 
-// Vertices with several umbrellas have no exact distances.
+// Vertices with several vertex fans have no exact distances.
 template <typename Surface>
-struct Has_umbrellas : std::true_type
+struct Has_one_fan : std::true_type
 {};
 template <typename FT>
-struct Has_umbrellas<Tufted_surface<FT>> : std::false_type
+struct Has_one_fan<Tufted_surface<FT>> : std::false_type
 {};
 
 template <typename NamedParameters>
@@ -267,7 +267,7 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
 {
   Distance_sources<Surface> all(surface);
   all.add(sources);
-  if constexpr(internal::Has_umbrellas<Surface>::value) {
+  if constexpr(internal::Has_one_fan<Surface>::value) {
     internal::Exact_distances<Surface> exact(surface, all);
     if(auto result = internal::distances_by_windows(exact, internal::method_of(np)))
       return std::move(*result);

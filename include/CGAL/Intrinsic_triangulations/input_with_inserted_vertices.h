@@ -243,12 +243,12 @@ private:
     result.m_mesh = std::move(m_mesh);
     result.attach();
     for(Vertex_index v : m_input.vertices())
-      for(size_type r = 0; r < m_tri.spokes().degree(v); ++r)
-        set_roundabouts(piece(m_tri.spokes().halfedge(v, r), 0), r, result);
+      for(size_type r = 0; r < m_tri.outgoing_halfedges().degree(v); ++r)
+        set_roundabouts(piece(m_tri.outgoing_halfedges().halfedge(v, r), 0), r, result);
     for(Edge_index e : m_input.edges())
       for(Halfedge_index h : {m_input.halfedge(e, 0), m_input.halfedge(e, 1)})
         for(size_type p = 0; p < number_of_marks(h); ++p)
-          set_roundabouts(piece(h, p + 1), m_tri.number_of_inserted_spoke(h), result);
+          set_roundabouts(piece(h, p + 1), m_tri.number_of_inserted_outgoing(h), result);
     for(Edge_index e : result.m_mesh.edges())
       if(!is_piece(first_halfedge(e)))
         result.m_coordinates.set(e, 0);
@@ -262,7 +262,7 @@ private:
     return Edge_index(h).idx() < m_numbers.number_of_pieces();
   }
 
-  // of `h`, which is along spoke `r`, and those clockwise from it in the face of T1
+  // of `h`, which is along outgoing halfedge `r`, and those clockwise from it in the face of T1
   void set_roundabouts(Halfedge_index h, size_type r, Triangulation& result) const
   {
     const Delta_complex& mesh = result.m_mesh;

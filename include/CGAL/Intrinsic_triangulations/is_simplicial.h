@@ -20,8 +20,9 @@ namespace CGAL::Intrinsic_triangulations {
 inline bool is_simplicial(Halfedge_index h, const Delta_complex& mesh)
 {
   int edges = 0;
-  for_each_spoke(mesh.source(h), mesh,
-                 [&](Halfedge_index spoke) { edges += mesh.target(spoke) == mesh.target(h); });
+  for_each_outgoing_halfedge(mesh.source(h), mesh, [&](Halfedge_index outgoing) {
+    edges += mesh.target(outgoing) == mesh.target(h);
+  });
   return edges == 1 && mesh.source(h) != mesh.target(h);
 }
 

@@ -31,7 +31,7 @@ struct Default_flip_visitor
 {
   /// is called after the edge of `h` has been flipped.
   void after_flip(Halfedge_index /* h */) {}
-  /// is called if edges were bent, before flipping starts anew: \f$T_2\f$ is \f$T_1\f$ again, with
+  /// is called if edges were bent, before flipping restarts: \f$T_2\f$ is \f$T_1\f$ again, with
   /// the inserted vertices.
   void before_exact_flips() {}
 };
@@ -198,7 +198,7 @@ inline void check_flip_limit(bool is_exceeded)
 }
 
 // What flips with decisions about the surface of T1 have come to.
-struct Certain_flips
+struct Filtered_flips
 {
   enum class End
   {
@@ -215,10 +215,10 @@ struct Certain_flips
 // Flips to Delaunay with at most `effort` steps on strips of triangles, and then once more with a
 // hundred times as many.
 template <typename Traits, typename Visitor>
-Certain_flips flip_with_certainty(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                                  double effort, Visitor& visitor, Concurrency concurrency)
+Filtered_flips flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit, double effort,
+                             Visitor& visitor, Concurrency concurrency)
 {
-  typedef Certain_flips::End End;
+  typedef Filtered_flips::End End;
   std::size_t flips = 0;
   for(double factor : {1, 100}) {
     Exact_flipping<Traits> flipping(tri, factor * effort);
@@ -242,7 +242,7 @@ Certain_flips flip_with_certainty(Intrinsic_triangulation<Traits>& tri, std::siz
 struct Delaunay_flips
 {
   std::size_t number;
-  bool are_anew; // whether flipping has started anew from T1
+  bool are_restarted; // whether flipping has restarted from T1
 };
 
 // The number of flips beyond which lengths of type `double` are not relied on.
@@ -263,28 +263,28 @@ bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
 
 // Makes T2 the triangulation T1 again, with the inserted vertices.
 template <typename Traits, typename Visitor>
-void start_anew(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
+void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 {
   reset_with_vertices(tri, tri.number_of_inserted_vertices());
   visitor.before_exact_flips();
 }
 
-// Decides exactly which edges are Delaunay, and starts anew from T1 where edges are bent.
+// Decides exactly which edges are Delaunay, and restarts from T1 where edges are bent.
 template <typename Traits, typename Visitor>
 Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                             Visitor& visitor, Concurrency concurrency)
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  const Certain_flips first = flip_with_certainty(tri, limit, no_limit, visitor, concurrency);
-  check_flip_limit(first.end == Certain_flips::End::limit);
-  if(first.end == Certain_flips::End::Delaunay)
+  const Filtered_flips first = flip_filtered(tri, limit, no_limit, visitor, concurrency);
+  check_flip_limit(first.end == Filtered_flips::End::limit);
+  if(first.end == Filtered_flips::End::Delaunay)
     return {first.number, false};
   if(!can_be_reset(tri))
     throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
-  start_anew(tri, visitor);
-  const Certain_flips second =
-    flip_with_certainty(tri, limit - first.number, no_limit, visitor, concurrency);
-  check_flip_limit(second.end == Certain_flips::End::limit);
+  restart_from_input(tri, visitor);
+  const Filtered_flips second =
+    flip_filtered(tri, limit - first.number, no_limit, visitor, concurrency);
+  check_flip_limit(second.end == Filtered_flips::End::limit);
   return {first.number + second.number, true};
 }
 
@@ -305,7 +305,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
   check_flip_limit(flips == limit);
   if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact) {
-      start_anew(tri, visitor);
+      restart_from_input(tri, visitor);
       return {flips + flip_exactly(tri, limit - flips, visitor, concurrency).number, true};
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
@@ -321,12 +321,12 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// bounds for their errors, and where these leave doubts, on the surface of \f$T_1\f$.
 /// `certify_Delaunay()` confirms the result. At the beginning edges that are not in \f$T_1\f$ are
 /// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and
-/// flipping starts anew.
+/// flipping restarts.
 ///
 /// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips
 /// than edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from
 /// \f$T_1\f$ and flipping continues. If that does not suffice, or there were more than ten million
-/// flips plus a thousand for each edge, flipping with lengths of type `double` starts anew from
+/// flips plus a thousand for each edge, flipping with lengths of type `double` restarts from
 /// \f$T_1\f$ with exact decisions.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`

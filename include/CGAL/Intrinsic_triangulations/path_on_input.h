@@ -63,7 +63,7 @@ Surface_path<typename Traits::FT> path_on_input(const Intrinsic_triangulation<Tr
   }
   if(!halfedges.empty()) {
     const Halfedge_index o = mesh.opposite(halfedges.back());
-    result.places.push_back(internal::start_on_input(o, tri.start_on_spoke(o), tri));
+    result.places.push_back(internal::start_on_input(o, tri.start_on_outgoing(o), tri));
   }
   return result;
 }

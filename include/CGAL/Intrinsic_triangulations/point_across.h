@@ -52,7 +52,7 @@ public:
     const FT on_input = m_trace[s].scale(p + 1);
     return m_side == Side::input ? on_input : FT(1 / on_input);
   }
-  Halfedge_index spoke_before(std::size_t s) const { return there(s, 0).halfedge; }
+  Halfedge_index outgoing_before(std::size_t s) const { return there(s, 0).halfedge; }
   Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
   {
     return m_side == Side::input ? face_location(at, m_tri.mesh())

@@ -41,7 +41,7 @@ struct Default_refinement_visitor : Default_flip_visitor
   /// is called after elements have been renumbered.
   void after_renumbering() {}
   /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, with the
-  /// vertices that it had at the start, and refinement starts anew with exact decisions.
+  /// vertices that it had at the start, and refinement restarts with exact decisions.
   void before_exact_refinement() {}
 };
 
@@ -82,7 +82,7 @@ public:
 
   // Returns the least angle around a vertex at which faces can have 30 degrees. Three of them are
   // necessary there in a simplicial triangulation.
-  FT narrow_angle() const { return m_is_simplicial ? pi<FT>() / 2 : pi<FT>() / 3; }
+  FT small_angle() const { return m_is_simplicial ? pi<FT>() / 2 : pi<FT>() / 3; }
 
   // returns whether `f` keeps the triangulation from being simplicial, as it shall be
   bool is_not_simplicial(Face_index f) const
@@ -122,7 +122,7 @@ template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
                                             const Bounds& bounds, const Refinement_result& result)
 {
-  const Narrow_vertices<Traits> narrow(tri, bounds.narrow_angle(), result.is_exact);
+  const Small_angle_vertices<Traits> narrow(tri, bounds.small_angle(), result.is_exact);
   std::optional<Edge_courses<Traits>> made;
   const auto courses = [&]() -> const auto&
   {
@@ -162,14 +162,14 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
 // has left no doubt.
 template <bool is_exact, typename Traits, typename Bounds, typename Visitor>
 bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                     const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
+                     const Refinement_limits& limits, Visitor& visitor, bool stops_if_filter_fails,
                      Refinement_result& result)
 {
   bool is_certain = false;
   try {
     is_certain =
       Delaunay_refinement<Traits, Bounds, Visitor, is_exact>(tri, bounds, limits, visitor)
-        .run(stops_in_doubt, result);
+        .run(stops_if_filter_fails, result);
   } catch(...) {
     tri.collect_garbage();
     throw;
@@ -183,13 +183,13 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
 
 // Flips to Delaunay with certainty, or else with lengths that are computed afresh.
 template <typename Traits, typename Visitor>
-Certain_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                               Visitor& visitor, Refinement_result& result)
+Filtered_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                                Visitor& visitor, Refinement_result& result)
 {
-  typedef Certain_flips::End End;
+  typedef Filtered_flips::End End;
   if constexpr(has_exact_decisions<Traits>()) {
-    const Certain_flips flips =
-      flip_with_certainty(tri, limit, refinement_effort(), visitor, Concurrency());
+    const Filtered_flips flips =
+      flip_filtered(tri, limit, refinement_effort(), visitor, Concurrency());
     result.flips += flips.number;
     return flips.end;
   } else {
@@ -202,22 +202,22 @@ Certain_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t
 
 // Lengths that come from many roundings are computed afresh; edges and faces that turn out to
 // violate their conditions are flipped and refined again. Returns whether rounding has left no
-// doubt; otherwise, with `stops_in_doubt`, this can end anywhere.
+// doubt; otherwise, with `stops_if_filter_fails`, this can end anywhere.
 template <typename Traits, typename Bounds, typename Visitor>
 bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                       const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
-                       Refinement_result& result)
+                       const Refinement_limits& limits, Visitor& visitor,
+                       bool stops_if_filter_fails, Refinement_result& result)
 {
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
-    if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_in_doubt, result) &&
-       stops_in_doubt)
+    if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_if_filter_fails, result) &&
+       stops_if_filter_fails)
       return false;
-    const Certain_flips::End end = flip_afresh(tri, limits.flips, visitor, result);
-    if(end != Certain_flips::End::Delaunay) {
-      if(stops_in_doubt)
+    const Filtered_flips::End end = flip_afresh(tri, limits.flips, visitor, result);
+    if(end != Filtered_flips::End::Delaunay) {
+      if(stops_if_filter_fails)
         return false;
-      check_flip_limit(end == Certain_flips::End::limit);
+      check_flip_limit(end == Filtered_flips::End::limit);
       throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
     }
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||
@@ -256,8 +256,9 @@ Delaunay_flips flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std:
 // Starts anew with exact decisions where rounding leaves doubts, from T1 and the vertices that had
 // been inserted before.
 template <typename Traits, typename Bounds, typename Visitor>
-Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                                        const Refinement_limits& limits, Visitor& visitor)
+Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri,
+                                            const Bounds& bounds, const Refinement_limits& limits,
+                                            Visitor& visitor)
 {
   [[maybe_unused]] const std::size_t given = tri.number_of_inserted_vertices();
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
@@ -265,7 +266,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
   Refinement_result result;
   result.flips = flips.number;
   if constexpr(has_exact_decisions<Traits>())
-    if(flips.are_anew)
+    if(flips.are_restarted)
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
@@ -290,20 +291,20 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// faces must be there), or less than 60 degrees between two boundary or constrained edges, are
 /// narrow: no triangulation has large angles there. A face that violates
 /// the bound on angles, and only this one, is excused if exactly one of its corners is narrow, or
-/// if there is a narrow vertex \f$v\f$ such that it lies in faces of \f$T_1\f$ at \f$v\f$ and is
-/// crossed only by edges of \f$T_1\f$ that end at \f$v\f$. (In Section 3.6 it must lie in one face
-/// of \f$T_1\f$ at a narrow vertex.)
+/// if there is a small-angle vertex \f$v\f$ such that it lies in faces of \f$T_1\f$ at \f$v\f$ and
+/// is crossed only by edges of \f$T_1\f$ that end at \f$v\f$. (In Section 3.6 it must lie in one
+/// face of \f$T_1\f$ at a small-angle vertex.)
 ///
 /// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
-/// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
-/// narrow vertices this is an open question on surfaces; the manual has what was measured. Only
-/// `maximum_number_of_insertions` guarantees an end: beyond 30 degrees vertices may be inserted
-/// without end, and the default is small.
+/// without small-angle vertices and constrained edges (Theorem 3). With boundary, constrained edges
+/// or small-angle vertices this is an open question on surfaces; the manual has what was measured.
+/// Only `maximum_number_of_insertions` guarantees an end: beyond 30 degrees vertices may be
+/// inserted without end, and the default is small.
 ///
 /// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
 /// circumcenter, a place or a length is lost, edges are bent at the end, or a face is left that
 /// nothing excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the vertices that had been
-/// inserted at the start, and refinement starts anew with exact decisions. At the end lengths are
+/// inserted at the start, and refinement restarts with exact decisions. At the end lengths are
 /// computed afresh, and it is decided exactly which edges are Delaunay, as by `make_Delaunay()`.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
@@ -403,7 +404,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
     if(internal::Is_exact<Traits>::value || are_exact)
       return internal::refine_exactly(tri, bounds, limits, visitor);
   if constexpr(!internal::Is_exact<Traits>::value)
-    return internal::refine_until_in_doubt(tri, bounds, limits, visitor);
+    return internal::refine_until_filter_fails(tri, bounds, limits, visitor);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -38,7 +38,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Surface& surface, Vertex_in
   if(!mesh.is_isolated(source))
     search.reach(source, FT(0));
   for(Vertex_index v = search.next(); v.is_valid() && v != target; v = search.next())
-    for_each_spoke(v, mesh, [&, distance = search.distance(v)](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&, distance = search.distance(v)](Halfedge_index h) {
       const Vertex_index w = mesh.target(h);
       const FT length = distance + internal::edge_length(h, surface);
       if(!search.reach(w, length, h) && !search.is_final(w) && length == search.distance(w) &&

@@ -27,8 +27,8 @@ class Tufted_surface;
 /// a frame of the tangent space at every vertex of a triangulated surface (Section 2.3.2).
 ///
 /// A tangent vector at a vertex is a complex number. Its argument is a normalized angle: the angle
-/// on the surface, counterclockwise from `first_spoke()`, scaled so that once around is \f$2\pi\f$,
-/// or from one border edge to the other \f$\pi\f$.
+/// on the surface, counterclockwise from `first_outgoing_halfedge()`, scaled so that once around is
+/// \f$2\pi\f$, or from one border edge to the other \f$\pi\f$.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 /// Memory: a number for each vertex and halfedge.
@@ -92,7 +92,7 @@ private:
   void set_frame(Vertex_index v, const Surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index first = first_spoke(v, mesh);
+    const Halfedge_index first = first_outgoing_halfedge(v, mesh);
     m_is_border[v.idx()] = mesh.is_border(mesh.opposite(first)) ? 1 : 0;
     FT sum(0);
     Halfedge_index h = first;
@@ -101,7 +101,7 @@ private:
       if(mesh.is_border(h))
         break;
       sum += internal::angle_at_source(h, surface);
-      h = next_spoke(h, mesh);
+      h = next_around_source(h, mesh);
     } while(h != first);
     m_angle_sum[v.idx()] = sum;
     normalize(v, mesh);
@@ -113,14 +113,14 @@ private:
     if(!(sum > 0) || !CGAL::is_finite(sum))
       throw Numerical_error("the angles at vertex " + std::to_string(v.idx()) +
                             " have no positive finite sum");
-    const Halfedge_index first = first_spoke(v, mesh);
+    const Halfedge_index first = first_outgoing_halfedge(v, mesh);
     Halfedge_index h = first;
     do {
       FT& angle = m_angle[h.idx()];
       angle = normalized_sum(v) * (angle / sum);
       if(mesh.is_border(h))
         return;
-      h = next_spoke(h, mesh);
+      h = next_around_source(h, mesh);
     } while(h != first);
   }
 

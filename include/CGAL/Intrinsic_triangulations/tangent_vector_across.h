@@ -21,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// takes a vector from the frame of T2 to that of T1, or back; `angle` is that of the first spoke of
-// T2 in the frame of T1
+// takes a vector from the frame of T2 to that of T1, or back; `angle` is that of the first outgoing
+// halfedge of T2 in the frame of T1
 template <typename FT>
 std::complex<FT> turned_across(Side side, const std::complex<FT>& vector, const FT& angle)
 {
@@ -50,7 +50,8 @@ tangent_vector_across(const Intrinsic_triangulation<Traits>& tri, Side side, Ver
                       const std::complex<typename Traits::FT>& vector)
 {
   CGAL_precondition(!tri.mesh().is_isolated(v));
-  return internal::turned_across(side, vector, angle_on_input(tri, first_spoke(v, tri.mesh())));
+  return internal::turned_across(side, vector,
+                                 angle_on_input(tri, first_outgoing_halfedge(v, tri.mesh())));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -63,7 +64,7 @@ tangent_vector_across(const Angular_coordinates<Traits>& angles, Side side, Vert
 {
   const Delta_complex& mesh = angles.triangulation().mesh();
   CGAL_precondition(!mesh.is_isolated(v));
-  return internal::turned_across(side, vector, angles.angle(first_spoke(v, mesh)));
+  return internal::turned_across(side, vector, angles.angle(first_outgoing_halfedge(v, mesh)));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -23,13 +23,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// the tangent vector at the source of `spoke` that is `vector` in the frame of this halfedge
+// the tangent vector at the source of `outgoing` that is `vector` in the frame of this halfedge
 template <typename Surface, typename FT>
-std::complex<FT> at_vertex(const Surface& surface, Halfedge_index spoke,
+std::complex<FT> at_vertex(const Surface& surface, Halfedge_index outgoing,
                            const std::complex<FT>& vector)
 {
-  const FT angle = std::arg(vector), corner = angle_at_source(spoke, surface);
-  const Vertex_angles<FT> angles(spoke, surface);
+  const FT angle = std::arg(vector), corner = angle_at_source(outgoing, surface);
+  const Vertex_angles<FT> angles(outgoing, surface);
   // the middle of the corner decides whether the vector or its opposite is in the corner
   if(std::cos(angle - corner / 2) >= 0)
     return std::polar(std::abs(vector), angles.normalized(angle));
@@ -41,47 +41,48 @@ std::complex<FT> at_vertex(const Surface& surface, Halfedge_index spoke,
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// takes a tangent vector from the frame of a face to that of one of its vertices.
 ///
-/// Its angle from `spoke` is normalized (Section 2.3.2). A vector that points away from the corner
-/// is the opposite of one that points into it, so that the direction in which a geodesic arrives
-/// becomes the direction in which it continues.
+/// Its angle from `outgoing` is normalized (Section 2.3.2). A vector that points away from the
+/// corner is the opposite of one that points into it, so that the direction in which a geodesic
+/// arrives becomes the direction in which it continues.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
-/// \param spoke the halfedge of the face whose source is the vertex; it determines the corner if
+/// \param outgoing the halfedge of the face whose source is the vertex; it determines the corner if
 ///        several are at one vertex
 /// \param vector the vector in the frame of the face
 /// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
 template <typename Surface>
 std::complex<Length_of<Surface>>
-tangent_vector_at_vertex(const Surface& surface, Halfedge_index spoke,
+tangent_vector_at_vertex(const Surface& surface, Halfedge_index outgoing,
                          const std::complex<Length_of<Surface>>& vector)
 {
   const Delta_complex& mesh = surface.mesh();
-  CGAL_precondition(!mesh.is_border(spoke));
-  const Halfedge_index h = mesh.halfedge(mesh.face(spoke));
-  const Flat_face<Length_of<Surface>> face(spoke, surface);
-  return internal::at_vertex(surface, spoke, vector * face.direction(side_number(h, spoke, mesh)));
+  CGAL_precondition(!mesh.is_border(outgoing));
+  const Halfedge_index h = mesh.halfedge(mesh.face(outgoing));
+  const Flat_face<Length_of<Surface>> face(outgoing, surface);
+  return internal::at_vertex(surface, outgoing,
+                             vector * face.direction(side_number(h, outgoing, mesh)));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithm of `p` at the source of `spoke`: the tangent vector there that leads
+/// computes the logarithm of `p` at the source of `outgoing`: the tangent vector there that leads
 /// straight through the face to `p`, its length times \f$e^{\mathbf{i}\varphi}\f$ with the
-/// normalized angle \f$\varphi\f$ counterclockwise from `first_spoke()`.
+/// normalized angle \f$\varphi\f$ counterclockwise from `first_outgoing_halfedge()`.
 ///
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
 /// faces: see `logarithmic_map()`.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
-/// \param spoke a halfedge of the face of `p`
+/// \param outgoing halfedge a halfedge of the face of `p`
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
 template <typename Surface>
-std::complex<Length_of<Surface>> logarithm(const Surface& surface, Halfedge_index spoke,
+std::complex<Length_of<Surface>> logarithm(const Surface& surface, Halfedge_index outgoing,
                                            const Face_location<Length_of<Surface>>& p)
 {
-  CGAL_precondition(surface.mesh().face(spoke) == p.first);
-  const Flat_face<Length_of<Surface>> face(spoke, surface);
-  const auto q = coordinates_from(spoke, p, surface.mesh());
-  return internal::at_vertex(surface, spoke, q[1] * face.side(0) - q[2] * face.side(2));
+  CGAL_precondition(surface.mesh().face(outgoing) == p.first);
+  const Flat_face<Length_of<Surface>> face(outgoing, surface);
+  const auto q = coordinates_from(outgoing, p, surface.mesh());
+  return internal::at_vertex(surface, outgoing, q[1] * face.side(0) - q[2] * face.side(2));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent

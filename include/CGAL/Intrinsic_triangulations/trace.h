@@ -49,7 +49,8 @@ struct Scaled_trace
 };
 
 // Finds where the edge of `h` starts on T2 at its vertex `v`: the first half of Algorithm 1. It
-// ends, since the spokes around `v` have all numbers. Complexity: linear in the degree of `v`.
+// ends, since the outgoing halfedges around `v` have all numbers. Complexity: linear in the degree
+// of `v`.
 template <typename Traits>
 Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index v,
                                                  const Intrinsic_triangulation<Traits>& tri)
@@ -57,17 +58,18 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index 
   typedef typename Traits::Integer Integer;
   const Delta_complex& mesh = tri.mesh();
   const auto& coordinates = tri.coordinates();
-  const auto degree = tri.spokes().degree(v), number = tri.spokes().number(v, h);
-  Halfedge_index spoke = first_spoke(v, mesh);
+  const auto degree = tri.outgoing_halfedges().degree(v),
+             number = tri.outgoing_halfedges().number(v, h);
+  Halfedge_index outgoing = first_outgoing_halfedge(v, mesh);
   for(;;) {
-    const auto r = coordinates.roundabout(spoke);
+    const auto r = coordinates.roundabout(outgoing);
     const Integer passed(number >= r ? number - r : number + degree - r);
-    const bool along = coordinates.is_shared(mesh.edge(spoke));
+    const bool along = coordinates.is_shared(mesh.edge(outgoing));
     if(along && passed == 0)
-      return {spoke, Integer(-1)};
-    if(passed < coordinates.spokes_from(spoke, mesh))
-      return {spoke, passed - Integer(along ? 1 : 0)};
-    spoke = next_spoke(spoke, mesh);
+      return {outgoing, Integer(-1)};
+    if(passed < coordinates.outgoing_halfedges_from(outgoing, mesh))
+      return {outgoing, passed - Integer(along ? 1 : 0)};
+    outgoing = next_around_source(outgoing, mesh);
   }
 }
 
@@ -80,12 +82,12 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
   typedef typename Traits::FT FT;
   const Delta_complex& mesh = tri.mesh();
   const auto start = find_curve(h, v, tri);
-  Halfedge_index last = start.spoke;
+  Halfedge_index last = start.outgoing;
   if(trace.points.empty())
-    trace.add({{h, FT(0)}, {start.spoke, FT(0)}});
+    trace.add({{h, FT(0)}, {start.outgoing, FT(0)}});
   if(!start.is_shared()) {
-    tracer.trace(start.spoke, start.k);
-    last = tracer.last_spoke();
+    tracer.trace(start.outgoing, start.k);
+    last = tracer.last_outgoing();
   }
   const Part_of_edge<FT> part = part_of_edge(h, v, mesh.target(last), tri);
   if(!start.is_shared()) {
@@ -166,7 +168,7 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
   typedef typename Traits::FT FT;
   const Halfedge_index o = tri.mesh().opposite(h);
   Scaled_trace<Traits> trace;
-  trace.add({tri.start_on_spoke(h), {h, FT(0)}});
+  trace.add({tri.start_on_outgoing(h), {h, FT(0)}});
   const Edge_course course = Edge_courses<Traits>(tri)(h);
   typename Traits::Geodesic_strip strip;
   if(!course.empty())
@@ -176,7 +178,7 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
     trace.add({{course[m], position.along_edge}, {h, position.along_line}},
               1 / scale_of<Traits>(position));
   }
-  trace.add({reversed_if_valid(tri.start_on_spoke(o), tri.input_mesh()), {h, FT(1)}});
+  trace.add({reversed_if_valid(tri.start_on_outgoing(o), tri.input_mesh()), {h, FT(1)}});
   return trace;
 }
 

@@ -25,8 +25,8 @@ Edge_point<typename Traits::FT> end_of_edge(Side side, Halfedge_index h,
 {
   typedef typename Traits::FT FT;
   if(side == Side::intrinsic)
-    return correspondence.triangulation().start_on_spoke(h);
-  return {correspondence.spoke_before(side, h), FT(0)};
+    return correspondence.triangulation().start_on_outgoing(h);
+  return {correspondence.outgoing_before(side, h), FT(0)};
 }
 
 // Adds to the trace of the halfedge `h` of T1 the vertices of T2 that lie inside it.
@@ -44,10 +44,10 @@ void add_inserted_vertices(Halfedge_index h, const Correspondence<Traits>& corre
     const bool is_first = is_first_halfedge(h);
     const auto& part = correspondence.part(e, is_first ? parts - 2 - i : i);
     const size_type before = part.first + part.count - correspondence.part(e, 0).first;
-    const Halfedge_index spoke = first_spoke(part.end, tri.mesh());
+    const Halfedge_index outgoing = first_outgoing_halfedge(part.end, tri.mesh());
     const std::ptrdiff_t place = 1 + std::ptrdiff_t(is_first ? before : crossings - before);
     trace.insert(trace.begin() + place,
-                 Trace_point<FT>{{h, tri.place_along(h, part.end)}, {spoke, FT(0)}});
+                 Trace_point<FT>{{h, tri.place_along(h, part.end)}, {outgoing, FT(0)}});
   }
 }
 

@@ -42,7 +42,7 @@ class Cover_builder;
 /// need not agree. Around each edge, the side of a triangle that faces the next one is glued to the
 /// side of that one that faces it. So the cover of an oriented manifold mesh consists of two copies
 /// of it, one of them turned over, which are glued along the boundary. A vertex of the soup has a
-/// vertex of the cover for each umbrella of glued faces around it, none if it is isolated. Loops
+/// vertex of the cover for each vertex fan of glued faces around it, none if it is isolated. Loops
 /// and parallel edges are ordinary.
 ///
 /// Triangle \f$t\f$ has the faces \f$2t\f$, which is oriented as the triangle, and \f$2t+1\f$. Edge
@@ -204,7 +204,7 @@ private:
         const auto c = static_cast<Index>(6 * t + 2 * i);
         for(const Index x : {i == 0 ? c + 4 : c - 2, c + 1})
           if(m_copies[x].target == no_vertex) {
-            set_target_of_umbrella(x, static_cast<Index>(incoming.size()));
+            set_target_of_fan(x, static_cast<Index>(incoming.size()));
             incoming.push_back(x);
             m_cover.m_input_vertex.push_back(m_sides.corner(t, i));
           }
@@ -212,7 +212,7 @@ private:
     return incoming;
   }
 
-  void set_target_of_umbrella(Index first, Index v)
+  void set_target_of_fan(Index first, Index v)
   {
     Index c = first;
     do {

@@ -53,14 +53,14 @@ public:
     std::vector<char> is_whole(mesh.num_faces(), 1);
     const auto& subdivision = map.subdivision();
     for(Face_index f : subdivision.mesh().faces())
-      if(!map.is_front(subdivision.parent_face(Layer::A, f)))
+      if(!map.is_original(subdivision.parent_face(Layer::A, f)))
         is_whole[subdivision.parent_face(Layer::C, f).idx()] = 0;
     for(Face_index f : mesh.faces())
       if(map.is_laid_out(f) && is_whole[f.idx()])
         add(f, whole(f));
     for(Face_index f : subdivision.mesh().faces())
       if(const Face_index on_C = subdivision.parent_face(Layer::C, f);
-         !is_whole[on_C.idx()] && map.is_front(subdivision.parent_face(Layer::A, f)))
+         !is_whole[on_C.idx()] && map.is_original(subdivision.parent_face(Layer::A, f)))
         add(on_C, part(f));
   }
 

@@ -58,7 +58,7 @@ private:
         m_origin[v.idx()] = v;
       }
     for(Vertex_index v = m_search.next(); v.is_valid(); v = m_search.next())
-      Intrinsic_triangulations::for_each_spoke(
+      Intrinsic_triangulations::for_each_outgoing_halfedge(
         v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
           const double length = m_length[Edge_index(h).idx()];
           if(!m_is_cut_edge[Edge_index(h).idx()] &&

@@ -116,12 +116,12 @@ private:
   // different.
   void unite_corners(Vertex_index v, const Cut_graph& cut)
   {
-    const Halfedge_index start = Intrinsic_triangulations::first_spoke(v, m_mesh);
+    const Halfedge_index start = Intrinsic_triangulations::first_outgoing_halfedge(v, m_mesh);
     Halfedge_index first = start;
     do {
       if(cut.is_seam(Edge_index(first)))
         break;
-      first = Intrinsic_triangulations::next_spoke(first, m_mesh);
+      first = Intrinsic_triangulations::next_around_source(first, m_mesh);
     } while(first != start);
     Halfedge_index h = first;
     do {
@@ -130,7 +130,7 @@ private:
         m_vertex.push_back(v);
       }
       m_point[h.idx()] = static_cast<int>(m_united.size()) - 1;
-      h = Intrinsic_triangulations::next_spoke(h, m_mesh);
+      h = Intrinsic_triangulations::next_around_source(h, m_mesh);
     } while(h != first);
   }
 
@@ -143,7 +143,7 @@ private:
                   [&](Halfedge_index h) { shift.add(point(h), point(m_mesh.next(h)), weight(h)); });
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
-        shift.hold(point(m_mesh.halfedge(step.face)));
+        shift.fix(point(m_mesh.halfedge(step.face)));
     const Eigen::VectorXd x = what_fits(cut, &Vector::x), y = what_fits(cut, &Vector::y);
     if(std::is_same<FT, double>::value)
       std::vector<Vector>().swap(m_direction); // the factor comes in its place
@@ -163,8 +163,8 @@ private:
     for_each_side(cut, [&](Halfedge_index h) {
       const Halfedge_index n = m_mesh.next(h);
       const FT present = united(n).*coordinate - united(h).*coordinate;
-      Least_squares_shift::want(result, point(h), point(n), weight(h),
-                                static_cast<double>(side(h).*coordinate - present));
+      Least_squares_shift::add_to_right_side(result, point(h), point(n), weight(h),
+                                             static_cast<double>(side(h).*coordinate - present));
     });
     return result;
   }

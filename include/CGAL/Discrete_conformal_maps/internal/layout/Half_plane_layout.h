@@ -64,7 +64,7 @@ public:
 
   Vector position(Vertex_index v) const
   {
-    const Vector& p = m_position[m_problem.front(v).idx()];
+    const Vector& p = m_position[m_problem.original(v).idx()];
     return is_copy(v) ? conj(p) : p;
   }
 
@@ -94,7 +94,7 @@ private:
     }
     Vector across{FT(0), FT(0)};
     for(std::size_t w = m_problem.size(); w < unfolded.size(); ++w)
-      if(const auto& p = unfolded[m_problem.front()[w].idx()], &q = unfolded[w];
+      if(const auto& p = unfolded[m_problem.originals()[w].idx()], &q = unfolded[w];
          p && q && norm(*p - *q) > norm(across)) {
         across = *p - *q;
         m_origin = FT(0.5) * (*p + *q);
@@ -129,16 +129,16 @@ private:
     for_each_side(cut, unfolded, coordinate,
                   [&](const Side& s) { shift.add(s.from, s.to, s.weight, s.sign); });
     if(coordinate == &Vector::x)
-      shift.hold(front(m_mesh.source(m_mesh.halfedge(cut.steps().front().face))));
+      shift.fix(original(m_mesh.source(m_mesh.halfedge(cut.steps().front().face))));
     else
       for(Vertex_index v : m_problem.surface().vertices())
         if(m_problem.is_on_boundary(v))
-          shift.hold(front(v));
+          shift.fix(original(v));
     shift.factorize(m_problem.order());
     for(int i = 0; i < (std::is_same<FT, double>::value ? 1 : 2); ++i) {
       Eigen::VectorXd wanted = Eigen::VectorXd::Zero(Eigen::Index(m_position.size()));
       for_each_side(cut, unfolded, coordinate, [&](const Side& s) {
-        Least_squares_shift::want(wanted, s.from, s.to, s.weight, s.change, s.sign);
+        Least_squares_shift::add_to_right_side(wanted, s.from, s.to, s.weight, s.change, s.sign);
       });
       const Eigen::VectorXd by = shift.solve(wanted);
       for(std::size_t v = 0; v < m_position.size(); ++v)
@@ -163,13 +163,13 @@ private:
         const Vertex_index v = m_mesh.source(h), w = m_mesh.target(h);
         const int at_source = sign(v, coordinate), at_target = sign(w, coordinate);
         const FT change = (turned(unfolded.side(h)) - (position(w) - position(v))).*coordinate;
-        function(Side{front(v), front(w), at_source * at_target,
+        function(Side{original(v), original(w), at_source * at_target,
                       m_problem.part(step.face) * unfolded.weight(h),
                       at_target * static_cast<double>(change)});
       }
   }
 
-  int front(Vertex_index v) const { return static_cast<int>(m_problem.front(v).idx()); }
+  int original(Vertex_index v) const { return static_cast<int>(m_problem.original(v).idx()); }
 
   const Delta_complex& m_mesh;
   const Doubled_problem& m_problem;

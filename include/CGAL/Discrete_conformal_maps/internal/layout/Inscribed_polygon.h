@@ -59,7 +59,7 @@ public:
   {
     visitor.start(Flattening_stage::optimize);
     flip_to_boundary();
-    collect_front_faces();
+    collect_original_faces();
     measure_chords();
     m_at_infinity = mesh().source(smallest_side());
     measure_chords();
@@ -91,7 +91,7 @@ public:
   bool is_extended() const { return true; }
 
   // whether a face of T^C is one of the polygon, not of its back
-  bool is_front(Face_index f) const { return m_is_front[f.idx()]; }
+  bool is_original(Face_index f) const { return m_is_original[f.idx()]; }
 
   // Scale factors need no search.
   Map_status status() const { return Map_status::success; }
@@ -119,12 +119,13 @@ private:
     };
     Delta_complex mesh = tri.mesh();
     Doubled_problem::Triangulation::Coordinates coordinates(mesh);
-    m_surface.replay(
-      Intrinsic_triangulations::flip_to_share(coordinates, mesh, tri.spokes(), is_boundary));
+    m_surface.replay(Intrinsic_triangulations::flip_to_share(
+      coordinates, mesh, tri.outgoing_halfedges(), is_boundary));
     m_is_on_boundary.assign(mesh.num_edges(), 0);
     for(Halfedge_index h : mesh.halfedges())
       if(coordinates.is_shared(Edge_index(h)))
-        if(const Halfedge_index side = coordinates.shared_halfedge(h, mesh, tri.spokes());
+        if(const Halfedge_index side =
+             coordinates.shared_halfedge(h, mesh, tri.outgoing_halfedges());
            is_boundary(side)) {
           m_is_on_boundary[Edge_index(h).idx()] = 1;
           if(!half.is_border(side))
@@ -133,14 +134,14 @@ private:
   }
 
   // the faces of T^C that triangulate the polygon, not its mirror image
-  void collect_front_faces()
+  void collect_original_faces()
   {
-    m_is_front.assign(mesh().num_faces(), 0);
+    m_is_original.assign(mesh().num_faces(), 0);
     std::vector<Halfedge_index> waiting = m_sides;
     while(!waiting.empty()) {
       const Halfedge_index h = waiting.back();
       waiting.pop_back();
-      if(std::exchange(m_is_front[mesh().face(h).idx()], 1))
+      if(std::exchange(m_is_original[mesh().face(h).idx()], 1))
         continue;
       for(Halfedge_index side : Intrinsic_triangulations::sides(mesh().face(h), mesh()))
         if(!m_is_on_boundary[Edge_index(side).idx()])
@@ -155,7 +156,7 @@ private:
     m_chord.assign(m_problem.size(), Extended(1));
     std::vector<Halfedge_index> waiting;
     for(Halfedge_index h : mesh().halfedges())
-      if(is_front(mesh().face(h)) && mesh().source(h) == m_at_infinity) {
+      if(is_original(mesh().face(h)) && mesh().source(h) == m_at_infinity) {
         m_chord[mesh().target(h).idx()] = length(h);
         m_chord[mesh().source(mesh().prev(h)).idx()] = length(mesh().prev(h));
         waiting.push_back(mesh().next(h));
@@ -281,7 +282,7 @@ private:
   {
     m_certificate = Convexity_certificate();
     for(Face_index f : mesh().faces())
-      m_certificate.flipped_triangles += is_front(f) && !is_in_order(f);
+      m_certificate.flipped_triangles += is_original(f) && !is_in_order(f);
     m_certificate.is_simple = m_certificate.flipped_triangles == 0;
   }
 
@@ -309,7 +310,7 @@ private:
   Ptolemy_surface<Extended> m_surface; // in T^C
   std::vector<char> m_is_on_boundary;  // of edges
   std::vector<Halfedge_index> m_sides; // of the polygon, which is on their left
-  std::vector<char> m_is_front;        // of faces
+  std::vector<char> m_is_original;     // of faces
   std::vector<Extended> m_chord, m_u;
   std::vector<Point> m_position;
   Extended m_scale = Extended(1);

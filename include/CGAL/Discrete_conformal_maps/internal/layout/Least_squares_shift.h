@@ -46,7 +46,7 @@ public:
 
   // Point `i` stays; so do those without differences. After all differences have been added, one of
   // every component that they connect must be held, unless there is a sum in it.
-  void hold(int i) { m_is_held[static_cast<std::size_t>(i)] = 1; }
+  void fix(int i) { m_is_held[static_cast<std::size_t>(i)] = 1; }
 
   // `order` is that of the points
   void factorize(const std::shared_ptr<Shared_order>& order)
@@ -60,7 +60,8 @@ public:
   }
 
   // Adds to a right side that `x[j] - sign * x[i]`, with this weight, is to change by `change`.
-  static void want(Vector& right_side, int i, int j, double weight, double change, int sign = 1)
+  static void add_to_right_side(Vector& right_side, int i, int j, double weight, double change,
+                                int sign = 1)
   {
     right_side[j] += weight * change;
     right_side[i] -= sign * weight * change;

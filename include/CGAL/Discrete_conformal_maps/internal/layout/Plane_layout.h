@@ -112,11 +112,11 @@ private:
     if(!is_whole) {
       Half_plane_layout<FT> symmetric(m_mesh, m_problem, m_position);
       symmetric.distribute_errors(cut, layout);
-      take(symmetric);
+      store_layout(symmetric);
     }
   }
 
-  void take(const Half_plane_layout<FT>& layout)
+  void store_layout(const Half_plane_layout<FT>& layout)
   {
     for(Vertex_index v : m_mesh.vertices())
       m_position[v.idx()] = layout.position(v);
@@ -134,7 +134,7 @@ private:
       h = after_on_path(h);
     }
     if(!m_problem.has_no_copies())
-      take(Half_plane_layout<FT>(m_mesh, m_problem, m_position));
+      store_layout(Half_plane_layout<FT>(m_mesh, m_problem, m_position));
   }
 
   Halfedge_index first_edge_of_path() const
@@ -154,10 +154,11 @@ private:
   Halfedge_index after_on_path(Halfedge_index h) const
   {
     Halfedge_index result;
-    Intrinsic_triangulations::for_each_spoke(m_mesh.target(h), m_mesh, [&](Halfedge_index x) {
-      if(is_on_path(x) && x != m_mesh.opposite(h))
-        result = x;
-    });
+    Intrinsic_triangulations::for_each_outgoing_halfedge(
+      m_mesh.target(h), m_mesh, [&](Halfedge_index x) {
+        if(is_on_path(x) && x != m_mesh.opposite(h))
+          result = x;
+      });
     return result;
   }
 

@@ -84,7 +84,7 @@ public:
         m_predicates.orientation(at(m_mesh.source(side[0])), at(m_mesh.source(side[1])),
                                  at(m_mesh.source(side[2]))) <= 0;
     }
-    result.is_simple = finite_faces == 0 || number_of_summits() == 1;
+    result.is_simple = finite_faces == 0 || number_of_local_maxima() == 1;
     return result;
   }
 
@@ -119,15 +119,18 @@ private:
 
   // Of the boundary of the part in the plane. A closed curve that always turns left has as many as
   // turns.
-  std::size_t number_of_summits() const
+  std::size_t number_of_local_maxima() const
   {
     std::size_t result = 0;
-    Intrinsic_triangulations::for_each_spoke(m_at_infinity, m_mesh, [&](Halfedge_index h) {
-      const Point &before = at(m_mesh.target(Intrinsic_triangulations::previous_spoke(h, m_mesh))),
-                  &here = at(m_mesh.target(h)),
-                  &after = at(m_mesh.target(Intrinsic_triangulations::next_spoke(h, m_mesh)));
-      result += is_below(before, here) && is_below(after, here);
-    });
+    Intrinsic_triangulations::for_each_outgoing_halfedge(
+      m_at_infinity, m_mesh, [&](Halfedge_index h) {
+        const Point &before = at(
+                      m_mesh.target(Intrinsic_triangulations::previous_around_source(h, m_mesh))),
+                    &here = at(m_mesh.target(h)),
+                    &after =
+                      at(m_mesh.target(Intrinsic_triangulations::next_around_source(h, m_mesh)));
+        result += is_below(before, here) && is_below(after, here);
+      });
     return result;
   }
 

@@ -93,7 +93,7 @@ private:
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
     rounded.minimize(tolerance::gradient, visitor);
     visitor.start(Flattening_stage::layout);
-    take(rounded);
+    store_scale_factors(rounded);
     if(is_good())
       return;
     visitor.start(Flattening_stage::optimize);
@@ -102,7 +102,7 @@ private:
       precise.set_start(rounded);
     precise.minimize(tolerance::extended_gradient, visitor);
     visitor.start(Flattening_stage::layout);
-    take(precise);
+    store_scale_factors(precise);
   }
 
   bool is_certified() const
@@ -111,7 +111,7 @@ private:
   }
 
   template <typename FT>
-  void take(const Spherical_scale_factors<FT>& scale)
+  void store_scale_factors(const Spherical_scale_factors<FT>& scale)
   {
     const bool is_enough = scale.angle_error() <= tolerance::layout_angle &&
                            scale.result().gradient_error <= tolerance::layout_angle;
@@ -129,14 +129,14 @@ private:
       flips = surface.flips();
       if(!m_problem.has_exceeded(flips))
         lay_out(surface, scale);
-    } while(has_deepened(flips));
+    } while(has_extended(flips));
   }
 
-  bool has_deepened(const std::vector<Halfedge_index>& flips)
+  bool has_extended(const std::vector<Halfedge_index>& flips)
   {
     if(!m_problem.has_exceeded(flips))
       return false;
-    m_problem.deepen(flips);
+    m_problem.extend(flips);
     return true;
   }
 
@@ -189,7 +189,7 @@ private:
     for(std::size_t v = 0; v < is_wrong.size(); ++v)
       is_wrong[v] = !(scale.values()[v] >= scale.bounds()[v]);
     for(Halfedge_index h : mesh.halfedges())
-      if(const std::size_t v = m_problem.front(mesh.target(h)).idx();
+      if(const std::size_t v = m_problem.original(mesh.target(h)).idx();
          mesh.source(h) == m_at_infinity)
         is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > tolerance::bound;
     m_bound_violations = std::size_t(std::count(is_wrong.begin(), is_wrong.end(), 1));

@@ -37,11 +37,11 @@ template <typename Visitor>
 class Flattening
 {
 public:
-  Flattening(Doubled_problem& problem, std::size_t number_of_front_faces, Visitor& visitor)
+  Flattening(Doubled_problem& problem, std::size_t number_of_original_faces, Visitor& visitor)
     : m_problem(problem),
       m_visitor(visitor),
       m_scale(problem),
-      m_builder(problem, number_of_front_faces, m_map)
+      m_builder(problem, number_of_original_faces, m_map)
   {}
 
   // by the vertices of the input
@@ -137,11 +137,11 @@ private:
     const auto& subdivision = m_map.subdivision();
     for(Edge_index e : subdivision.mesh().edges())
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
-        if(m_map.is_front(subdivision.mesh().halfedge(e)) &&
-           m_map.is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
+        if(m_map.is_original(subdivision.mesh().halfedge(e)) &&
+           m_map.is_original(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
           m_is_cut_edge[c.idx()] = 0;
     for(Face_index f : subdivision.mesh().faces())
-      if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
+      if(m_map.is_original(subdivision.parent_face(Layer::A, f)))
         m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
   }
 
@@ -265,7 +265,7 @@ private:
     const auto& subdivision = m_map.subdivision();
     std::vector<Hull_points> points(m_problem.components().size());
     for(Halfedge_index h : subdivision.mesh().halfedges()) {
-      if(!m_map.is_front(h))
+      if(!m_map.is_original(h))
         continue;
       const Face_index f = subdivision.mesh().face(h);
       const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));

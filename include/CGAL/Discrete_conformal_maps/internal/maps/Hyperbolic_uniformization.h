@@ -51,12 +51,12 @@ template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
-  Hyperbolic_uniformization(Doubled_problem& problem, std::size_t number_of_front_faces,
+  Hyperbolic_uniformization(Doubled_problem& problem, std::size_t number_of_original_faces,
                             Visitor& visitor)
     : m_problem(problem),
       m_visitor(visitor),
       m_scale(problem, hyperbolic_start(problem)),
-      m_builder(problem, number_of_front_faces, m_map)
+      m_builder(problem, number_of_original_faces, m_map)
   {}
 
   template <typename Minimizer>
@@ -212,7 +212,7 @@ private:
         const auto p = layout.frame(corner).image_of_origin();
         for(std::size_t i = 0; i < 3; ++i)
           m_map.m_position[h.idx()][i] = static_cast<double>(p[i]);
-        h = Intrinsic_triangulations::next_spoke(h, mesh());
+        h = Intrinsic_triangulations::next_around_source(h, mesh());
       } while(h != first);
     }
   }
@@ -220,8 +220,8 @@ private:
   // one that starts at a seam, if there is any
   Halfedge_index first_corner(Vertex_index v, const Tree_cotree& cut) const
   {
-    Halfedge_index result = Intrinsic_triangulations::first_spoke(v, mesh());
-    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+    Halfedge_index result = Intrinsic_triangulations::first_outgoing_halfedge(v, mesh());
+    Intrinsic_triangulations::for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
       if(cut.is_seam(Edge_index(h)))
         result = h;
     });

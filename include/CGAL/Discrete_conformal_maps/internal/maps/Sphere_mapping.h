@@ -30,11 +30,11 @@ template <typename Visitor>
 class Sphere_mapping
 {
 public:
-  Sphere_mapping(Doubled_problem& problem, std::size_t number_of_front_faces, Visitor& visitor)
+  Sphere_mapping(Doubled_problem& problem, std::size_t number_of_original_faces, Visitor& visitor)
     : m_problem(problem),
       m_visitor(visitor),
       m_mass(vertex_areas()),
-      m_builder(problem, number_of_front_faces, m_map)
+      m_builder(problem, number_of_original_faces, m_map)
   {
     check();
   }
@@ -43,14 +43,14 @@ public:
   {
     if(has_vertices_inside()) {
       const Unfolded_sphere sphere = unfold();
-      take(sphere);
+      store_layout(sphere);
       m_map.m_is_flat = sphere.is_laid_out() && m_problem.has_no_copies() && has_no_face_in_plane();
       if(sphere.is_laid_out())
         m_map.m_lost_in_output = m_map.is_flat() ? lost_in_flat_output() : lost_in_output();
     } else {
       const Inscribed_polygon polygon(m_problem, m_mass, candidates().front(), m_visitor);
       m_map.m_is_flat = true;
-      take(polygon);
+      store_layout(polygon);
       m_map.m_lost_in_output = lost_in_output(polygon);
     }
     m_problem.drop_surface();
@@ -140,7 +140,7 @@ private:
   }
 
   template <typename Sphere>
-  void take(const Sphere& sphere)
+  void store_layout(const Sphere& sphere)
   {
     m_map.m_is_laid_out = sphere.is_laid_out();
     m_builder.flip(sphere.is_laid_out() ? sphere.flips() : std::vector<Halfedge_index>());
@@ -234,7 +234,7 @@ private:
     std::size_t result = 0;
     for(Face_index f : mesh.faces()) {
       const auto side = Intrinsic_triangulations::sides(f, mesh);
-      result += polygon.is_front(f) &&
+      result += polygon.is_original(f) &&
                 Plane_predicates<double>().orientation(at(side[0]), at(side[1]), at(side[2])) <= 0;
     }
     return result;

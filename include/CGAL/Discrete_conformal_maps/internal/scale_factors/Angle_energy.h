@@ -97,7 +97,7 @@ public:
     if(mesh().is_isolated(v))
       return;
     double diagonal = 0;
-    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
       if(!derived().is_remaining(Edge_index(h)))
         return;
       const Vertex_index w = mesh().target(h);

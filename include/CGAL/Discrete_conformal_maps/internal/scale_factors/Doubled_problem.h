@@ -87,7 +87,7 @@ public:
   const std::shared_ptr<Shared_order>& order() const { return m_order; }
 
   // that of the vertices of the triangulation
-  std::shared_ptr<Shared_order> expanded_order() const { return m_order->refined(m_front); }
+  std::shared_ptr<Shared_order> expanded_order() const { return m_order->refined(m_original); }
 
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
@@ -113,17 +113,17 @@ public:
 
   // for each vertex of the triangulation, the vertex of the surface of which it is a copy, or which
   // it is
-  const std::vector<Vertex_index>& front() const { return m_front; }
-  Vertex_index front(Vertex_index v) const { return m_front[v.idx()]; }
+  const std::vector<Vertex_index>& originals() const { return m_original; }
+  Vertex_index original(Vertex_index v) const { return m_original[v.idx()]; }
 
-  // For each vertex of the triangulation another one with the same front, until there are no more:
-  // from a vertex of the surface, they lead to all its copies.
+  // For each vertex of the triangulation another one with the same original, until there are no
+  // more: from a vertex of the surface, they lead to all its copies.
   std::vector<Vertex_index> next_copies() const
   {
-    std::vector<Vertex_index> result(m_front.size());
-    for(std::size_t v = size(); v < m_front.size(); ++v) {
-      result[v] = result[m_front[v].idx()];
-      result[m_front[v].idx()] = Vertex_index(Delta_complex::size_type(v));
+    std::vector<Vertex_index> result(m_original.size());
+    for(std::size_t v = size(); v < m_original.size(); ++v) {
+      result[v] = result[m_original[v].idx()];
+      result[m_original[v].idx()] = Vertex_index(Delta_complex::size_type(v));
     }
     return result;
   }
@@ -137,24 +137,24 @@ public:
   }
 
   // the component of a vertex of the triangulation
-  std::size_t component(Vertex_index v) const { return components()[m_front[v.idx()].idx()]; }
+  std::size_t component(Vertex_index v) const { return components()[m_original[v.idx()].idx()]; }
 
-  bool has_no_copies() const { return m_front_face.size() == m_half.num_faces(); }
+  bool has_no_copies() const { return m_original_face.size() == m_half.num_faces(); }
 
   // values at the vertices of the triangulation: those of the surface and of copies
   Vector expanded(const Vector& value) const
   {
-    Vector result(Eigen::Index(m_front.size()));
-    for(std::size_t v = 0; v < m_front.size(); ++v)
-      result[Eigen::Index(v)] = value[Eigen::Index(m_front[v].idx())];
+    Vector result(Eigen::Index(m_original.size()));
+    for(std::size_t v = 0; v < m_original.size(); ++v)
+      result[Eigen::Index(v)] = value[Eigen::Index(m_original[v].idx())];
     return result;
   }
   template <typename T>
   std::vector<T> expanded(const std::vector<T>& value) const
   {
     std::vector<T> result;
-    result.reserve(m_front.size());
-    for(Vertex_index v : m_front)
+    result.reserve(m_original.size());
+    for(Vertex_index v : m_original)
       result.push_back(value[v.idx()]);
     return result;
   }
@@ -181,10 +181,10 @@ public:
 
   // Makes the second copy deeper, and T^A and T^B with it, where it was not deep enough for these
   // flips.
-  void deepen(const std::vector<Halfedge_index>& flips)
+  void extend(const std::vector<Halfedge_index>& flips)
   {
-    deepen(m_rings, flips);
-    m_rings *= 2;
+    extend(m_width, flips);
+    m_width *= 2;
   }
 
   // Returns the surface in T^C of these scale factors, for which the copy is made deep enough.
@@ -197,7 +197,7 @@ public:
       result.scale({all.begin(), all.end()});
       if(!has_exceeded(result.flips()))
         return result;
-      deepen(result.flips());
+      extend(result.flips());
     }
   }
 
@@ -237,19 +237,19 @@ public:
   }
 
 private:
-  void deepen(std::size_t rings, const std::vector<Halfedge_index>& flips)
+  void extend(std::size_t width, const std::vector<Halfedge_index>& flips)
   {
     std::vector<Vertex_index> start;
     for(Edge_index e : m_exceeded)
       for(unsigned end : {0u, 1u})
         start.push_back(m_half.vertex(e, end));
-    copy_around(start, rings);
+    copy_around(start, width);
     copy_regions(flips);
     build();
   }
 
   // Copies the faces at vertices within a number of rings around some.
-  void copy_around(std::vector<Vertex_index> front, std::size_t rings)
+  void copy_around(std::vector<Vertex_index> front, std::size_t width)
   {
     std::vector<char> is_near(m_half.num_vertices(), 0);
     const auto add = [&](Vertex_index v, std::vector<Vertex_index>& to) {
@@ -257,10 +257,10 @@ private:
         to.push_back(v);
       is_near[v.idx()] = 1;
     };
-    for(std::size_t ring = 0; ring <= rings; ++ring) {
+    for(std::size_t ring = 0; ring <= width; ++ring) {
       std::vector<Vertex_index> next;
       for(Vertex_index v : front)
-        Intrinsic_triangulations::for_each_spoke(v, m_half, [&](Halfedge_index h) {
+        Intrinsic_triangulations::for_each_outgoing_halfedge(v, m_half, [&](Halfedge_index h) {
           if(!m_half.is_border(h))
             m_has_copy[m_half.face(h).idx()] = 1;
           add(m_half.target(h), next);
@@ -280,8 +280,8 @@ private:
     const std::vector<Halfedge_index>* const parts[] = {&m_flips, &flips};
     for(const auto* part : parts)
       for(Halfedge_index h : *part) {
-        regions.union_set(m_front_face[mesh.face(h).idx()].idx(),
-                          m_front_face[mesh.face(opposite(h)).idx()].idx());
+        regions.union_set(m_original_face[mesh.face(h).idx()].idx(),
+                          m_original_face[mesh.face(opposite(h)).idx()].idx());
         flip_edge(h, mesh);
       }
     std::vector<char> has_copy(m_half.num_faces(), 0);
@@ -296,8 +296,8 @@ private:
   {
     const Doubled_surface surface(m_half, m_has_copy);
     m_triangulation = m_point.empty() ? double_by_lengths(surface) : double_by_points(surface);
-    m_front = surface.front();
-    m_front_face = surface.front_faces();
+    m_original = surface.originals();
+    m_original_face = surface.original_faces();
     m_seams = surface.seams();
     if(m_flipping == Flipping::to_Delaunay)
       flip_to_Delaunay();
@@ -319,7 +319,7 @@ private:
     return Triangulation(surface.mesh(),
                          CGAL::parameters::vertex_point_map(
                            boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
-                             const auto& [x, y, z] = m_point[surface.front()[v.idx()].idx()];
+                             const auto& [x, y, z] = m_point[surface.originals()[v.idx()].idx()];
                              return Simple_cartesian<double>::Point_3(x, y, z);
                            })));
   }
@@ -339,7 +339,7 @@ private:
       m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
                          .visitor(std::ref(record)));
     if(has_exceeded(m_flips))
-      deepen(0, {});
+      extend(0, {});
     else if(m_has_exact_flips)
       find_precise_lengths();
   }
@@ -359,12 +359,12 @@ private:
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges
   std::vector<char> m_has_copy;               // for each face of the surface
-  std::size_t m_rings = 1;                    // that are copied the next time
+  std::size_t m_width = 1;                    // that are copied the next time
   Triangulation m_triangulation;
   std::vector<Extended> m_precise_length; // of T^B, if flips are exact
   std::size_t m_number_of_flips = 0;
-  std::vector<Vertex_index> m_front;
-  std::vector<Face_index> m_front_face;
+  std::vector<Vertex_index> m_original;
+  std::vector<Face_index> m_original_face;
   std::vector<Halfedge_index> m_flips; // to T^B
   std::vector<Edge_index> m_seams;     // between faces with and without copies
   std::vector<Edge_index> m_exceeded;  // where the copy is not deep enough

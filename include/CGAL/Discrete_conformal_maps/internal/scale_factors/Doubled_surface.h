@@ -34,9 +34,9 @@ public:
       m_corner(half.num_halfedges())
   {
     for(Vertex_index v : half.vertices())
-      m_front.push_back(v);
+      m_original.push_back(v);
     for(Face_index f : half.faces())
-      m_front_face.push_back(f);
+      m_original_face.push_back(f);
     add_copies();
     for(Face_index f : half.faces())
       if(has_copy[f.idx()])
@@ -49,10 +49,10 @@ public:
 
   // for each vertex the one of which it is a copy, or which it is; where the copies of the faces
   // around a vertex are not connected, there are several
-  const std::vector<Vertex_index>& front() const { return m_front; }
+  const std::vector<Vertex_index>& originals() const { return m_original; }
 
   // for each face the one of which it is a copy, or which it is
-  const std::vector<Face_index>& front_faces() const { return m_front_face; }
+  const std::vector<Face_index>& original_faces() const { return m_original_face; }
 
   // the edges of the surface between a face with and a face without a copy
   const std::vector<Edge_index>& seams() const { return m_seams; }
@@ -71,7 +71,7 @@ private:
   {
     using namespace Intrinsic_triangulations;
     const Edge_index e(h);
-    return opposite(m_half.is_border(e) ? h : directed_as(h, first_halfedge(m_edge[e.idx()])));
+    return opposite(m_half.is_border(e) ? h : oriented_like(h, first_halfedge(m_edge[e.idx()])));
   }
 
   void add_copies()
@@ -79,7 +79,7 @@ private:
     for(Face_index f : m_half.faces())
       if(m_has_copy[f.idx()]) {
         m_face[f.idx()] = m_mesh.add_face();
-        m_front_face.push_back(f);
+        m_original_face.push_back(f);
       }
     for(Edge_index e : m_half.edges()) {
       const Halfedge_index h = m_half.halfedge(e), o = m_half.opposite(h);
@@ -113,7 +113,7 @@ private:
         copy = Vertex_index();
       else if(!copy.is_valid()) {
         copy = m_mesh.add_vertex();
-        m_front.push_back(v);
+        m_original.push_back(v);
       }
       m_corner[h.idx()] = copy;
       h = next(h);
@@ -160,8 +160,8 @@ private:
   const Delta_complex& m_half;
   Delta_complex m_mesh;
   const std::vector<char>& m_has_copy;
-  std::vector<Vertex_index> m_front;
-  std::vector<Face_index> m_front_face;
+  std::vector<Vertex_index> m_original;
+  std::vector<Face_index> m_original_face;
   std::vector<Edge_index> m_edge;
   std::vector<Face_index> m_face;
   std::vector<Vertex_index> m_corner; // the copy at the target of each halfedge of a copied face

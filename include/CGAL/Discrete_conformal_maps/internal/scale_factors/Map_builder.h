@@ -35,11 +35,11 @@ class Map_builder
 
 public:
   // `map` is what is built
-  Map_builder(Doubled_problem& problem, std::size_t number_of_front_faces,
+  Map_builder(Doubled_problem& problem, std::size_t number_of_original_faces,
               Discrete_conformal_map& map)
     : m_problem(problem), m_data(*map.m_data)
   {
-    m_data.number_of_front_faces = number_of_front_faces;
+    m_data.number_of_original_faces = number_of_original_faces;
     m_data.counts = problem.order()->counts();
   }
 
@@ -106,7 +106,7 @@ public:
   // Takes the triangulation of the problem, and makes these flips.
   void flip(std::vector<Halfedge_index> flips)
   {
-    m_data.input_vertex = m_problem.front();
+    m_data.input_vertex = m_problem.originals();
     m_data.ab = std::move(m_problem.triangulation());
     m_data.number_of_flips[1] = m_problem.number_of_flips();
     set_flips(std::move(flips));

@@ -252,7 +252,8 @@ private:
     for(Face_index f : mesh.faces()) {
       double least = std::numeric_limits<double>::infinity();
       for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh))
-        least = (std::min)(least, direction[Eigen::Index(m_problem.front(mesh.source(h)).idx())]);
+        least =
+          (std::min)(least, direction[Eigen::Index(m_problem.original(mesh.source(h)).idx())]);
       add(-m_problem.part(f) * pi * least);
     }
     return slope < -tolerance::cancellation * size;

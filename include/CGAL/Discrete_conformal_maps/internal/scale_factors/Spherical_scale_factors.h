@@ -106,7 +106,7 @@ private:
     energy.set_origin(origin);
     const Minimization_result last =
       Bounded_Newton_minimizer(tolerance, iteration_limit)(energy, x, lower, domain, visitor);
-    take(energy, x, lower);
+    store_scale_factors(energy, x, lower);
     add_result(last);
   }
 
@@ -118,7 +118,7 @@ private:
   }
 
   // at the bounds to the bit
-  void take(const Energy& energy, const Vector& x, const Vector& lower)
+  void store_scale_factors(const Energy& energy, const Vector& x, const Vector& lower)
   {
     for(std::size_t v = 0; v < m_u.size(); ++v) {
       const Eigen::Index i = Eigen::Index(v);
@@ -145,7 +145,7 @@ private:
     const Delta_complex& mesh = m_problem.triangulation().mesh();
     for(Halfedge_index h : mesh.halfedges())
       if(mesh.source(h) == m_at_infinity && mesh.target(h) != m_at_infinity) {
-        const std::size_t i = m_problem.front(mesh.target(h)).idx();
+        const std::size_t i = m_problem.original(mesh.target(h)).idx();
         is_neighbor[i] = 1;
         sum += m_bound[i];
         count += 1;

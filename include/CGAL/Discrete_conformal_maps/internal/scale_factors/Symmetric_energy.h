@@ -60,7 +60,7 @@ public:
   {
     m_has_Hessian = false;
     m_energy->evaluate(m_problem.expanded(x));
-    while(has_deepened()) {
+    while(has_extended()) {
       m_energy.emplace(m_make());
       m_energy->set_origin(m_problem.expanded(m_origin));
       m_energy->evaluate(m_problem.expanded(x));
@@ -135,7 +135,7 @@ private:
       m_energy->collect_column(w, column);
       for(const auto& [row, entry] : column) {
         if(w == v)
-          entries.emplace_back(int(m_problem.front()[std::size_t(row)].idx()),
+          entries.emplace_back(int(m_problem.originals()[std::size_t(row)].idx()),
                                m_part[Eigen::Index(v.idx())] * entry / 2);
         if(std::size_t(row) < size())
           entries.emplace_back(row, m_part[row] * entry / 2);
@@ -143,11 +143,11 @@ private:
     }
   }
 
-  bool has_deepened()
+  bool has_extended()
   {
     if(!m_energy->gradient().allFinite() || !m_problem.has_exceeded(m_energy->surface().flips()))
       return false;
-    m_problem.deepen(m_energy->surface().flips());
+    m_problem.extend(m_energy->surface().flips());
     return true;
   }
 

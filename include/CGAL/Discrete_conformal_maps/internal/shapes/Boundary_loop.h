@@ -60,7 +60,7 @@ double exterior_angle(Vertex_index v, const Delta_complex& mesh, const EdgeLengt
 {
   const auto length_of = [&](Halfedge_index h) { return get(length, mesh.edge(h)); };
   double result = boost::math::constants::pi<double>();
-  Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+  Intrinsic_triangulations::for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
     if(!mesh.is_border(h))
       result -= Intrinsic_triangulations::corner_angle(length_of(mesh.next(h)), length_of(h),
                                                        length_of(mesh.prev(h)));
@@ -79,7 +79,7 @@ inline std::vector<double> flat_boundary_lengths(const Planar_conformal_map& map
   };
   std::vector<double> result(map.Delaunay().input_mesh().num_edges(), 0);
   for(Halfedge_index h : mesh.halfedges())
-    if(map.is_front(h) && !map.is_front(Intrinsic_triangulations::opposite(h)))
+    if(map.is_original(h) && !map.is_original(Intrinsic_triangulations::opposite(h)))
       result[subdivision.parent_edge(Layer::A, mesh.edge(h)).idx()] +=
         std::abs(position(h) - position(mesh.prev(h)));
   return result;

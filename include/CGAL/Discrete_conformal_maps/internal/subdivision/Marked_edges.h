@@ -20,7 +20,6 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::directed_as;
 using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Edge_marks;
 using Intrinsic_triangulations::edge_point;
@@ -30,6 +29,7 @@ using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::is_first_halfedge;
 using Intrinsic_triangulations::opposite;
+using Intrinsic_triangulations::oriented_like;
 using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_place;
 using Intrinsic_triangulations::Vertex_index;
@@ -100,8 +100,8 @@ public:
   Marked_edges(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
     : m_mesh(ab.mesh(Side::intrinsic)), m_other{&ab.mesh(Side::input), &bc.mesh(Side::intrinsic)}
   {
-    set_spokes(0, Side::intrinsic, ab);
-    set_spokes(1, Side::input, bc);
+    set_outgoing_halfedges(0, Side::intrinsic, ab);
+    set_outgoing_halfedges(1, Side::input, bc);
     m_marks.reserve(ab.number_of_crossings() + bc.number_of_crossings());
     std::vector<size_type> count_of_both;
     for(Edge_index e : m_mesh.edges()) {
@@ -130,7 +130,7 @@ public:
   Mark<FT> mark(Halfedge_index h, size_type p) const
   {
     Mark<FT> m = m_marks[m_numbers(h, p)];
-    m.across = directed_as(h, m.across);
+    m.across = oriented_like(h, m.across);
     m.here = edge_point(h, m.here).t;
     if(!is_first_halfedge(h))
       std::swap(m.weight[0], m.weight[1]);
@@ -140,7 +140,10 @@ public:
   }
 
   // the last halfedge of the family's triangulation at or clockwise from `h` around its source
-  Halfedge_index spoke(std::size_t family, Halfedge_index h) const { return m_spoke[family][h]; }
+  Halfedge_index outgoing(std::size_t family, Halfedge_index h) const
+  {
+    return m_outgoing[family][h];
+  }
 
 private:
   struct Node
@@ -150,11 +153,12 @@ private:
   };
 
   template <typename Traits>
-  void set_spokes(std::size_t family, Side side, const Correspondence<Traits>& correspondence)
+  void set_outgoing_halfedges(std::size_t family, Side side,
+                              const Correspondence<Traits>& correspondence)
   {
-    m_spoke[family].reserve(m_mesh.num_halfedges());
+    m_outgoing[family].reserve(m_mesh.num_halfedges());
     for(Halfedge_index h : m_mesh.halfedges())
-      m_spoke[family].push_back(correspondence.spoke_before(side, h));
+      m_outgoing[family].push_back(correspondence.outgoing_before(side, h));
   }
 
   template <typename Traits_AB, typename Traits_BC>
@@ -196,7 +200,7 @@ private:
     const Delta_complex& other = mesh(family);
     size_type first = m_numbers.before(e);
     const size_type end = first + m_numbers.size(e);
-    Node left{FT(0), place_of_source<FT>(spoke(family, h), other).location};
+    Node left{FT(0), place_of_source<FT>(outgoing(family, h), other).location};
     for(size_type i = first; i < end; ++i) {
       const Mark<FT>& m = m_marks[i];
       if(m.family != family)
@@ -208,7 +212,7 @@ private:
       first = i + 1;
     }
     locate(first, end, left,
-           {FT(1), place_of_source<FT>(spoke(family, opposite(h)), other).location});
+           {FT(1), place_of_source<FT>(outgoing(family, opposite(h)), other).location});
   }
 
   void locate(size_type first, size_type last, const Node& left, const Node& right)
@@ -224,12 +228,12 @@ private:
 
   Surface_place<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
   {
-    return place_on_edge<FT>(spoke(family, h), {1 - t, t}, mesh(family));
+    return place_on_edge<FT>(outgoing(family, h), {1 - t, t}, mesh(family));
   }
 
   const Delta_complex& m_mesh;
   std::array<const Delta_complex*, 2> m_other;
-  std::array<std::vector<Halfedge_index>, 2> m_spoke;
+  std::array<std::vector<Halfedge_index>, 2> m_outgoing;
   Edge_marks m_numbers;                // of the marks of both families
   std::vector<size_type> m_count_of_A; // of each edge
   std::vector<Mark<FT>> m_marks;

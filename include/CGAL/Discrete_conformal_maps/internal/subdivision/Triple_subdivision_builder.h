@@ -152,7 +152,7 @@ private:
     m_result.set_parent(Layer::B, piece, h);
     for(std::size_t family = 0; family < 2; ++family)
       if(m_marks.count(family, Edge_index(h)) == 0)
-        m_result.set_parent(layer(family), piece, m_marks.spoke(family, h));
+        m_result.set_parent(layer(family), piece, m_marks.outgoing(family, h));
   }
 
   // edges on the boundary have no marks, hence are one piece each
@@ -321,7 +321,7 @@ private:
   }
 
   // From the side after the corner to the side before it. Each region between chords is in the face
-  // on the left of the last spoke passed.
+  // on the left of the last outgoing halfedge passed.
   void link_corner(std::size_t s)
   {
     const Halfedge_index before = m_chords.sides()[(s + 2) % 3], after = m_chords.sides()[s];
@@ -329,7 +329,7 @@ private:
     Halfedge_index out = piece_of_side(after, 0);
     Place place;
     for(std::size_t k = 0; k < 2; ++k)
-      place[k] = internal::place_of_source<FT>(m_marks.spoke(k, after), m_marks.mesh(k));
+      place[k] = internal::place_of_source<FT>(m_marks.outgoing(k, after), m_marks.mesh(k));
     for(std::size_t i = m_chords.number_at_corner(s); i-- > 0;) {
       const Chord_end& end = m_chords.end_at_corner(s, i);
       const auto& chord = m_chords[end.chord];

@@ -37,7 +37,7 @@ public:
     const auto& subdivision = map.subdivision();
     const auto& mesh = subdivision.mesh();
     for(Halfedge_index h : mesh.halfedges()) {
-      if(!map.is_front(h) || map.is_front(Intrinsic_triangulations::opposite(h)))
+      if(!map.is_original(h) || map.is_original(Intrinsic_triangulations::opposite(h)))
         continue;
       const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, mesh.prev(h)));
       const Point p(z[0] / z[2], z[1] / z[2]);

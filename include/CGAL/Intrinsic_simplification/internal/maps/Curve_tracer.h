@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_simplification.h>
 
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Recorded_flip.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Turned_edge.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
@@ -181,7 +181,7 @@ private:
 
   void pass(const Flip& flip, const Curve_segment& s)
   {
-    const Turned_edge turn(flip, m_route.is_forward());
+    const Recorded_flip turn(flip, m_route.is_forward());
     const Patch_face face = turn.before(turn.has_r(s.face));
     const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
     const int from_side = turn.side(from), to_side = turn.side(to);
@@ -210,15 +210,16 @@ private:
       return add_part(sectors[from.first], from.point, to.point);
     if(to.is_in(from.last))
       return add_part(sectors[from.last], from.point, to.point);
-    // one way around the vertex there is one spoke; where its line is crossed decides on the way
+    // one way around the vertex there is one outgoing halfedge; where its line is crossed decides
+    // on the way
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
-    const std::size_t spoke = one_ahead ? (from.last + 1) % 3 : from.first;
-    auto [point, excess] = sectors.on_line(spoke, x, y);
+    const std::size_t outgoing = one_ahead ? (from.last + 1) % 3 : from.first;
+    auto [point, excess] = sectors.on_line(outgoing, x, y);
     if(sectors.is_border() ? Vertex_sectors::is_on_border_side(x, y)
                            : std::abs(excess) <= rounding())
       return pass_through_vertex(sectors, from, point, to);
     const bool is_ahead = one_ahead == (excess > 0 || sectors.is_border());
-    pass_spokes(sectors, is_ahead, {x, y}, from, to);
+    pass_outgoing_halfedges(sectors, is_ahead, {x, y}, from, to);
   }
 
   void pass_through_vertex(const Vertex_sectors& sectors, const Vertex_sectors::Sector_point& from,
@@ -232,9 +233,10 @@ private:
   }
 
   // counterclockwise around the vertex if `is_ahead`
-  void pass_spokes(const Vertex_sectors& sectors, bool is_ahead,
-                   const std::array<Patch_point, 2>& ends, const Vertex_sectors::Sector_point& from,
-                   const Vertex_sectors::Sector_point& to)
+  void pass_outgoing_halfedges(const Vertex_sectors& sectors, bool is_ahead,
+                               const std::array<Patch_point, 2>& ends,
+                               const Vertex_sectors::Sector_point& from,
+                               const Vertex_sectors::Sector_point& to)
   {
     Patch_point last = from.point;
     std::size_t n = is_ahead ? from.last : from.first;

@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_simplification.h>
 
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Recorded_flip.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Turned_edge.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -175,7 +175,7 @@ private:
 
   void pass(const Flip& flip, const Timed_cell& c)
   {
-    const Turned_edge turn(flip, true);
+    const Recorded_flip turn(flip, true);
     const Patch_face before = turn.before(turn.has_r(c.cell.face));
     m_points.clear();
     for(const Cell_side& s : c.cell.sides) {
@@ -212,7 +212,7 @@ private:
 
   // Points on the edge go with those before them. There are two parts, or more if rounding has bent
   // a side; then the negative side is cut off part by part.
-  void cut_along(const Turned_edge& turn, Route::Time t)
+  void cut_along(const Recorded_flip& turn, Route::Time t)
   {
     move_to_front(1); // the last that is not on the edge is negative now
     const std::size_t edge = line_of_flip(t);
@@ -245,7 +245,7 @@ private:
   }
 
   // agrees to the last bit for both cells that ask
-  Patch_point crossing(const Turned_edge& turn, const Patch_point& x, const Patch_point& y)
+  Patch_point crossing(const Recorded_flip& turn, const Patch_point& x, const Patch_point& y)
   {
     if(x.node > y.node)
       return crossing(turn, y, x);
@@ -254,7 +254,7 @@ private:
     return numbered(turn.crossing(x, y), entry->second);
   }
 
-  void add_part(const Turned_edge& turn, bool has_p, const Part& part, Route::Time t)
+  void add_part(const Recorded_flip& turn, bool has_p, const Part& part, Route::Time t)
   {
     const Patch_face after = turn.after(has_p);
     Cell result{after.face, {}, {}};

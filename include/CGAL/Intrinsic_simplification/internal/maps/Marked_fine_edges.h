@@ -80,7 +80,7 @@ public:
   // the first piece of an edge that starts at the vertex `v` of the coarse level
   Strand first_strand(Vertex_index v) const
   {
-    return strands().first(first_spoke(v, m_map.coarse().mesh()));
+    return strands().first(first_outgoing_halfedge(v, m_map.coarse().mesh()));
   }
 
   // ---- Pieces of edges of the coarse level ----

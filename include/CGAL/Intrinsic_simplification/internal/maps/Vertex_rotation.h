@@ -67,14 +67,14 @@ public:
   }
 
   // the halfedges that leave `v`, in counterclockwise order
-  void collect_spokes(Vertex_index v, std::vector<Halfedge_index>& out) const
+  void collect_outgoing_halfedges(Vertex_index v, std::vector<Halfedge_index>& out) const
   {
     out.clear();
     if(m_edges.is_fine_vertex(v))
-      return collect_spokes_of_fine_vertex(v, out);
+      return collect_outgoing_halfedges_of_fine_vertex(v, out);
     const Curve_index mark = m_edges.mark_of(v), piece = m_edges.piece_before(v);
     if(m_edges.is_new_vertex(v))
-      return collect_spokes_of_new_vertex(v, mark, out);
+      return collect_outgoing_halfedges_of_new_vertex(v, mark, out);
     if(mark == no_index) {
       out = {m_halfedge[piece + 1], opposite(m_halfedge[piece])};
       return;
@@ -122,7 +122,7 @@ private:
     for(Curve_index p = 0; p < m_pieces.size(); ++p) {
       const Halfedge_index h = whole_edge(p);
       if(h.is_valid() && m_edges.kept().size(Edge_index(h)) == 0 &&
-         take(m_edges.kept().piece(h, 0))) {
+         claim(m_edges.kept().piece(h, 0))) {
         m_halfedge.push_back(m_edges.kept().piece(h, 0));
       } else {
         m_halfedge.push_back(chord(m_piece_of_chord.size()));
@@ -143,7 +143,7 @@ private:
   }
 
   // whether no other piece runs along a piece of a fine edge
-  bool take(Halfedge_index fine_piece)
+  bool claim(Halfedge_index fine_piece)
   {
     return std::exchange(m_is_taken[Edge_index(fine_piece).idx()], 1) == 0;
   }
@@ -159,7 +159,7 @@ private:
   {
     for(Halfedge_index side : {h, opposite(h)}) {
       const Halfedge_index other = mesh.next(side);
-      if(mesh.next(other) == side && Edge_index(other).idx() < m_is_taken.size() && take(other)) {
+      if(mesh.next(other) == side && Edge_index(other).idx() < m_is_taken.size() && claim(other)) {
         h = side == h ? opposite(other) : other;
         return true;
       }
@@ -204,8 +204,8 @@ private:
   {
     const Curve_strands strands = m_edges.strands();
     const std::size_t c = corner_number(at_corner);
-    const auto [right, chords_on_right] = way_out(chord, at_corner.corners, Turn::right);
-    const Strand left = way_out(chord, at_corner.corners, Turn::left).first;
+    const auto [right, chords_on_right] = exit(chord, at_corner.corners, Turn::right);
+    const Strand left = exit(chord, at_corner.corners, Turn::left).first;
     const Position first = position(right, c), last = position(left, c);
     std::ptrdiff_t tie = chords_on_right;
     if(strands.edge(left) == strands.edge(chord) && is_at_corner(strands.end(left)))
@@ -216,7 +216,7 @@ private:
 
   // Where the way on one side of a chord leaves its face. If it comes back to the corner by another
   // chord, that is the next one there, and its way is followed. Returns the number of these too.
-  std::pair<Strand, std::ptrdiff_t> way_out(const Strand& chord, Corner_set corner, Turn turn) const
+  std::pair<Strand, std::ptrdiff_t> exit(const Strand& chord, Corner_set corner, Turn turn) const
   {
     const Curve_strands strands = m_edges.strands();
     Strand end = chord;
@@ -246,12 +246,13 @@ private:
 
   // ---- Around a vertex ----
 
-  void collect_spokes_of_fine_vertex(Vertex_index v, std::vector<Halfedge_index>& out) const
+  void collect_outgoing_halfedges_of_fine_vertex(Vertex_index v,
+                                                 std::vector<Halfedge_index>& out) const
   {
     if(m_fine.is_isolated(v))
       return;
-    Intrinsic_triangulations::for_each_spoke(v, m_fine, [&](Halfedge_index h) {
-      collect_spokes_along(h, out);
+    Intrinsic_triangulations::for_each_outgoing_halfedge(v, m_fine, [&](Halfedge_index h) {
+      collect_outgoing_halfedges_along(h, out);
       if(m_fine.is_border(h))
         return;
       const std::size_t corner =
@@ -264,14 +265,15 @@ private:
   }
 
   // around a vertex that only the coarse level has, as there
-  void collect_spokes_of_new_vertex(Vertex_index v, Curve_index mark,
-                                    std::vector<Halfedge_index>& out) const
+  void collect_outgoing_halfedges_of_new_vertex(Vertex_index v, Curve_index mark,
+                                                std::vector<Halfedge_index>& out) const
   {
     const Curve_strands strands = m_edges.strands();
-    for_each_spoke(m_edges.new_vertex(v), m_edges.map().coarse().mesh(), [&](Halfedge_index h) {
-      const Strand s = strands.first(h);
-      out.push_back(s.is_forward ? m_halfedge[s.piece] : opposite(m_halfedge[s.piece]));
-    });
+    for_each_outgoing_halfedge(
+      m_edges.new_vertex(v), m_edges.map().coarse().mesh(), [&](Halfedge_index h) {
+        const Strand s = strands.first(h);
+        out.push_back(s.is_forward ? m_halfedge[s.piece] : opposite(m_halfedge[s.piece]));
+      });
     if(mark == no_index)
       return;
     auto [before, after] = m_edges.pieces_around_mark(mark);
@@ -284,7 +286,7 @@ private:
   }
 
   // the first piece of `h`, and the chords at the marks that have been moved to its source
-  void collect_spokes_along(Halfedge_index h, std::vector<Halfedge_index>& out) const
+  void collect_outgoing_halfedges_along(Halfedge_index h, std::vector<Halfedge_index>& out) const
   {
     const Edge_index e(h);
     Curve_index moved = 0;

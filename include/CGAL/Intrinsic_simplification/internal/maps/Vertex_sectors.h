@@ -105,7 +105,7 @@ public:
     return {x, (c + 2) % 3, c};
   }
 
-  // A point on the line through the vertex and corner `spoke`, between two points of the whole
+  // A point on the line through the vertex and corner `outgoing`, between two points of the whole
   // face.
   struct Line_point
   {
@@ -113,19 +113,19 @@ public:
     double excess;     // negative beyond m; as a part of the coordinates
   };
 
-  Line_point on_line(std::size_t spoke, const Patch_point& x, const Patch_point& y) const
+  Line_point on_line(std::size_t outgoing, const Patch_point& x, const Patch_point& y) const
   {
-    const std::size_t a = (spoke + 1) % 3, c = (spoke + 2) % 3;
+    const std::size_t a = (outgoing + 1) % 3, c = (outgoing + 2) % 3;
     Patch_point result = between(x, y, distance(a, c, x), distance(a, c, y));
     auto& w = result.weight;
     const double sum = w[0] + w[1] + w[2];
     const std::size_t greater = m_vertex[a] > m_vertex[c] ? a : c;
     const double at_vertex = m_vertex[greater] > 0 ? w[greater] / m_vertex[greater] : 0;
-    const double rest = w[spoke] - at_vertex * m_vertex[spoke];
+    const double rest = w[outgoing] - at_vertex * m_vertex[outgoing];
     w[a] = w[c] = 0;
-    w[spoke] = (std::max)(rest, 0.);
+    w[outgoing] = (std::max)(rest, 0.);
     w[m] = at_vertex;
-    result.corners = bit(m) | bit(spoke);
+    result.corners = bit(m) | bit(outgoing);
     return {result, rest / sum};
   }
 

@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/maps/Recorded_flip.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Turned_edge.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
 
 #include <cstddef>
@@ -36,7 +36,7 @@ public:
 
   void pass(const Flip& flip)
   {
-    const Turned_edge turn(flip, is_forward);
+    const Recorded_flip turn(flip, is_forward);
     Patch_coordinates x = turn.has_r(m_point.first) ? turn.before(true).in_patch(m_point.second)
                                                     : turn.before(false).in_patch(m_point.second);
     if(turn.is_beside_p(x))
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  void change(const Turned_edge& turn, bool has_p, Patch_coordinates& x)
+  void change(const Recorded_flip& turn, bool has_p, Patch_coordinates& x)
   {
     turn.change_inside(x, has_p);
     move_to(turn.after(has_p), x);

@@ -32,7 +32,7 @@ inline Level_place vertex_place(Vertex_index v, const Delta_complex& mesh)
 {
   if(mesh.is_isolated(v))
     return {Halfedge_index(), {}};
-  return edge_place(Intrinsic_triangulations::first_spoke(v, mesh), 0, mesh);
+  return edge_place(Intrinsic_triangulations::first_outgoing_halfedge(v, mesh), 0, mesh);
 }
 
 // the place of a vertex of the subdivision on the fine level

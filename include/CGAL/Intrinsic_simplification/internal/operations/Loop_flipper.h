@@ -73,7 +73,7 @@ private:
   {
     Loops result{0, Delta_complex::null_halfedge()};
     const Delta_complex& mesh = surface.mesh();
-    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       if(mesh.target(h) != v)
         return;
       ++result.count;

@@ -24,13 +24,13 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 // The barycentric coordinates of a point in a triangle, from its distances to the corners and the
 // sides of the triangle that begin there.
-inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& spoke,
+inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& outgoing_length,
                                                   const std::array<double, 3>& side)
 {
   std::array<double, 3> area; // opposite to each corner
   for(std::size_t c = 0; c < 3; ++c)
-    area[c] = Intrinsic_triangulations::quadrupled_area(spoke[(c + 1) % 3], side[(c + 1) % 3],
-                                                        spoke[(c + 2) % 3]);
+    area[c] = Intrinsic_triangulations::quadrupled_area(
+      outgoing_length[(c + 1) % 3], side[(c + 1) % 3], outgoing_length[(c + 2) % 3]);
   const double sum = area[0] + area[1] + area[2];
   if(!(sum > 0)) // all points on a line: any place is correct
     return {1. / 3, 1. / 3, 1. / 3};
@@ -43,7 +43,7 @@ template <typename Visitor>
 class Refinement_follower
 {
   typedef Evolving_surface::Triangulation Triangulation;
-  typedef std::vector<Halfedge_index> Spokes;
+  typedef std::vector<Halfedge_index> Halfedges;
 
 public:
   Refinement_follower(Triangulation& tri, Evolving_surface& evolving, Visitor& visitor)
@@ -68,13 +68,13 @@ public:
 
   void before_exact_flips()
   {
-    start_anew();
+    restart_from_input();
     m_visitor.before_exact_flips();
   }
 
   void before_exact_refinement()
   {
-    start_anew();
+    restart_from_input();
     m_visitor.before_exact_refinement();
   }
 
@@ -93,15 +93,15 @@ public:
   {
     const Vertex_index w = m_vertex[v];
     CGAL_assertion(!surface().mesh().is_border(w));
-    const Halfedge_index a = first_spoke(w, surface().mesh());
-    std::array<double, 3> spoke, side;
+    const Halfedge_index a = first_outgoing_halfedge(w, surface().mesh());
+    std::array<double, 3> outgoing_length, side;
     Halfedge_index h = a;
     for(std::size_t n = 0; n < 3; ++n) {
-      spoke[n] = surface().length(h);
+      outgoing_length[n] = surface().length(h);
       side[n] = surface().length(surface().mesh().next(h));
-      h = next_spoke(h, surface().mesh());
+      h = next_around_source(h, surface().mesh());
     }
-    const auto weight = weights_from_lengths(spoke, side);
+    const auto weight = weights_from_lengths(outgoing_length, side);
     history().add_removal(a, surface().mesh(), weight[0], weight[1]);
     Intrinsic_triangulations::remove_degree_3_vertex(w, surface().mesh());
     m_visitor.after_removal(v, f);
@@ -122,7 +122,7 @@ public:
 
   Vertex_index image(Vertex_index v) const
   {
-    return surface().mesh().source(image(first_spoke(v, mesh())));
+    return surface().mesh().source(image(first_outgoing_halfedge(v, mesh())));
   }
 
 private:
@@ -136,12 +136,12 @@ private:
   // the halfedge of the surface
   Halfedge_index image(Halfedge_index h) const
   {
-    return Intrinsic_triangulations::directed_as(h, m_halfedge[mesh().edge(h)]);
+    return Intrinsic_triangulations::oriented_like(h, m_halfedge[mesh().edge(h)]);
   }
 
   void set_image(Halfedge_index h, Halfedge_index on_surface)
   {
-    m_halfedge[mesh().edge(h)] = Intrinsic_triangulations::directed_as(h, on_surface);
+    m_halfedge[mesh().edge(h)] = Intrinsic_triangulations::oriented_like(h, on_surface);
   }
 
   // elements of the triangulation have the order of those of the surface
@@ -155,7 +155,7 @@ private:
       m_halfedge[*e++] = surface().mesh().halfedge(on_surface, 0);
   }
 
-  void start_anew()
+  void restart_from_input()
   {
     surface() = m_start;
     history().truncate(m_start_time);
@@ -164,90 +164,94 @@ private:
 
   void insert(Vertex_index v)
   {
-    const Spokes spokes = spokes_at(v);
+    const Halfedges outgoing = outgoing_halfedges(v);
     if(mesh().is_border(v))
-      insert_on_edge(spokes);
-    else if(spokes.size() == 3)
-      insert_into_face(spokes, first_side(spokes));
+      insert_on_edge(outgoing);
+    else if(outgoing.size() == 3)
+      insert_into_face(outgoing, first_side(outgoing));
     else
-      insert_on_inner_edge(spokes, first_side(spokes));
-    note_spokes(v, spokes);
+      insert_on_inner_edge(outgoing, first_side(outgoing));
+    note_outgoing_halfedges(v, outgoing);
   }
 
-  Spokes spokes_at(Vertex_index v) const
+  Halfedges outgoing_halfedges(Vertex_index v) const
   {
-    Spokes result;
-    for_each_spoke(v, mesh(), [&](Halfedge_index h) { result.push_back(h); });
+    Halfedges result;
+    for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) { result.push_back(h); });
     return result;
   }
 
-  // the side opposite to the new vertex that follows spoke `n`, on the surface as it was
-  Halfedge_index side(const Spokes& spokes, std::size_t n) const
+  // the side opposite to the new vertex that follows outgoing halfedge `n`, on the surface as it
+  // was
+  Halfedge_index side(const Halfedges& outgoing, std::size_t n) const
   {
-    return image(mesh().next(spokes[n % spokes.size()]));
+    return image(mesh().next(outgoing[n % outgoing.size()]));
   }
 
-  // The spoke before the first side of a face of the surface: for three spokes, the first side of
-  // all; for four, one that is followed by another in its face.
-  std::size_t first_side(const Spokes& spokes) const
+  // The outgoing halfedge before the first side of a face of the surface: for three of them, the
+  // first side of all; for four, one that is followed by another in its face.
+  std::size_t first_side(const Halfedges& outgoing) const
   {
     const Delta_complex& before = surface().mesh();
     std::size_t n = 0;
-    if(spokes.size() == 3)
-      while(side(spokes, n) != before.halfedge(before.face(side(spokes, 0))))
+    if(outgoing.size() == 3)
+      while(side(outgoing, n) != before.halfedge(before.face(side(outgoing, 0))))
         ++n;
     else
-      while(before.next(side(spokes, n)) != side(spokes, n + 1))
+      while(before.next(side(outgoing, n)) != side(outgoing, n + 1))
         ++n;
     return n;
   }
 
-  void insert_into_face(const Spokes& spokes, std::size_t first)
+  void insert_into_face(const Halfedges& outgoing, std::size_t first)
   {
-    std::array<double, 3> spoke, sides;
+    std::array<double, 3> outgoing_length, sides;
     for(std::size_t n = 0; n < 3; ++n) {
-      spoke[n] = length(spokes[(first + n) % 3]);
-      sides[n] = surface().length(side(spokes, first + n));
+      outgoing_length[n] = length(outgoing[(first + n) % 3]);
+      sides[n] = surface().length(side(outgoing, first + n));
     }
-    internal::insert(surface().mesh().face(side(spokes, 0)), weights_from_lengths(spoke, sides),
-                     spoke, surface(), history());
+    internal::insert(surface().mesh().face(side(outgoing, 0)),
+                     weights_from_lengths(outgoing_length, sides), outgoing_length, surface(),
+                     history());
   }
 
   // Inserts the vertex into a face without area at first: then its edge is flipped.
-  void insert_on_inner_edge(const Spokes& spokes, std::size_t first)
+  void insert_on_inner_edge(const Halfedges& outgoing, std::size_t first)
   {
-    const auto spoke = [&](std::size_t n) { return length(spokes[(first + n) % 4]); };
-    const Halfedge_index start = side(spokes, first),
-                         edge = surface().mesh().next(side(spokes, first + 1));
-    const double t = spoke(2) / (spoke(0) + spoke(2));
+    const auto outgoing_length = [&](std::size_t n) { return length(outgoing[(first + n) % 4]); };
+    const Halfedge_index start = side(outgoing, first),
+                         edge = surface().mesh().next(side(outgoing, first + 1));
+    const double t = outgoing_length(2) / (outgoing_length(0) + outgoing_length(2));
     const std::size_t c = Intrinsic_triangulations::side_number(start, surface().mesh());
     std::array<double, 3> weight, new_length;
     for(std::size_t n = 0; n < 3; ++n) {
       weight[(c + n) % 3] = n == 0 ? t : n == 1 ? 0 : 1 - t;
-      new_length[(c + n) % 3] = spoke(n);
+      new_length[(c + n) % 3] = outgoing_length(n);
     }
     internal::insert(surface().mesh().face(start), weight, new_length, surface(), history());
-    flip(edge, {spoke(3), t, 1}, surface(), history());
+    flip(edge, {outgoing_length(3), t, 1}, surface(), history());
   }
 
-  void insert_on_edge(const Spokes& spokes)
+  void insert_on_edge(const Halfedges& outgoing)
   {
-    const std::array<double, 3> spoke{length(spokes[0]), length(spokes[2]), length(spokes[1])};
-    insert_on_border(surface().mesh().next(side(spokes, 1)), spoke[1] / (spoke[0] + spoke[1]),
-                     spoke, surface(), history());
+    const std::array<double, 3> outgoing_length{length(outgoing[0]), length(outgoing[2]),
+                                                length(outgoing[1])};
+    insert_on_border(surface().mesh().next(side(outgoing, 1)),
+                     outgoing_length[1] / (outgoing_length[0] + outgoing_length[1]),
+                     outgoing_length, surface(), history());
   }
 
-  // the spokes of the new vertex on the surface, which has them now
-  void note_spokes(Vertex_index v, const Spokes& spokes)
+  // the outgoing halfedges of the new vertex on the surface, which has them now
+  void note_outgoing_halfedges(Vertex_index v, const Halfedges& outgoing)
   {
     const Delta_complex& after = surface().mesh();
-    Halfedge_index h = after.prev(side(spokes, 0));
+    Halfedge_index h = after.prev(side(outgoing, 0));
     m_vertex[v] = after.source(h);
-    for(Halfedge_index spoke : spokes) {
-      set_image(spoke, h);
-      surface().constrain(after.edge(h), m_tri.is_constrained(mesh().edge(spoke)));
+    for(Halfedge_index new_halfedge : outgoing) {
+      set_image(new_halfedge, h);
+      surface().constrain(after.edge(h), m_tri.is_constrained(mesh().edge(new_halfedge)));
       if(!after.is_border(h))
-        h = next_spoke(h, after);
+        h = next_around_source(h, after);
     }
   }
 

@@ -36,14 +36,14 @@ struct Plane_point
 };
 
 // an edge from the center that is to be flipped
-struct Spoke_flip
+struct Star_flip
 {
   Halfedge_index halfedge;
   Flip_geometry geometry;
 };
 
-// The flat star of a vertex without loops, laid out in the plane around the origin, and the spokes
-// whose flips leave three. A flip cuts off an ear of the polygon.
+// The flat star of a vertex without loops, laid out in the plane around the origin, and the
+// outgoing halfedges whose flips leave three. A flip cuts off an ear of the polygon.
 class Star_polygon
 {
 public:
@@ -65,19 +65,20 @@ public:
   }
 
   // in their order
-  const std::vector<Spoke_flip>& flips() const { return m_flips; }
+  const std::vector<Star_flip>& flips() const { return m_flips; }
 
-  // the barycentric coordinate of the center that belongs to one of the last three spokes
-  double weight(Halfedge_index spoke) const
+  // the barycentric coordinate of the center that belongs to one of the last three outgoing
+  // halfedges
+  double weight(Halfedge_index outgoing) const
   {
-    return m_weight[spoke == m_last[0] ? 0 : spoke == m_last[1] ? 1 : 2];
+    return m_weight[outgoing == m_last[0] ? 0 : outgoing == m_last[1] ? 1 : 2];
   }
 
 private:
   struct Corner
   {
     Plane_point point;
-    Halfedge_index spoke;
+    Halfedge_index outgoing;
     std::size_t previous, next; // of those that are left
     double power;               // the greater, the rather it is cut off
   };
@@ -158,12 +159,12 @@ private:
     rate(k);
   }
 
-  // of the spoke to j, between those to l and k
-  static Spoke_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
+  // of the outgoing halfedge to j, between those to l and k
+  static Star_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
   {
     const double at_l = cross(l, j.point), at_k = cross(j.point, k);
     const double both = at_l + at_k;
-    return {j.spoke,
+    return {j.outgoing,
             {std::sqrt(squared_norm(k - l)), std::clamp(cross(l, k) / both, 0., 1.),
              std::clamp(at_l / both, 0., 1.)}};
   }
@@ -173,7 +174,7 @@ private:
   {
     const std::size_t a = m_is_border ? 0 : m_first, b = m_corners[a].next, c = m_corners[b].next;
     const Plane_point &p = m_corners[a].point, &q = m_corners[b].point, &r = m_corners[c].point;
-    m_last = {m_corners[a].spoke, m_corners[b].spoke, m_corners[c].spoke};
+    m_last = {m_corners[a].outgoing, m_corners[b].outgoing, m_corners[c].outgoing};
     const std::array<double, 3> area{cross(q, r), m_is_border ? 0 : cross(r, p), cross(p, q)};
     const double sum = area[0] + area[1] + area[2];
     for(std::size_t n = 0; n < 3; ++n) {
@@ -185,7 +186,7 @@ private:
   }
 
   std::vector<Corner> m_corners;
-  std::vector<Spoke_flip> m_flips;
+  std::vector<Star_flip> m_flips;
   std::array<Halfedge_index, 3> m_last;
   std::array<double, 3> m_weight;
   std::size_t m_first = 0;

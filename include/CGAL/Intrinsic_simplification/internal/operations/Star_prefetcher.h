@@ -37,9 +37,9 @@ inline void prefetch(const void* address, std::size_t size)
 inline void prefetch_vertex(Intrinsic_triangulations::Vertex_index, const void*) {}
 
 // Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk
-// around a star waits for memory at each spoke, and many walks side by side wait hardly longer. On
-// surfaces larger than the cache a quarter of the time would be such waiting. Nothing else depends
-// on it.
+// around a star waits for memory at each outgoing halfedge, and many walks side by side wait hardly
+// longer. On surfaces larger than the cache a quarter of the time would be such waiting. Nothing
+// else depends on it.
 class Star_prefetcher
 {
 public:
@@ -62,7 +62,7 @@ public:
 private:
   struct Walk
   {
-    Halfedge_index spoke, first;
+    Halfedge_index outgoing, first;
   };
 
   static constexpr std::size_t number_at_once = 21; // three levels of the heap
@@ -76,24 +76,24 @@ private:
   {
     m_recent[slot(v)] = v;
     prefetch_vertex(v, &cost);
-    const Halfedge_index first = first_spoke(v, surface.mesh());
+    const Halfedge_index first = first_outgoing_halfedge(v, surface.mesh());
     m_walks.push_back({first, first});
   }
 
-  // whether there is a next spoke
+  // whether there is a next outgoing halfedge
   template <typename Cost>
   static bool step(Walk& walk, const Intrinsic_surface& surface, const Cost& cost)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index h = walk.spoke;
+    const Halfedge_index h = walk.outgoing;
     prefetch(&surface.direction(h));
     prefetch(&surface.length_map()[mesh.edge(h)]);
     prefetch_vertex(mesh.target(h), &cost);
     if(mesh.is_border(h))
       return false;
     prefetch(&surface.length_map()[mesh.edge(mesh.next(h))]);
-    walk.spoke = next_spoke(h, mesh);
-    return walk.spoke != walk.first;
+    walk.outgoing = next_around_source(h, mesh);
+    return walk.outgoing != walk.first;
   }
 
   std::array<Vertex_index, 1024> m_recent; // in a slot each: the last one

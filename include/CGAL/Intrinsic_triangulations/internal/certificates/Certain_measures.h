@@ -191,8 +191,8 @@ protected:
 
 private:
   // Returns a halfedge of T1 as long as the edge of `h`, which is an edge of T1. With positions,
-  // all that join the same vertices are, and most edges keep their indices: spokes, which memory
-  // would have to find, need not be asked.
+  // all that join the same vertices are, and most edges keep their indices: outgoing halfedges,
+  // which memory would have to find, need not be asked.
   Halfedge_index input_edge_as_long(Halfedge_index h) const
   {
     const Delta_complex& input = m_pair.input_mesh();

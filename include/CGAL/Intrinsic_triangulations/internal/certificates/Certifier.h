@@ -113,12 +113,12 @@ private:
     const auto append = [](const auto& from, auto& to) {
       to.insert(to.end(), from.begin(), from.end());
     };
-    append(part.bent_edges, m_certificate.bent_edges);
+    append(part.non_straight_edges, m_certificate.non_straight_edges);
     append(part.non_Delaunay_edges, m_certificate.non_Delaunay_edges);
     append(part.ties, m_certificate.ties);
     append(part.folded_vertices, m_certificate.folded_vertices);
     append(part.possibly_non_Delaunay_edges, m_certificate.possibly_non_Delaunay_edges);
-    append(part.possibly_bent_edges, m_certificate.possibly_bent_edges);
+    append(part.possibly_non_straight_edges, m_certificate.possibly_non_straight_edges);
     append(part.possibly_folded_vertices, m_certificate.possibly_folded_vertices);
     m_certificate.decided_by_lengths += part.decided_by_lengths;
     m_certificate.decided_in_floating_point += part.decided_in_floating_point;
@@ -132,7 +132,7 @@ private:
     const Straight_edge straight = decisions.straight_edge(m_mesh.halfedge(e));
     m_length[e] = straight.length;
     if(!straight.is_certain)
-      add_unless(e, part.bent_edges, part.possibly_bent_edges,
+      add_unless(e, part.non_straight_edges, part.possibly_non_straight_edges,
                  [&] { return decisions.is_straight(m_mesh.halfedge(e)); });
   }
 
@@ -183,7 +183,7 @@ private:
   {
     double sum = 0;
     bool is_oriented = true;
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.is_border(h))
         return;
       is_oriented = is_oriented && decisions.is_oriented(h);

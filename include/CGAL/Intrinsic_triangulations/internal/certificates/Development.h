@@ -58,14 +58,14 @@ public:
   Placed_side start(Halfedge_index h) const
   {
     const Vertex_index v = m_pair.mesh().source(h);
-    const Halfedge_index spoke = m_pair.input_spoke_before(h);
+    const Halfedge_index outgoing = m_pair.input_outgoing_before(h);
     const Complex one = m_corners.number(1);
     if(!m_pair.is_inserted(v))
-      return {spoke, m_corners.number(0), one, one};
+      return {outgoing, m_corners.number(0), one, one};
     const auto& place = m_pair.inserted_vertex(v);
-    if(spoke.is_valid()) {
-      const auto w = weights(spoke, v);
-      return {spoke, -w[1], w[0], w[0] + w[1]};
+    if(outgoing.is_valid()) {
+      const auto w = weights(outgoing, v);
+      return {outgoing, -w[1], w[0], w[0] + w[1]};
     }
     // from the nearest corner, so that the distance from it loses no digits
     const auto& b = place.location.second;
@@ -119,32 +119,32 @@ public:
     return {end(h, side), end(following, following_side(h, side))};
   }
 
-  // Returns the side at or clockwise from the spoke of T2 that follows `h`, for which `side` is
-  // this.
+  // Returns the side at or clockwise from the outgoing halfedge of T2 that follows `h`, for which
+  // `side` is this.
   Placed_side following_side(Halfedge_index h, Placed_side side) const
   {
     const Delta_complex& mesh = m_pair.mesh();
-    const std::size_t spokes =
+    const std::size_t outgoing_halfedges =
       static_cast<std::size_t>(m_pair.coordinates().curves_leaving(mesh.next(h), mesh)) +
       m_pair.coordinates().is_shared(mesh.edge(mesh.prev(h)));
     const bool is_inserted = m_pair.is_inserted(mesh.source(h));
-    Halfedge_index spoke = side.halfedge;
-    for(std::size_t s = spokes; s > 0; --s)
+    Halfedge_index outgoing = side.halfedge;
+    for(std::size_t s = outgoing_halfedges; s > 0; --s)
       if(is_inserted)
         side = beyond(std::move(side));
       else {
-        const Halfedge_index last = m_input.prev(spoke);
-        spoke = m_input.opposite(last);
+        const Halfedge_index last = m_input.prev(outgoing);
+        outgoing = m_input.opposite(last);
         if(s == 1 || !m_corners.is_flat(last))
-          side = spoke_in_face(side, last);
+          side = outgoing_in_face(side, last);
       }
     return side;
   }
 
-  // the next spoke around the origin, counterclockwise
-  Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
+  // the next outgoing halfedge around the origin, counterclockwise
+  Placed_side following_outgoing(const Placed_side& side, bool is_inserted) const
   {
-    return is_inserted ? beyond(side) : spoke_in_face(side, m_input.prev(side.halfedge));
+    return is_inserted ? beyond(side) : outgoing_in_face(side, m_input.prev(side.halfedge));
   }
 
   // the corner of the triangle opposite to `side`
@@ -225,14 +225,14 @@ private:
   std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
   {
     const Vertex_index v = m_pair.mesh().source(back);
-    const Halfedge_index spoke = m_pair.input_spoke_before(back);
-    if(!spoke.is_valid())
+    const Halfedge_index outgoing = m_pair.input_outgoing_before(back);
+    if(!outgoing.is_valid())
       return weights(side, m_pair.inserted_vertex(v).location);
-    const auto w = weights(spoke, v);
+    const auto w = weights(outgoing, v);
     const Complex zero = m_corners.number(0);
-    return spoke == side                 ? std::array<Complex, 3>{w[0], w[1], zero}
-           : spoke == m_input.next(side) ? std::array<Complex, 3>{zero, w[0], w[1]}
-                                         : std::array<Complex, 3>{w[1], zero, w[0]};
+    return outgoing == side                 ? std::array<Complex, 3>{w[0], w[1], zero}
+           : outgoing == m_input.next(side) ? std::array<Complex, 3>{zero, w[0], w[1]}
+                                            : std::array<Complex, 3>{w[1], zero, w[0]};
   }
 
   // a position, as positions are scaled to which a corner of the triangle of `h` has contributed
@@ -245,8 +245,9 @@ private:
            m_pair.input_length(m_input.edge(m_input.next(h)));
   }
 
-  // Returns the spoke opposite to the halfedge `last`, which ends at the origin in the same face.
-  Placed_side spoke_in_face(const Placed_side& side, Halfedge_index last) const
+  // Returns the outgoing halfedge opposite to the halfedge `last`, which ends at the origin in the
+  // same face.
+  Placed_side outgoing_in_face(const Placed_side& side, Halfedge_index last) const
   {
     const Complex end = side.vector * m_corners.from_source(side.halfedge, last);
     return {m_input.opposite(last), side.source, end, end};
@@ -299,7 +300,7 @@ private:
   {
     return m_pair.is_inserted(m_pair.mesh().source(back))
              ? point(side, weights_in_triangle(side.halfedge, back))
-             : place_of_source(m_pair.input_spoke_before(back), side);
+             : place_of_source(m_pair.input_outgoing_before(back), side);
   }
 
   const Triangulation_pair<Traits>& m_pair;

@@ -100,7 +100,7 @@ private:
   // the edge of the other triangulation along `h`
   Surface_element shared_edge(Side side, Halfedge_index h) const
   {
-    return Edge_index(side == Side::input ? m_correspondence.spoke_before(side, h)
+    return Edge_index(side == Side::input ? m_correspondence.outgoing_before(side, h)
                                           : m_tri.input_halfedge(h));
   }
 

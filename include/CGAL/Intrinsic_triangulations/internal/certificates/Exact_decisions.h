@@ -37,13 +37,13 @@ struct Decision_count
   std::size_t floating_point = 0, multiprecision = 0, exact = 0;
 };
 
-// Returns a complex number whose argument is the sum of the angles between the spokes.
-template <typename Spokes, typename Development>
-auto turn_over(const Spokes& spokes, const Development& development)
+// Returns a complex number whose argument is the sum of the angles between the outgoing halfedges.
+template <typename Fan, typename Development>
+auto turn_over(const Fan& outgoing, const Development& development)
 {
-  auto product = development.angle(spokes[0]);
-  for(std::size_t i = 1; i + 1 < spokes.size(); ++i)
-    product = product * development.angle(spokes[i]);
+  auto product = development.angle(outgoing[0]);
+  for(std::size_t i = 1; i + 1 < outgoing.size(); ++i)
+    product = product * development.angle(outgoing[i]);
   return product;
 }
 
@@ -140,29 +140,29 @@ public:
            convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
-  // Returns the sign of pi minus the sum of the angles between consecutive spokes.
-  template <typename Spokes>
-  Sign fan_sign(const Spokes& spokes)
+  // Returns the sign of pi minus the sum of the angles between consecutive outgoing halfedges.
+  template <typename Fan>
+  Sign fan_sign(const Fan& outgoing)
   {
-    const double rest = pi<double>() - rounded_fan_angle(spokes);
+    const double rest = pi<double>() - rounded_fan_angle(outgoing);
     return std::abs(rest) > fan_tolerance()
              ? CGAL::sign(rest)
              : decide([&](const auto& development) {
-                 return sign_of_imaginary(turn_over(spokes, development));
+                 return sign_of_imaginary(turn_over(outgoing, development));
                });
   }
 
   // Returns whether this sign is POSITIVE, by more than `flat_fan_tolerance()` where that needs
   // many digits.
-  template <typename Spokes>
-  bool is_less_than_pi(const Spokes& spokes) const
+  template <typename Fan>
+  bool is_less_than_pi(const Fan& outgoing) const
   {
-    const double rest = pi<double>() - rounded_fan_angle(spokes);
+    const double rest = pi<double>() - rounded_fan_angle(outgoing);
     if(std::abs(rest) > fan_tolerance())
       return rest > 0;
     bool result = false;
     try_with_more_digits([&](auto& corners) {
-      const auto product = turn_over(spokes, this->development(corners));
+      const auto product = turn_over(outgoing, this->development(corners));
       const Uncertain<Sign> sign = sign_of_imaginary(product);
       result = certainly(sign == POSITIVE);
       return is_certain(sign) ||
@@ -357,12 +357,12 @@ private:
 
   // ---- Fans ----
 
-  template <typename Spokes>
-  double rounded_fan_angle(const Spokes& spokes) const
+  template <typename Fan>
+  double rounded_fan_angle(const Fan& outgoing) const
   {
     double sum = 0;
-    for(std::size_t i = 0; i + 1 < spokes.size(); ++i)
-      sum += rounded_angle(spokes[i]);
+    for(std::size_t i = 0; i + 1 < outgoing.size(); ++i)
+      sum += rounded_angle(outgoing[i]);
     return sum;
   }
 
@@ -396,10 +396,10 @@ private:
     const auto is_one = [&](Halfedge_index side) {
       return (area_sign(side, m_metric, m_pair.input()) != ZERO) == has_area;
     };
-    const Halfedge_index spoke = m_pair.input_spoke_before(h);
+    const Halfedge_index outgoing = m_pair.input_outgoing_before(h);
     const Delta_complex& input = m_pair.input_mesh();
-    if(is_one(spoke.is_valid()
-                ? spoke
+    if(is_one(outgoing.is_valid()
+                ? outgoing
                 : input.halfedge(m_pair.inserted_vertex(m_mesh.source(h)).location.first)))
       return true;
     const Edge_course course = m_courses(h);

@@ -8,7 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Recent_values.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 
 #include <cstddef>
@@ -34,7 +34,7 @@ public:
 private:
   const Metric& m_metric;
   const Delta_complex& m_mesh;
-  Recent_values<bool> m_is_flat;
+  Direct_mapped_cache<bool> m_is_flat;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -10,9 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Recent_values.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -269,7 +269,7 @@ private:
 
   const Metric& m_metric;
   Surface m_input;
-  Recent_values<Complex> m_corner;
+  Direct_mapped_cache<Complex> m_corner;
 };
 
 // Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a

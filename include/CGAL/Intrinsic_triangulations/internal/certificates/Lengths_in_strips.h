@@ -60,8 +60,9 @@ public:
     if(is_shared && !m_pair.is_inserted(mesh.source(h)) && !m_pair.is_inserted(mesh.target(h)))
       return true;
     if(is_shared)
-      return length * tolerance >= m_pair.input_length(input.edge(m_pair.input_spoke_before(h))) *
-                                     rounding_unit<double>();
+      return length * tolerance >=
+             m_pair.input_length(input.edge(m_pair.input_outgoing_before(h))) *
+               rounding_unit<double>();
     if(!is_inside(mesh.source(h)) || !is_inside(mesh.target(h)))
       return false;
     const Edge_course course = m_courses(h);

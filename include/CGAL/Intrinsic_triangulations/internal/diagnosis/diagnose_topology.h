@@ -51,7 +51,7 @@ public:
   Topology_diagnoser(const Diagnosis_complex& complex, Input_diagnosis& diagnosis)
     : m_complex(complex),
       m_diagnosis(diagnosis),
-      m_umbrellas(complex.corner_vertex.size()),
+      m_fans(complex.corner_vertex.size()),
       m_components(complex.number_of_faces())
   {}
 
@@ -98,18 +98,18 @@ private:
       const Edge_side& t = side(e, i);
       m_components.union_set(m_complex.corner_face[s.corner], m_complex.corner_face[t.corner]);
       for(const int end : {0, 1})
-        m_umbrellas.union_set(m_complex.corner_at(s, end), m_complex.corner_at(t, end));
+        m_fans.union_set(m_complex.corner_at(s, end), m_complex.corner_at(t, end));
     }
   }
 
   void check_vertices()
   {
-    std::vector<Index> umbrellas(m_complex.number_of_vertices, 0);
+    std::vector<Index> fans(m_complex.number_of_vertices, 0);
     for(std::size_t c = 0; c < m_complex.corner_vertex.size(); ++c)
-      if(m_umbrellas.find_set(c) == c)
-        ++umbrellas[m_complex.corner_vertex[c]];
-    for(std::size_t v = 0; v < umbrellas.size(); ++v) {
-      if(umbrellas[v] > 1)
+      if(m_fans.find_set(c) == c)
+        ++fans[m_complex.corner_vertex[c]];
+    for(std::size_t v = 0; v < fans.size(); ++v) {
+      if(fans[v] > 1)
         m_diagnosis.add(Defect_kind::NON_MANIFOLD_VERTEX, m_complex.vertex(v));
       if(!m_complex.is_mentioned[v])
         m_diagnosis.add(Defect_kind::ISOLATED_VERTEX, m_complex.vertex(v));
@@ -143,7 +143,7 @@ private:
       static_cast<long>(s.edges) + static_cast<long>(s.faces);
   }
 
-  // Two boundary edges follow one another where they bound the same umbrella.
+  // Two boundary edges follow one another where they bound the same vertex fan.
   std::size_t count_boundary_loops()
   {
     std::vector<Index> boundary_corner(m_complex.corner_vertex.size(), no_edge);
@@ -153,19 +153,19 @@ private:
       if(m_complex.sides_of(e) == 1) {
         ++n;
         for(const int end : {0, 1})
-          n -= join_at(m_umbrellas.find_set(m_complex.corner_at(side(e, 0), end)), e,
-                       boundary_corner, loops);
+          n -= join_at(m_fans.find_set(m_complex.corner_at(side(e, 0), end)), e, boundary_corner,
+                       loops);
       }
     return n;
   }
 
   // Returns 1 if the edge was joined with another loop.
-  static std::size_t join_at(std::size_t umbrella, std::size_t e, std::vector<Index>& edge_at,
+  static std::size_t join_at(std::size_t fan, std::size_t e, std::vector<Index>& edge_at,
                              Disjoint_sets& loops)
   {
-    if(edge_at[umbrella] == no_edge)
-      edge_at[umbrella] = static_cast<Index>(e);
-    const std::size_t a = loops.find_set(e), b = loops.find_set(edge_at[umbrella]);
+    if(edge_at[fan] == no_edge)
+      edge_at[fan] = static_cast<Index>(e);
+    const std::size_t a = loops.find_set(e), b = loops.find_set(edge_at[fan]);
     if(a == b)
       return 0;
     loops.link(a, b);
@@ -174,7 +174,7 @@ private:
 
   const Diagnosis_complex& m_complex;
   Input_diagnosis& m_diagnosis;
-  Disjoint_sets m_umbrellas;  // corners around a vertex, joined across edges
+  Disjoint_sets m_fans;       // corners around a vertex, joined across edges
   Disjoint_sets m_components; // faces, joined across edges
 };
 

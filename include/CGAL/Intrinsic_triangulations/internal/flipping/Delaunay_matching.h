@@ -102,12 +102,12 @@ private:
   {
     const Delta_complex& mesh = tri.mesh();
     const auto end = [&](Halfedge_index x) {
-      const Halfedge_index spoke = tri.input_spoke_before(x);
-      return std::pair(number(mesh.source(x)).idx(), spoke.is_valid() ? spoke.idx() + 1 : 0);
+      const Halfedge_index outgoing = tri.input_outgoing_before(x);
+      return std::pair(number(mesh.source(x)).idx(), outgoing.is_valid() ? outgoing.idx() + 1 : 0);
     };
-    const auto [source, source_spoke] = end(h);
-    const auto [target, target_spoke] = end(mesh.opposite(h));
-    Key result{source, source_spoke, target, target_spoke};
+    const auto [source, source_outgoing] = end(h);
+    const auto [target, target_outgoing] = end(mesh.opposite(h));
+    Key result{source, source_outgoing, target, target_outgoing};
     const Edge_course course = courses(h);
     for(std::size_t m = 0; m < course.size(); ++m)
       result.push_back(course[m].idx());
@@ -184,11 +184,11 @@ std::vector<Halfedge_index> on_constrained_edges(const Intrinsic_triangulation<T
   std::vector<bool> is_constrained(tri.input_mesh().num_edges(), false);
   for(Edge_index e : tri.mesh().edges())
     if(tri.is_constrained(e))
-      is_constrained[Edge_index(tri.input_spoke_before(first_halfedge(e)))] = true;
+      is_constrained[Edge_index(tri.input_outgoing_before(first_halfedge(e)))] = true;
   std::vector<Halfedge_index> result;
   for(Edge_index e : whole.mesh().edges())
     if(whole.coordinates().is_shared(e) &&
-       is_constrained[Edge_index(whole.input_spoke_before(first_halfedge(e)))])
+       is_constrained[Edge_index(whole.input_outgoing_before(first_halfedge(e)))])
       result.push_back(first_halfedge(e));
   return result;
 }

@@ -36,19 +36,19 @@ struct Flipped_to_input
   explicit Flipped_to_input(const Triangulation_pair<Traits>& pair)
     : mesh(pair.mesh()),
       coordinates(mesh),
-      spokes(pair.spokes()),
-      flips(flip_to_shared(coordinates, mesh, spokes))
+      outgoing_halfedges(pair.outgoing_halfedges()),
+      flips(flip_to_shared(coordinates, mesh, outgoing_halfedges))
   {}
 
   // the halfedge of T1 that `h` has become
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
-    return coordinates.shared_halfedge(h, mesh, spokes);
+    return coordinates.shared_halfedge(h, mesh, outgoing_halfedges);
   }
 
   Delta_complex mesh;
   Coordinates coordinates;
-  const Vertex_spokes& spokes;
+  const Outgoing_halfedges& outgoing_halfedges;
   std::vector<Halfedge_index> flips;
 };
 
@@ -75,9 +75,9 @@ Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
 
   Delta_complex mesh = without_maps(base.mesh());
   Coordinates coordinates(mesh);
-  const Vertex_spokes spokes(mesh, coordinates.roundabout_map());
+  const Outgoing_halfedges outgoing_halfedges(mesh, coordinates.roundabout_map());
   for(Halfedge_index h : from_base.flips)
-    coordinates.flip(h, mesh, spokes);
+    coordinates.flip(h, mesh, outgoing_halfedges);
 
   std::vector<Halfedge_index> halfedge_at(mesh.num_halfedges()), image(mesh.num_halfedges());
   for(Halfedge_index h : mesh.halfedges())
@@ -90,7 +90,7 @@ Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
   copy_coordinates(result, image, coordinates, over);
   for(auto h = from_pair.flips.rbegin(); h != from_pair.flips.rend(); ++h)
     for(int turn = 0; turn < 3; ++turn) // four turns are none
-      over.flip(*h, result, spokes);
+      over.flip(*h, result, outgoing_halfedges);
   return result;
 }
 

@@ -167,7 +167,7 @@ private:
 
   void add_corners(Vertex_index v, Surrounding& around) const
   {
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.is_border(h)) {
         around.is_cyclic = false;
         return;

@@ -20,8 +20,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the spokes from `out` counterclockwise to the opposite of `in`, which ends where `out`
-// starts: on the left of a path. Empty if the boundary is between them.
+// Returns the outgoing halfedges from `out` counterclockwise to the opposite of `in`, which ends
+// where `out` starts: on the left of a path. Empty if the boundary is between them.
 template <typename P>
 std::vector<Halfedge_index> fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh)
 {
@@ -29,7 +29,7 @@ std::vector<Halfedge_index> fan(Halfedge_index in, Halfedge_index out, const Sur
   do {
     if(mesh.is_border(result.back()))
       return {};
-    result.push_back(next_spoke(result.back(), mesh));
+    result.push_back(next_around_source(result.back(), mesh));
   } while(result.back() != mesh.opposite(in));
   return result;
 }
@@ -61,12 +61,12 @@ Bounded_angle<Length_of<Surface>> bounded_angle(Halfedge_index h, const Surface&
 
 // the sum of its angles
 template <typename Surface>
-Bounded_angle<Length_of<Surface>> fan_angle(const std::vector<Halfedge_index>& spokes,
+Bounded_angle<Length_of<Surface>> fan_angle(const std::vector<Halfedge_index>& outgoing_halfedges,
                                             const Surface& surface, const Length_of<Surface>& error)
 {
   Bounded_angle<Length_of<Surface>> sum{0, 0};
-  for(std::size_t i = 0; i + 1 < spokes.size(); ++i) {
-    const auto corner = bounded_angle(spokes[i], surface, error);
+  for(std::size_t i = 0; i + 1 < outgoing_halfedges.size(); ++i) {
+    const auto corner = bounded_angle(outgoing_halfedges[i], surface, error);
     sum.angle += corner.angle;
     sum.error += corner.error;
   }

@@ -29,16 +29,16 @@ class Fan_flipping_by_lengths
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::FT FT;
-  typedef std::vector<Halfedge_index> Spokes;
+  typedef std::vector<Halfedge_index> Fan;
 
 public:
   explicit Fan_flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
   static FT length_error() { return rounding_unit<FT>(); }
-  bool is_less_than_pi(const Spokes& spokes) const
+  bool is_less_than_pi(const Fan& outgoing) const
   {
     return certainly(
-      internal::is_less_than_pi(fan_angle(spokes, m_tri.intrinsic(), length_error())));
+      internal::is_less_than_pi(fan_angle(outgoing, m_tri.intrinsic(), length_error())));
   }
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
   void flip(Halfedge_index h) { m_tri.flip(h); }
@@ -54,7 +54,7 @@ template <typename Traits>
 class Exact_fan_flipping
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
-  typedef std::vector<Halfedge_index> Spokes;
+  typedef std::vector<Halfedge_index> Fan;
 
 public:
   explicit Exact_fan_flipping(Triangulation& tri) : m_tri(tri), m_flipping(tri)
@@ -68,9 +68,9 @@ public:
 
   static double length_error() { return certified_length_error(); }
 
-  bool is_less_than_pi(const Spokes& spokes)
+  bool is_less_than_pi(const Fan& outgoing)
   {
-    return decide(spokes, [&](auto& decisions) { return decisions.fan_sign(spokes); });
+    return decide(outgoing, [&](auto& decisions) { return decisions.fan_sign(outgoing); });
   }
 
   bool is_flippable(Halfedge_index h)
@@ -85,21 +85,21 @@ private:
   bool is_convex_at_source(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    return decide({previous_spoke(h, mesh), h, next_spoke(h, mesh)},
+    return decide({previous_around_source(h, mesh), h, next_around_source(h, mesh)},
                   [&](auto& decisions) { return decisions.convexity_at_source(h); });
   }
 
   template <typename Exact_sign>
-  bool decide(const Spokes& spokes, const Exact_sign& exact_sign)
+  bool decide(const Fan& outgoing, const Exact_sign& exact_sign)
   {
     const Uncertain<bool> by_lengths =
-      internal::is_less_than_pi(fan_angle(spokes, m_tri.intrinsic(), length_error()));
+      internal::is_less_than_pi(fan_angle(outgoing, m_tri.intrinsic(), length_error()));
     if(is_certain(by_lengths))
       return get_certain(by_lengths);
     if constexpr(Is_exact<Traits>::value)
       return exact_sign(m_flipping.decisions()) == POSITIVE;
     else
-      return m_flipping.decisions().is_less_than_pi(spokes);
+      return m_flipping.decisions().is_less_than_pi(outgoing);
   }
 
   Triangulation& m_tri;

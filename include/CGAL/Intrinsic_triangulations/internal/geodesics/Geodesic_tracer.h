@@ -47,7 +47,7 @@ public:
   Geodesic<FT> from(Vertex_index v, const Vector& vector)
   {
     CGAL_precondition(!m_mesh.is_isolated(v));
-    start(first_spoke(v, m_mesh), {FT(1), FT(0), FT(0)}, vector);
+    start(first_outgoing_halfedge(v, m_mesh), {FT(1), FT(0), FT(0)}, vector);
     leave_vertex(Angles(m_h, m_surface), wrapped(std::arg(m_start)));
     return trace();
   }
@@ -160,7 +160,8 @@ private:
   // ---- Vertices ----
 
   // Turns `phi` by whole turns to [-pi/2, 3 pi/2): on the boundary, the directions that point out
-  // of the surface are below 0 if they are nearer to the first spoke, and above pi if to the last.
+  // of the surface are below 0 if they are nearer to the first outgoing halfedge, and above pi if
+  // to the last.
   static FT wrapped(const FT& phi)
   {
     return phi < -pi<FT>() / 2      ? phi + 2 * pi<FT>()
@@ -199,18 +200,18 @@ private:
       phi = std::clamp(phi, FT(0), pi<FT>());
     } else
       phi -= whole * std::floor(phi / whole);
-    m_h = first_spoke(m_mesh.source(m_h), m_mesh);
+    m_h = first_outgoing_halfedge(m_mesh.source(m_h), m_mesh);
     turn_to(angles.on_surface(phi), rounding_unit<FT>() * angles.sum());
   }
 
-  // Finds the face in the direction `angle` counterclockwise from the first spoke `m_h`. A
-  // direction within the tolerance of a spoke is along it.
+  // Finds the face in the direction `angle` counterclockwise from the first outgoing halfedge
+  // `m_h`. A direction within the tolerance of an outgoing halfedge is along it.
   void turn_to(const FT& angle, const FT& tolerance)
   {
     const Halfedge_index first = m_h;
     FT before(0), corner = angle_at_source(m_h, m_surface);
     while(angle - before > corner - tolerance) {
-      const Halfedge_index next = next_spoke(m_h, m_mesh);
+      const Halfedge_index next = next_around_source(m_h, m_mesh);
       if(m_mesh.is_border(next)) {
         m_direction = std::polar(FT(1), corner);
         return;
@@ -255,7 +256,8 @@ private:
     }
     const Vertex_index v = m_mesh.source(m_h);
     const bool forward = phi < pi<FT>() / 2;
-    m_h = forward ? first_spoke(v, m_mesh) : m_mesh.opposite(m_mesh.next(m_mesh.halfedge(v)));
+    m_h = forward ? first_outgoing_halfedge(v, m_mesh)
+                  : m_mesh.opposite(m_mesh.next(m_mesh.halfedge(v)));
     m_place = end_of_side(!forward);
     start_to_slide(forward, std::polar(FT(1), phi));
   }

@@ -157,8 +157,8 @@ public:
     return part.origin == Views::null ? m_vertex.at(v.idx()) : m_views.origin(part.origin).number;
   }
 
-  // Returns a spoke of the source, or a halfedge of its face, and the direction of the path in the
-  // frame of this halfedge. \pre the path has a length that is positive and finite
+  // Returns an outgoing halfedge of the source, or a halfedge of its face, and the direction of the
+  // path in the frame of this halfedge. \pre the path has a length that is positive and finite
   std::pair<Halfedge_index, Vector> start(Last_part part, const Location& q) const
   {
     Location end = q;
@@ -184,17 +184,20 @@ public:
           return add(start_of(root, z), places);
         first = Charts::halfedge(Charts::previous(root.edge), m_mesh);
       } else if(is_in_face)
-        return add(start_in_face_of(part, is_at_end ? q : at_spoke(opposite(first)).location),
+        return add(start_in_face_of(part, is_at_end ? q : at_outgoing(opposite(first)).location),
                    places);
       if(part.origin == Views::null)
         return;
-      add(at_spoke(first), places);
+      add(at_outgoing(first), places);
       part = to(Vertex_index(part.origin));
     }
   }
 
   // the place of a vertex with a halfedge that starts there
-  Location at_vertex(Vertex_index v) const { return at_spoke(first_spoke(v, m_mesh)).location; }
+  Location at_vertex(Vertex_index v) const
+  {
+    return at_outgoing(first_outgoing_halfedge(v, m_mesh)).location;
+  }
 
   const Delta_complex& mesh() const { return m_mesh; }
 
@@ -401,12 +404,12 @@ private:
     const FT x = view.crossing(end), l = m_views.charts().length(view.edge);
     const FT tolerance = m_views.tolerance(view);
     if(x <= tolerance || l - x <= tolerance)
-      return at_spoke(Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh));
+      return at_outgoing(Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh));
     const Halfedge_index h = Charts::halfedge(view.edge, m_mesh);
     return {h, {m_mesh.face(h), barycentric_coordinates(view.edge % 3, FT(x / l))}};
   }
 
-  Place at_spoke(Halfedge_index h) const { return place_on(Edge_point<FT>{h, FT(0)}, m_mesh); }
+  Place at_outgoing(Halfedge_index h) const { return place_on(Edge_point<FT>{h, FT(0)}, m_mesh); }
 
   Location point(Index origin) const { return m_views.origin(origin).source(); }
 
@@ -422,11 +425,11 @@ private:
     if(v == next)
       return;
     Halfedge_index best = place.along;
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.target(h) == next && (m_mesh.target(best) != next || length(h) < length(best)))
         best = h;
     });
-    places.push_back(at_spoke(best));
+    places.push_back(at_outgoing(best));
   }
 
   FT length(Halfedge_index h) const { return edge_length(h, m_views.surface()); }

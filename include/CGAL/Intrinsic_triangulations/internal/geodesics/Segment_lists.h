@@ -153,12 +153,12 @@ private:
     return ahead != 0 ? ahead : -compare_ahead(s, t, opposite(h), mesh);
   }
 
-  // the number of spokes from `back` to `h`, counterclockwise around their source
+  // the number of outgoing halfedges from `back` to `h`, counterclockwise around their source
   template <typename P>
   static std::size_t rank(Halfedge_index h, Halfedge_index back, const Surface_mesh<P>& mesh)
   {
     std::size_t i = 0, at_h = 0, at_back = 0;
-    for_each_spoke(mesh.source(h), mesh, [&](Halfedge_index x) {
+    for_each_outgoing_halfedge(mesh.source(h), mesh, [&](Halfedge_index x) {
       at_h = x == h ? i : at_h;
       at_back = x == back ? i : at_back;
       ++i;

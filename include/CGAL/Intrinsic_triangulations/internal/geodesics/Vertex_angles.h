@@ -19,28 +19,28 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The angles at one vertex: on the surface, counterclockwise from a given spoke, and normalized,
-// from its first spoke (Section 2.3.2).
+// The angles at one vertex: on the surface, counterclockwise from a given outgoing halfedge, and
+// normalized, from its first outgoing halfedge (Section 2.3.2).
 template <typename FT>
 class Vertex_angles
 {
 public:
   // Complexity: linear in the degree.
   template <typename Surface>
-  Vertex_angles(Halfedge_index spoke, const Surface& surface)
-    : m_vertex(surface.mesh().source(spoke)), m_before(0), m_sum(0)
+  Vertex_angles(Halfedge_index outgoing, const Surface& surface)
+    : m_vertex(surface.mesh().source(outgoing)), m_before(0), m_sum(0)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index first = first_spoke(m_vertex, mesh);
+    const Halfedge_index first = first_outgoing_halfedge(m_vertex, mesh);
     Halfedge_index h = first;
     do {
-      if(h == spoke)
+      if(h == outgoing)
         m_before = m_sum;
       m_sum += angle_at_source(h, surface);
-      h = next_spoke(h, mesh);
+      h = next_around_source(h, mesh);
     } while(h != first && !mesh.is_border(h));
     m_is_border = mesh.is_border(h);
-    if(m_is_border && h == spoke)
+    if(m_is_border && h == outgoing)
       m_before = m_sum;
   }
 
@@ -48,14 +48,14 @@ public:
   // zero at a vertex where all faces are needles without an area
   const FT& sum() const { return m_sum; }
 
-  // Returns the normalized angle of the direction at this angle from the spoke.
+  // Returns the normalized angle of the direction at this angle from the outgoing halfedge.
   // \throws Numerical_error if the sum is not positive and finite
   FT normalized(const FT& angle) const
   {
     return (m_before + angle) / positive_sum() * normalized_sum();
   }
 
-  // Returns the angle on the surface from the first spoke.
+  // Returns the angle on the surface from the first outgoing halfedge.
   // \throws Numerical_error if the sum is not positive and finite
   FT on_surface(const FT& normalized) const
   {

@@ -115,7 +115,7 @@ public:
   {
     m_distance[v.idx()] = m_opened[v.idx()] = FT(0);
     m_arrival[v.idx()] = Arrival();
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), edge_length(h, m_surface), {null, Index(v.idx()), h, true});
     });
     for(const auto& sector : sectors)
@@ -283,26 +283,27 @@ private:
     bool m_is_empty; // the shadow of other vertices is no wider than the tolerance of what is seen
   };
 
-  // Returns the angle at `v`, from its first spoke, at which the shortest path arrives, through a
-  // view or along an edge.
+  // Returns the angle at `v`, from its first outgoing halfedge, at which the shortest path arrives,
+  // through a view or along an edge.
   FT angle_of_arrival(Vertex_index v) const
   {
     const Arrival& arrival = m_arrival[v.idx()];
-    Halfedge_index spoke = m_mesh.opposite(arrival.last);
+    Halfedge_index outgoing = m_mesh.opposite(arrival.last);
     FT offset(0);
     if(arrival.view == null && !is_vertex(arrival.origin)) {
-      spoke = m_mesh.next(arrival.last);
-      offset = angle_in_face(arrival.origin, spoke);
+      outgoing = m_mesh.next(arrival.last);
+      offset = angle_in_face(arrival.origin, outgoing);
     } else if(arrival.view != null) {
       const View& view = m_are_views_kept ? m_views[arrival.view] : m_last_view[v.idx()];
       const Index o = m_charts.across(view.edge);
       const Vector apex = m_charts.apex_beyond(o);
-      spoke = Charts::halfedge(Charts::previous(o), m_mesh);
+      outgoing = Charts::halfedge(Charts::previous(o), m_mesh);
       const Vector back = view.is_parallel ? view.position : view.position - apex;
       offset = std::arg(back * std::conj(m_charts.length(o) - apex));
     }
     FT angle(0);
-    for(Halfedge_index h = first_spoke(v, m_mesh); h != spoke; h = next_spoke(h, m_mesh))
+    for(Halfedge_index h = first_outgoing_halfedge(v, m_mesh); h != outgoing;
+        h = next_around_source(h, m_mesh))
       angle += std::arg(m_charts.turn(Charts::side_of(h, m_mesh)));
     return angle + offset;
   }
@@ -334,7 +335,7 @@ private:
     const FT way =
       (std::max)(FT(0), FT(m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0))));
     FT longest(0), shortest = std::numeric_limits<FT>::infinity();
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       longest = (std::max)(longest, FT(edge_length(h, m_surface)));
       shortest = (std::min)(shortest, FT(edge_length(h, m_surface)));
     });
@@ -352,10 +353,10 @@ private:
     const bool is_at_source = arrival.view == null && arrival.origin == null;
     const FT error = is_at_source ? FT(0) : direction_error(v);
     const bool is_all_seen = is_at_source || error >= 1;
-    const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_all_seen,
-                        is_all_seen ? FT(0) : angle_of_arrival(v), error);
+    const Sector sector(Vertex_angles<FT>(first_outgoing_halfedge(v, m_mesh), m_surface),
+                        is_all_seen, is_all_seen ? FT(0) : angle_of_arrival(v), error);
     FT angle(0);
-    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
             {null, Index(v.idx()), h, is_source});
       if(m_mesh.is_border(h))

@@ -25,8 +25,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid
-// out with the spoke before the halfedge on the x-axis, or with halfedge(f) if the source lies
-// inside the face f.
+// out with the outgoing halfedge before the halfedge on the x-axis, or with halfedge(f) if the
+// source lies inside the face f.
 template <typename Traits>
 struct Start_in_input_face
 {
@@ -34,8 +34,8 @@ struct Start_in_input_face
 
   Start_in_input_face(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
     : location(tri.input_location(h)),
-      axis(tri.input_spoke_before(h).is_valid() ? tri.input_spoke_before(h)
-                                                : tri.input_mesh().halfedge(location.first)),
+      axis(tri.input_outgoing_before(h).is_valid() ? tri.input_outgoing_before(h)
+                                                   : tri.input_mesh().halfedge(location.first)),
       face(axis, tri.input()),
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
@@ -74,30 +74,30 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
   return std::arg(start.face.to_corner(first, start.place)) + strip.angle();
 }
 
-// Returns the angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from
-// halfedge(f) if the source lies inside the face f of T1, counterclockwise to `h`.
+// Returns the angle on the surface from the outgoing halfedge of T1 before the halfedge `h` of T2,
+// or from halfedge(f) if the source lies inside the face f of T1, counterclockwise to `h`.
 template <typename Traits>
-typename Traits::FT angle_from_spoke(Halfedge_index h, const Edge_course& course,
-                                     const Intrinsic_triangulation<Traits>& tri,
-                                     Euclidean_strip<typename Traits::FT>& strip)
+typename Traits::FT angle_from_outgoing(Halfedge_index h, const Edge_course& course,
+                                        const Intrinsic_triangulation<Traits>& tri,
+                                        Euclidean_strip<typename Traits::FT>& strip)
 {
   typedef typename Traits::FT FT;
   if(tri.coordinates().is_shared(tri.mesh().edge(h)))
     return FT(0);
   const FT angle = angle_in_strip(Start_in_input_face<Traits>(h, tri), h, course, tri, strip);
-  const bool is_in_face = !tri.input_spoke_before(h).is_valid();
+  const bool is_in_face = !tri.input_outgoing_before(h).is_valid();
   return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
 }
 
-// Returns the angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted
-// vertex, in the frame of T1; that of halfedge(f) if it lies inside the face f.
+// Returns the angle of the outgoing halfedge of T1 before the halfedge `h` of T2, whose source is
+// an inserted vertex, in the frame of T1; that of halfedge(f) if it lies inside the face f.
 template <typename Traits>
-typename Traits::FT angle_of_inserted_spoke(Halfedge_index h,
-                                            const Intrinsic_triangulation<Traits>& tri)
+typename Traits::FT angle_of_inserted_outgoing(Halfedge_index h,
+                                               const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Traits::FT FT;
-  const Halfedge_index spoke = tri.input_spoke_before(h);
-  return spoke.is_valid() && tri.number_of_inserted_spoke(spoke) == 1 ? pi<FT>() : FT(0);
+  const Halfedge_index outgoing = tri.input_outgoing_before(h);
+  return outgoing.is_valid() && tri.number_of_inserted_outgoing(outgoing) == 1 ? pi<FT>() : FT(0);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

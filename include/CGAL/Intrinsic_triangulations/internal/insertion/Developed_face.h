@@ -114,7 +114,7 @@ private:
     std::size_t passed = 0;
     if(m_regions.apex() == 0) {
       for(Placed_side side = m_ij.first; passed < n; ++passed) {
-        side = m_layout.following_spoke(side, m_is_inserted);
+        side = m_layout.following_outgoing(side, m_is_inserted);
         if(cross(side.target, p) <= 0)
           break;
       }
@@ -143,7 +143,7 @@ private:
       return triangle_after(m_ik, around_i + m_regions.leaving() - j);
     Placed_side side = m_ij.first;
     for(std::size_t s = 0; s < j; ++s)
-      side = m_layout.following_spoke(side, m_is_inserted);
+      side = m_layout.following_outgoing(side, m_is_inserted);
     return side;
   }
 

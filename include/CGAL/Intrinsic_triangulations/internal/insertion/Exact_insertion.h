@@ -75,7 +75,7 @@ public:
   // Inserts a vertex at the part `t` of the shared edge of `h`, without the lengths of its edges.
   BOOST_NOINLINE Vertex_index split_shared_edge(Halfedge_index h, double t,
                                                 const Edge_split<Integer>& n,
-                                                const Edge_split<Vertex_spokes::size_type>& r)
+                                                const Edge_split<Outgoing_halfedges::size_type>& r)
   {
     return m_tri.split_edge(h, n, r, m_tri.part_of_input_edge(h).place(t, m_tri.input_mesh()), {});
   }
@@ -196,7 +196,8 @@ private:
       return {};
     const double sum = at_source + at_target;
     return insert(
-      h, split_on_curve<Integer>(near.curve, m_tri.number_of_inserted_spoke(near.input), regions),
+      h,
+      split_on_curve<Integer>(near.curve, m_tri.number_of_inserted_outgoing(near.input), regions),
       Part_of_input_edge::place_on(along, {at_source / sum, at_target / sum}, input));
   }
 
@@ -214,8 +215,8 @@ private:
       turned.r[(s + c) % 3] = at.r[c];
     }
     const Vertex_index m = m_tri.split_face(f, turned, q, {});
-    const Halfedge_index a = first_spoke(m, m_mesh), b = next_spoke(a, m_mesh);
-    m_courses.after_cut({a, b, next_spoke(b, m_mesh)});
+    const Halfedge_index a = first_outgoing_halfedge(m, m_mesh), b = next_around_source(a, m_mesh);
+    m_courses.after_cut({a, b, next_around_source(b, m_mesh)});
     if(is_geodesic(m))
       return m_tri.measured(m, m_decisions);
     // so that `f` is the face that stays, with its first halfedge
@@ -228,7 +229,7 @@ private:
   bool is_geodesic(Vertex_index m)
   {
     bool result = true;
-    for_each_spoke(m, m_mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(m, m_mesh, [&](Halfedge_index h) {
       result = result && m_decisions.orientation(h) == POSITIVE && is_straight(h);
     });
     return result;

@@ -121,7 +121,7 @@ private:
                                    [&](const Part& p) { return compare(w, p.end) != LARGER; });
     if(compare(w, part->end) == EQUAL)
       throw Numerical_error("two inserted vertices are at one place");
-    const auto forward = m_tri.number_of_inserted_spoke(first), back = 1 - forward;
+    const auto forward = m_tri.number_of_inserted_outgoing(first), back = 1 - forward;
     const Vertex_index m =
       m_tri.split_edge(part->halfedge, {Integer(-1), Integer(-1), Integer(0), Integer(0)},
                        {back, forward, back, forward}, place, {});

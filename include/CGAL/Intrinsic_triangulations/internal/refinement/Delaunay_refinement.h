@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/refinement/Narrow_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Refinement_queue.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Small_angle_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Vertex_surroundings.h>
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 
@@ -76,7 +76,7 @@ public:
       m_limits(limits),
       m_visitor(visitor),
       m_inserter(tri, is_exact),
-      m_narrow(tri, bounds.narrow_angle(), is_exact),
+      m_narrow(tri, bounds.small_angle(), is_exact),
       m_walk(tri.intrinsic(), layout()),
       m_search(m_mesh.num_vertices()),
       m_stack(m_mesh.num_edges())
@@ -84,13 +84,13 @@ public:
 
   // Ends: every candidate that is taken from the queue leads to an insertion, of which there is a
   // limited number, or changes nothing and is gone. Returns whether rounding has left no doubt;
-  // with `stops_in_doubt` it ends as soon as it has.
-  bool run(bool stops_in_doubt, Refinement_result& result)
+  // with `stops_if_filter_fails` it ends as soon as it has.
+  bool run(bool stops_if_filter_fails, Refinement_result& result)
   {
     m_result = &result;
     for(Face_index f : m_mesh.faces())
       push_if_bad(f);
-    while(!m_queue.empty() && !(m_is_in_doubt && stops_in_doubt)) {
+    while(!m_queue.empty() && !(m_has_filter_failed && stops_if_filter_fails)) {
       const Candidate c = m_queue.pop();
       if(!is_current(c))
         continue;
@@ -98,9 +98,9 @@ public:
         result.status = Refinement_status::insertion_limit;
         break;
       }
-      refine(c, stops_in_doubt);
+      refine(c, stops_if_filter_fails);
     }
-    return !m_is_in_doubt;
+    return !m_has_filter_failed;
   }
 
 private:
@@ -155,7 +155,7 @@ private:
   // A face stays as it is where rounded numbers leave no room for the new vertex. After flips that
   // rounding may have led in circles there is no going on. Exceptions of the visitor go on to the
   // caller.
-  void refine(const Candidate& c, bool stops_in_doubt)
+  void refine(const Candidate& c, bool stops_if_filter_fails)
   {
     try {
       c.has_bad_shape ? insert_circumcenter(c.face) : make_simplicial(c.face);
@@ -164,10 +164,10 @@ private:
       if(m_is_visited)
         throw;
     } catch(const Flip_limit_exceeded&) {
-      if(m_is_visited || !stops_in_doubt)
+      if(m_is_visited || !stops_if_filter_fails)
         throw;
     }
-    m_is_in_doubt = true;
+    m_has_filter_failed = true;
   }
 
   template <typename Call>
@@ -202,7 +202,7 @@ private:
       return std::make_pair(m_tri.length(m_mesh.edge(x)), m_mesh.edge(x));
     };
     bool result = m_mesh.source(h) == m_mesh.target(h);
-    for_each_spoke(m_mesh.source(h), m_mesh, [&](Halfedge_index x) {
+    for_each_outgoing_halfedge(m_mesh.source(h), m_mesh, [&](Halfedge_index x) {
       result = result || (m_mesh.target(x) == m_mesh.target(h) && rank(x) < rank(h));
     });
     return result;
@@ -237,15 +237,15 @@ private:
   // others: so they are its neighbors, and remain so.
   void surround(Vertex_index v)
   {
-    const FT distance = surroundings(v).shortest_spoke() / 2;
-    Halfedge_index spoke = first_spoke(v, m_mesh);
+    const FT distance = surroundings(v).shortest_outgoing() / 2;
+    Halfedge_index outgoing = first_outgoing_halfedge(v, m_mesh);
     for(FT part : {FT(1) / 6, FT(1) / 3, FT(1) / 3}) {
       if(m_result->insertions == m_limits.insertions)
         return;
-      const Vertex_index m = m_inserter.insert(surroundings(v).place(spoke, part, distance));
+      const Vertex_index m = m_inserter.insert(surroundings(v).place(outgoing, part, distance));
       add_vertex(m);
       m_is_free[m.idx()] = false;
-      spoke = surroundings(v).spoke_to(m);
+      outgoing = surroundings(v).outgoing_to(m);
     }
   }
 
@@ -259,7 +259,7 @@ private:
           return insert_at_center(f);
         return split(m_walk.halfedge(), m_walk.along(), f);
       case Walk::End::blocked: return split_fixed(m_walk.halfedge(), f);
-      case Walk::End::lost: m_is_in_doubt = true;
+      case Walk::End::lost: m_has_filter_failed = true;
     }
   }
 
@@ -274,7 +274,7 @@ private:
   {
     const std::size_t before = version(f);
     add_vertex(m);
-    m_is_in_doubt = m_is_in_doubt || version(f) == before;
+    m_has_filter_failed = m_has_filter_failed || version(f) == before;
   }
 
   void split(Halfedge_index h, const FT& t, Face_index f)
@@ -309,7 +309,7 @@ private:
     visit([&] { m_visitor.after_insertion(m, m_inserter); });
     m_is_free.resize((std::max)(m_is_free.size(), std::size_t(m.idx()) + 1), false);
     m_is_free[m.idx()] = true;
-    for_each_spoke(m, m_mesh, [this](Halfedge_index h) {
+    for_each_outgoing_halfedge(m, m_mesh, [this](Halfedge_index h) {
       if(!m_mesh.is_border(h))
         note_change(m_mesh.face(h));
     });
@@ -326,7 +326,7 @@ private:
     m_search.reach(center, FT(0));
     for(Vertex_index v = m_search.next(); v.is_valid(); v = m_search.next()) {
       result.push_back(v);
-      for_each_spoke(v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
+      for_each_outgoing_halfedge(v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
         if(const FT reached = distance + m_tri.length(Edge_index(h)); reached <= radius)
           m_search.reach(m_mesh.target(h), reached, h);
       });
@@ -405,9 +405,9 @@ private:
   Refinement_limits m_limits;
   Visitor& m_visitor;
   bool m_is_visited = false; // while the visitor is called
-  bool m_is_in_doubt = false;
+  bool m_has_filter_failed = false;
   Vertex_inserter<Traits> m_inserter;
-  Narrow_vertices<Traits> m_narrow;
+  Small_angle_vertices<Traits> m_narrow;
   Walk m_walk;
   Dijkstra_search<Vertex_index, FT> m_search;
   Refinement_result* m_result = nullptr;

@@ -50,7 +50,10 @@ public:
   const Edge_point<FT>& across(std::size_t s, std::size_t p) const { return m_mark[s][p].across; }
   // there are distances in this geometry, hence no scales
   FT scale(std::size_t, std::size_t) const { return FT(1); }
-  Halfedge_index spoke_before(std::size_t s) const { return m_tri.input_spoke_before(m_side[s]); }
+  Halfedge_index outgoing_before(std::size_t s) const
+  {
+    return m_tri.input_outgoing_before(m_side[s]);
+  }
   Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
   {
     return m_tri.input_location(m_tri.mesh().source(m_side[s]), at);

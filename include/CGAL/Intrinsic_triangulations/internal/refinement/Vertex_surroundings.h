@@ -32,7 +32,8 @@ public:
   Vertex_surroundings(Vertex_index v, const Surface_view<EdgeLengthMap>& surface)
     : m_surface(surface)
   {
-    for_each_spoke(v, surface.mesh(), [&](Halfedge_index h) { m_spokes.push_back(h); });
+    for_each_outgoing_halfedge(v, surface.mesh(),
+                               [&](Halfedge_index h) { m_outgoing_halfedges.push_back(h); });
   }
 
   // Returns whether fewer than three vertices are its neighbors, and the circumcenters of its faces
@@ -40,32 +41,32 @@ public:
   bool is_pointed_without_neighbors() const
   {
     FT sum(0);
-    for(Halfedge_index h : m_spokes)
+    for(Halfedge_index h : m_outgoing_halfedges)
       sum += angle_at_source(h, m_surface);
     return sum < pi<FT>() && number_of_neighbors() < 3;
   }
 
-  FT shortest_spoke() const
+  FT shortest_outgoing() const
   {
-    FT least = edge_length(m_spokes[0], m_surface);
-    for(Halfedge_index h : m_spokes)
+    FT least = edge_length(m_outgoing_halfedges[0], m_surface);
+    for(Halfedge_index h : m_outgoing_halfedges)
       least = (std::min)(least, edge_length(h, m_surface));
     return least;
   }
 
   // returns the point at this distance whose direction is a part of the angle around the vertex
-  // counterclockwise from `spoke`
-  Face_location<FT> place(Halfedge_index spoke, const FT& part, const FT& distance) const
+  // counterclockwise from `outgoing`
+  Face_location<FT> place(Halfedge_index outgoing, const FT& part, const FT& distance) const
   {
-    const FT angle = Vertex_angles<FT>(spoke, m_surface).normalized(FT(0)) + 2 * pi<FT>() * part;
-    return trace_geodesic(m_surface, m_surface.mesh().source(spoke), std::polar(distance, angle))
+    const FT angle = Vertex_angles<FT>(outgoing, m_surface).normalized(FT(0)) + 2 * pi<FT>() * part;
+    return trace_geodesic(m_surface, m_surface.mesh().source(outgoing), std::polar(distance, angle))
       .end;
   }
 
   // \throws Numerical_error if `v` is not a neighbor
-  Halfedge_index spoke_to(Vertex_index v) const
+  Halfedge_index outgoing_to(Vertex_index v) const
   {
-    for(Halfedge_index h : m_spokes)
+    for(Halfedge_index h : m_outgoing_halfedges)
       if(m_surface.mesh().target(h) == v)
         return h;
     throw Numerical_error("rounding has hidden a vertex from its nearest neighbor");
@@ -75,14 +76,14 @@ private:
   std::size_t number_of_neighbors() const
   {
     std::vector<Vertex_index> neighbors;
-    for(Halfedge_index h : m_spokes)
+    for(Halfedge_index h : m_outgoing_halfedges)
       neighbors.push_back(m_surface.mesh().target(h));
     std::sort(neighbors.begin(), neighbors.end());
     return std::size_t(std::unique(neighbors.begin(), neighbors.end()) - neighbors.begin());
   }
 
   Surface_view<EdgeLengthMap> m_surface;
-  std::vector<Halfedge_index> m_spokes;
+  std::vector<Halfedge_index> m_outgoing_halfedges;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -39,9 +39,9 @@ public:
     const FT on_input = m_correspondence.scale(crossing(s, p).id);
     return m_side == Side::input ? on_input : FT(1 / on_input);
   }
-  Halfedge_index spoke_before(std::size_t s) const
+  Halfedge_index outgoing_before(std::size_t s) const
   {
-    return m_correspondence.spoke_before(m_side, m_halfedge[s]);
+    return m_correspondence.outgoing_before(m_side, m_halfedge[s]);
   }
   Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
   {

@@ -79,7 +79,7 @@ public:
   // Sets the exit with this index, which is one of `h`.
   void set(size_type mark, Halfedge_index h, Halfedge_index exit)
   {
-    m_exits[mark] = directed_as(h, exit);
+    m_exits[mark] = oriented_like(h, exit);
   }
 
   // ---- Changes of T2 ----
@@ -140,7 +140,7 @@ private:
       do
         ++m_steps;
       while(coordinates().advance(c, m_pair->mesh()) != Coordinates::Turn::ends);
-      exits[m] = coordinates().spoke_at_end(c, m_pair->mesh(), m_pair->spokes());
+      exits[m] = coordinates().outgoing_at_end(c, m_pair->mesh(), m_pair->outgoing_halfedges());
     }
   }
 
@@ -167,8 +167,8 @@ private:
       if(n == 1 && coordinates().curves_leaving(h, mesh) == 1 &&
          coordinates().curves_leaving(o, mesh) == 1) {
         // its curve crosses nothing else: either end will do
-        m_exits[m_first[e]] =
-          opposite(coordinates().spoke_in_corner(mesh.prev(h), Integer(0), mesh, m_pair->spokes()));
+        m_exits[m_first[e]] = opposite(coordinates().outgoing_in_corner(
+          mesh.prev(h), Integer(0), mesh, m_pair->outgoing_halfedges()));
       } else if(n > 0)
         for(Halfedge_index side : {h, o})
           store_curves(mesh.prev(side));
@@ -187,20 +187,20 @@ private:
     m_most_steps = (std::max)(crossings, 2 * steps);
   }
 
-  // Stores the crossings of curves that start inside the corner at the source of `spoke`, each from
-  // one end.
-  void store_curves(Halfedge_index spoke) const
+  // Stores the crossings of curves that start inside the corner at the source of `outgoing`, each
+  // from one end.
+  void store_curves(Halfedge_index outgoing) const
   {
     const Delta_complex& mesh = m_pair->mesh();
     coordinates().for_each_curve_end(
-      spoke, mesh, m_pair->spokes(), [&](const Integer& k, Halfedge_index start) {
+      outgoing, mesh, m_pair->outgoing_halfedges(), [&](const Integer& k, Halfedge_index start) {
         if(!is_first_halfedge(start))
           return;
-        auto c = coordinates().first_crossing(spoke, k, mesh);
+        auto c = coordinates().first_crossing(outgoing, k, mesh);
         do {
           const Halfedge_index h = c.halfedge;
           const auto m = along_first_halfedge(h, static_cast<size_type>(c.number), count(h));
-          m_exits[m_first[Edge_index(h)] + m] = directed_as(h, opposite(start));
+          m_exits[m_first[Edge_index(h)] + m] = oriented_like(h, opposite(start));
         } while(coordinates().advance(c, mesh) != Coordinates::Turn::ends);
       });
   }
@@ -211,7 +211,7 @@ private:
   static void set(Exits& exits, Halfedge_index h, std::size_t m, Halfedge_index exit)
   {
     const auto n = static_cast<size_type>(exits.size());
-    exits[along_first_halfedge(h, static_cast<size_type>(m), n)] = directed_as(h, exit);
+    exits[along_first_halfedge(h, static_cast<size_type>(m), n)] = oriented_like(h, exit);
   }
 
   // Stores the course of an edge again, from the courses around it.
@@ -246,7 +246,8 @@ private:
     copy(il, 0, 0, at_source);
     copy(lj, count(lj) - at_target, n - at_target, at_target);
     for(std::size_t m = at_source; m < n - at_target; ++m)
-      set(exits, h, m, coordinates().spoke_at_end({h, Integer(m)}, mesh, m_pair->spokes()));
+      set(exits, h, m,
+          coordinates().outgoing_at_end({h, Integer(m)}, mesh, m_pair->outgoing_halfedges()));
   }
 
   void append(Edge_index e, const Exits& exits)

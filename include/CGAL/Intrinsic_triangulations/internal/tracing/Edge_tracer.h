@@ -21,12 +21,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where an edge of T1 starts on T2: as curve number `k` in the corner of `spoke`; along `spoke`, if
-// `k` is -1.
+// Where an edge of T1 starts on T2: as curve number `k` in the corner of `outgoing`; along
+// `outgoing`, if `k` is -1.
 template <typename Integer>
 struct Curve_start
 {
-  Halfedge_index spoke;
+  Halfedge_index outgoing;
   Integer k;
 
   bool is_shared() const { return k < 0; }
@@ -85,11 +85,11 @@ public:
 
   explicit Edge_tracer(const Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
 
-  // Traces curve number `k` of those that start in the corner of `spoke`.
-  void trace(Halfedge_index spoke, const Integer& k)
+  // Traces curve number `k` of those that start in the corner of `outgoing`.
+  void trace(Halfedge_index outgoing, const Integer& k)
   {
     m_crossings.clear();
-    Crossing c = m_tri.coordinates().first_crossing(spoke, k, m_mesh);
+    Crossing c = m_tri.coordinates().first_crossing(outgoing, k, m_mesh);
     do
       m_crossings.push_back(c);
     while(m_tri.coordinates().advance(c, m_mesh) != Coordinates::Turn::ends);
@@ -103,7 +103,7 @@ public:
   const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
 
   // Returns the halfedge of T2 that ends with the curve, clockwise from it.
-  Halfedge_index last_spoke() const
+  Halfedge_index last_outgoing() const
   {
     return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
   }

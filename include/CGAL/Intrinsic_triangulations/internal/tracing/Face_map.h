@@ -218,9 +218,9 @@ private:
 // `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of
 // crossing p on it; across(s, p), the place on the halfedge of the other triangulation that leaves
 // the face there; scale(s, p), how many times the vector across the vector here is;
-// spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
-// vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
-// unless it is not a vertex there: then only the face of `at` counts.
+// outgoing_before(s), the last outgoing halfedge of the other triangulation at or clockwise from
+// side s; and vertex_across(s, at), the place of the source of side s on the other triangulation,
+// which is `at` unless it is not a vertex there: then only the face of `at` counts.
 template <typename FT, typename Marks>
 class Face_map
 {
@@ -237,7 +237,7 @@ public:
   {
     for(std::size_t s = 0; s < 3; ++s)
       if(p[(s + 1) % 3] == 0 && p[(s + 2) % 3] == 0)
-        return m_marks.vertex_across(s, {m_marks.spoke_before(s), FT(0)});
+        return m_marks.vertex_across(s, {m_marks.outgoing_before(s), FT(0)});
     const auto [f, map] = region_map(region_of(p));
     return {f, map(p)};
   }
@@ -311,7 +311,7 @@ private:
     const Region_corner& previous = region.previous(c);
     if(previous.arc_follows) // away from a mark
       return {m_other.opposite(m_marks.across(previous.side, previous.mark).halfedge), FT(1)};
-    return {m_marks.spoke_before(region[c].side), FT(0)};
+    return {m_marks.outgoing_before(region[c].side), FT(0)};
   }
 
   const Marks& m_marks;

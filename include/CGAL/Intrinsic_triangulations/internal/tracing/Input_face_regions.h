@@ -177,10 +177,10 @@ public:
   // returns the region in the face of the halfedge `h` of T1 at its source, next to `h`
   Place place_at_source(Halfedge_index h) const
   {
-    const Halfedge_index spoke = m_correspondence.spoke_before(Side::input, h);
-    if(m_correspondence.spoke_before(Side::intrinsic, spoke) == h &&
-       m_correspondence.is_shared(Side::intrinsic, Edge_index(spoke)))
-      return place_at({spoke, 0});
+    const Halfedge_index outgoing = m_correspondence.outgoing_before(Side::input, h);
+    if(m_correspondence.outgoing_before(Side::intrinsic, outgoing) == h &&
+       m_correspondence.is_shared(Side::intrinsic, Edge_index(outgoing)))
+      return place_at({outgoing, 0});
     return place_at_crossing(h, 0, false);
   }
 

@@ -38,20 +38,21 @@ public:
   // to be called before find()
   void resize() { m_starts.resize(m_numbers.size()); }
 
-  // Notes the last spoke at or clockwise from each halfedge of T1 in `spoke_before`, too.
-  void find(std::vector<Halfedge_index>& spoke_before, Concurrency concurrency)
+  // Notes the last outgoing halfedge at or clockwise from each halfedge of T1 in `outgoing_before`,
+  // too.
+  void find(std::vector<Halfedge_index>& outgoing_before, Concurrency concurrency)
   {
     for_each_in_chunks<Halfedge_index>(concurrency, m_tri.mesh(), [&](Halfedge_index h) {
       const Vertex_index v = m_tri.mesh().source(h);
       const auto note = [&](const Integer& k, Halfedge_index start) {
         if(!m_tri.is_inserted(v))
-          spoke_before[start.idx()] = h;
+          outgoing_before[start.idx()] = h;
         if(is_first_halfedge(start))
           m_starts[number(Edge_index(start), v)] = {h, k};
       };
       if(m_tri.coordinates().is_shared(m_tri.mesh().edge(h)))
         note(Integer(-1), m_tri.input_halfedge(h));
-      m_tri.coordinates().for_each_curve_end(h, m_tri.mesh(), m_tri.spokes(), note);
+      m_tri.coordinates().for_each_curve_end(h, m_tri.mesh(), m_tri.outgoing_halfedges(), note);
     });
   }
 

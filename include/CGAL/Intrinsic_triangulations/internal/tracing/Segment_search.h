@@ -111,7 +111,7 @@ private:
     const Edge_index e(h);
     const auto& part = m_correspondence.part(e, x.part);
     if(part.is_shared)
-      return m_regions.place_at({spoke_at_part(h, x.part), 0});
+      return m_regions.place_at({outgoing_at_part(h, x.part), 0});
     const size_type n = m_correspondence.number_of_crossings(Side::input, e),
                     before = part.first - m_correspondence.part(e, 0).first,
                     p = is_first_halfedge(h) ? x.rank : n - x.rank;
@@ -120,14 +120,14 @@ private:
   }
 
   // Returns the halfedge of T2 at which a part of the halfedge `h` of T1 starts.
-  Halfedge_index spoke_at_part(Halfedge_index h, size_type part) const
+  Halfedge_index outgoing_at_part(Halfedge_index h, size_type part) const
   {
     const Edge_index e(h);
     const bool is_at_source = is_first_halfedge(h) && part == 0;
     const Vertex_index v = is_at_source
                              ? m_correspondence.mesh(Side::input).source(h)
                              : m_correspondence.part(e, is_first_halfedge(h) ? part - 1 : part).end;
-    return find_curve(h, v, m_correspondence.triangulation()).spoke;
+    return find_curve(h, v, m_correspondence.triangulation()).outgoing;
   }
 
   // Returns the corner of a region that is the vertex at `p`, if there is one.
@@ -160,7 +160,7 @@ private:
   Surface_place<FT> place_of_vertex(const Face_location<FT>& p, std::size_t corner) const
   {
     const bool is_inside =
-      m_on == Side::intrinsic && !m_correspondence.spoke_before(m_on, m_side[corner]).is_valid();
+      m_on == Side::intrinsic && !m_correspondence.outgoing_before(m_on, m_side[corner]).is_valid();
     return is_inside ? Surface_place<FT>{Delta_complex::null_halfedge(), p}
                      : surface_place(p, m_other);
   }
@@ -172,10 +172,10 @@ private:
     const Halfedge_index h = m_side[p.side];
     if(m_on == Side::intrinsic)
       return m_correspondence.is_shared(m_on, Edge_index(h))
-               ? m_correspondence.spoke_before(m_on, h)
+               ? m_correspondence.outgoing_before(m_on, h)
                : Delta_complex::null_halfedge();
     return m_correspondence.part(Edge_index(h), p.rank.part).is_shared
-             ? spoke_at_part(h, p.rank.part)
+             ? outgoing_at_part(h, p.rank.part)
              : Delta_complex::null_halfedge();
   }
 

@@ -64,7 +64,7 @@ bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
   const FT length = pair.shared_length(mesh.halfedge(e));
   if(!pair.is_inserted(mesh.vertex(e, 0)) && !pair.is_inserted(mesh.vertex(e, 1)))
     return pair.length(e) == length;
-  const Edge_index whole(pair.input_spoke_before(mesh.halfedge(e)));
+  const Edge_index whole(pair.input_outgoing_before(mesh.halfedge(e)));
   return CGAL::abs(FT(pair.length(e) - length)) <= rounding_unit<FT>() * pair.input_length(whole);
 }
 
@@ -83,12 +83,12 @@ std::string correspondence_defect(const Triangulation_pair<Traits>& pair)
     if(pair.is_constrained(e) && !coordinates.is_shared(e))
       return "edge " + std::to_string(e.idx()) + " is constrained but not in the input";
   }
-  if(!coordinates.is_valid(mesh, pair.spokes()))
+  if(!coordinates.is_valid(mesh, pair.outgoing_halfedges()))
     return "the integer coordinates contradict each other";
   for(Edge_index e : mesh.edges())
     if(coordinates.is_shared(e) && !has_shared_length(pair, e))
       return "edge " + std::to_string(e.idx()) + " is in the input with another length";
-  return curve_defect(coordinates, mesh, input, pair.spokes());
+  return curve_defect(coordinates, mesh, input, pair.outgoing_halfedges());
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_VERTEX_SPOKES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_VERTEX_SPOKES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OUTGOING_HALFEDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OUTGOING_HALFEDGES_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -18,30 +18,30 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, indexed
-/// from 0 in counterclockwise order. Roundabouts are such indices (Section 3.1.2). At a boundary
-/// vertex the order starts at the spoke with the boundary on its right and ends at the border
-/// halfedge.
+/// the outgoing halfedges ("outgoing halfedges") of every vertex of a fixed Delta-complex
+/// \f$T_1\f$, indexed from 0 in counterclockwise order. Roundabouts are such indices (Section
+/// 3.1.2). At a boundary vertex the order starts at the outgoing halfedge with the boundary on its
+/// right and ends at the border halfedge.
 ///
-/// A vertex that has been inserted on an edge of \f$T_1\f$ has two spokes, the halfedges of that
-/// edge: each stands for the part that starts at the vertex. One that has been inserted in a face
-/// has none. Memory: eight bytes per vertex and four per halfedge.
-class Vertex_spokes
+/// A vertex that has been inserted on an edge of \f$T_1\f$ has two outgoing halfedges, the
+/// halfedges of that edge: each stands for the part that starts at the vertex. One that has been
+/// inserted in a face has none. Memory: eight bytes per vertex and four per halfedge.
+class Outgoing_halfedges
 {
 public:
-  /// the type of indices of spokes.
+  /// the type of indices of outgoing halfedges.
   typedef Delta_complex::size_type size_type;
 
-  /// creates the spokes of an empty complex.
-  Vertex_spokes() = default;
+  /// creates the outgoing halfedges of an empty complex.
+  Outgoing_halfedges() = default;
 
-  /// orders the spokes of `mesh` and writes the index of every halfedge to `number`.
+  /// orders the outgoing halfedges of `mesh` and writes the index of every halfedge to `number`.
   /// Complexity: linear.
   /// \param mesh a valid Delta-complex without removed elements
   /// \param number a writable property map from halfedges to indices
-  /// \throws Invalid_input if an interior vertex has more than one umbrella
+  /// \throws Invalid_input if an interior vertex has more than one vertex fan
   template <typename NumberMap>
-  Vertex_spokes(const Delta_complex& mesh, NumberMap number)
+  Outgoing_halfedges(const Delta_complex& mesh, NumberMap number)
     : m_range(mesh.number_of_vertices()), m_halfedge(mesh.number_of_halfedges())
   {
     size_type position = 0;
@@ -50,7 +50,7 @@ public:
       const Walk walk = std::exchange(ahead, Walk(v + 1, mesh)); // memory answers during this walk
       const size_type first = position;
       if(walk.first.is_valid())
-        position = number_spokes(walk, position, mesh, number);
+        position = number_outgoing_halfedges(walk, position, mesh, number);
       m_range[v] = {first, position - first};
     }
     if(position != mesh.number_of_halfedges())
@@ -60,13 +60,13 @@ public:
   /// returns the number of edges at `v`, a self-edge counted twice.
   size_type degree(Vertex_index v) const { return m_range[v].degree; }
 
-  /// returns spoke `number` of `v`. \pre `number < degree(v)`
+  /// returns outgoing halfedge `number` of `v`. \pre `number < degree(v)`
   Halfedge_index halfedge(Vertex_index v, size_type number) const
   {
     return m_halfedge[m_range[v].first + number];
   }
 
-  /// returns the index of the spoke `h` of `v`. Complexity: linear in the degree.
+  /// returns the index of the outgoing halfedge `h` of `v`. Complexity: linear in the degree.
   size_type number(Vertex_index v, Halfedge_index h) const
   {
     size_type number = 0;
@@ -75,16 +75,16 @@ public:
     return number;
   }
 
-  /// gives the inserted vertex `v` its spokes: `spoke` and its opposite, or none if `spoke` is
-  /// null. Complexity: amortized constant.
-  void set_inserted(Vertex_index v, Halfedge_index spoke)
+  /// gives the inserted vertex `v` its outgoing halfedges: `outgoing` and its opposite, or none if
+  /// `outgoing` is null. Complexity: amortized constant.
+  void set_inserted(Vertex_index v, Halfedge_index outgoing)
   {
     if(v.idx() >= m_range.size())
       m_range.resize(v.idx() + 1);
     m_range[v] = {};
-    if(spoke.is_valid()) {
+    if(outgoing.is_valid()) {
       m_range[v] = {static_cast<size_type>(m_halfedge.size()), 2};
-      m_halfedge.insert(m_halfedge.end(), {spoke, opposite(spoke)});
+      m_halfedge.insert(m_halfedge.end(), {outgoing, opposite(outgoing)});
     }
   }
 
@@ -103,20 +103,20 @@ private:
     {
       if(v == mesh.number_of_vertices() || mesh.is_isolated(Vertex_index(v)))
         return;
-      first = first_spoke(Vertex_index(v), mesh);
-      second = next_spoke(first, mesh);
+      first = first_outgoing_halfedge(Vertex_index(v), mesh);
+      second = next_around_source(first, mesh);
     }
   };
 
   template <typename NumberMap>
-  size_type number_spokes(const Walk& walk, size_type position, const Delta_complex& mesh,
-                          NumberMap& number)
+  size_type number_outgoing_halfedges(const Walk& walk, size_type position,
+                                      const Delta_complex& mesh, NumberMap& number)
   {
     size_type i = 0;
     m_halfedge[position++] = walk.first;
     put(number, walk.first, i++);
     // from the border halfedge on to the first one
-    for(Halfedge_index h = walk.second; h != walk.first; h = next_spoke(h, mesh)) {
+    for(Halfedge_index h = walk.second; h != walk.first; h = next_around_source(h, mesh)) {
       m_halfedge[position++] = h;
       put(number, h, i++);
     }
@@ -129,11 +129,11 @@ private:
 
 namespace internal {
 
-// The first spoke of a vertex inserted on the edge of the halfedge `along`, given whether this and
-// its opposite are border halfedges: the one with the boundary on its right, otherwise the even
-// one.
-inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
-                                           bool opposite_is_border)
+// The first outgoing halfedge of a vertex inserted on the edge of the halfedge `along`, given
+// whether this and its opposite are border halfedges: the one with the boundary on its right,
+// otherwise the even one.
+inline Halfedge_index first_inserted_outgoing(Halfedge_index along, bool is_border,
+                                              bool opposite_is_border)
 {
   const bool is_first = opposite_is_border || (!is_border && is_first_halfedge(along));
   return is_first ? along : opposite(along);
@@ -143,4 +143,4 @@ inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_VERTEX_SPOKES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OUTGOING_HALFEDGES_H

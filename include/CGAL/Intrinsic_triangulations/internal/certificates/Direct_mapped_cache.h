@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_RECENT_VALUES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_RECENT_VALUES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DIRECT_MAPPED_CACHE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DIRECT_MAPPED_CACHE_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -16,7 +16,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Values of a function of numbers, kept until others take their places. So a single value costs
 // little, and few are computed twice.
 template <typename Value>
-class Recent_values
+class Direct_mapped_cache
 {
 public:
   // returns the value of `key`, which `compute()` returns if it is not here
@@ -59,4 +59,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_RECENT_VALUES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DIRECT_MAPPED_CACHE_H

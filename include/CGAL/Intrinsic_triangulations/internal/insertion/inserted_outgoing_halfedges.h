@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_OUTGOING_HALFEDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_OUTGOING_HALFEDGES_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -26,18 +26,18 @@ typename Traits::FT checked_length(const Triangulation_pair<Traits>& pair,
   return length;
 }
 
-// The length of an edge from a new vertex at `m` to the vertex `v` that lies along spoke `r` of the
-// new one.
+// The length of an edge from a new vertex at `m` to the vertex `v` that lies along outgoing
+// halfedge `r` of the new one.
 template <typename Traits>
-typename Traits::FT shared_spoke_length(const Triangulation_pair<Traits>& pair,
-                                        const Inserted_vertex<typename Traits::FT>& m,
-                                        Delta_complex::size_type r, Vertex_index v)
+typename Traits::FT shared_outgoing_length(const Triangulation_pair<Traits>& pair,
+                                           const Inserted_vertex<typename Traits::FT>& m,
+                                           Delta_complex::size_type r, Vertex_index v)
 {
   typedef typename Traits::FT FT;
-  const Halfedge_index first = pair.first_inserted_spoke(m.along);
-  const Halfedge_index spoke = r == 0 ? first : opposite(first), back = opposite(spoke);
+  const Halfedge_index first = pair.first_inserted_outgoing(m.along);
+  const Halfedge_index outgoing = r == 0 ? first : opposite(first), back = opposite(outgoing);
   const FT t = edge_point(m.along, m.location, pair.input_mesh()).t;
-  return checked_length(pair, pair.part_length({spoke, spoke == m.along ? t : FT(1 - t)},
+  return checked_length(pair, pair.part_length({outgoing, outgoing == m.along ? t : FT(1 - t)},
                                                {back, pair.place_along(back, v)}));
 }
 
@@ -70,23 +70,24 @@ struct Merged_edge
   bool is_constrained;
 };
 
-// \pre `v` has three spokes
+// \pre `v` has three outgoing halfedges
 template <typename Traits>
 Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
 {
   const Delta_complex& mesh = pair.mesh();
   const auto& coordinates = pair.coordinates();
-  // `side` will lead from the target of the spoke `x` to that of the spoke `y`
+  // `side` will lead from the target of the outgoing halfedge `x` to that of the outgoing halfedge
+  // `y`
   const auto merge = [&](Halfedge_index x, Halfedge_index y, Halfedge_index side) -> Merged_edge {
     return {side, coordinates.roundabout(opposite(x)), coordinates.roundabout(opposite(y)),
             pair.is_constrained(Edge_index(x)) && pair.is_constrained(Edge_index(y))};
   };
-  const Halfedge_index a = first_spoke(v, mesh);
+  const Halfedge_index a = first_outgoing_halfedge(v, mesh);
   if(mesh.is_border(v))
-    return merge(next_spoke(next_spoke(a, mesh), mesh), a, a);
+    return merge(next_around_source(next_around_source(a, mesh), mesh), a, a);
   Halfedge_index x = a;
   do {
-    const Halfedge_index y = next_spoke(x, mesh);
+    const Halfedge_index y = next_around_source(x, mesh);
     if(coordinates.is_shared(Edge_index(x)) && coordinates.is_shared(Edge_index(y)))
       return merge(x, y, mesh.next(x));
     x = y;
@@ -96,4 +97,4 @@ Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_OUTGOING_HALFEDGES_H

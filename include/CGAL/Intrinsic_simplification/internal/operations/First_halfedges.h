@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_HALFEDGES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_HALFEDGES_H
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
@@ -17,19 +17,20 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The first spoke of a star to each neighbor. A hash table of its own, which stays in the cache.
-class First_spokes
+// The first outgoing halfedge of a star to each neighbor. A hash table of its own, which stays in
+// the cache.
+class First_halfedges
 {
 public:
-  void start(std::size_t number_of_spokes)
+  void start(std::size_t number_of_outgoing_halfedges)
   {
     m_bits = 3;
-    while((std::size_t(1) << m_bits) < 2 * number_of_spokes)
+    while((std::size_t(1) << m_bits) < 2 * number_of_outgoing_halfedges)
       ++m_bits;
     m_entries.assign(std::size_t(1) << m_bits, {Vertex_index(), none});
   }
 
-  // the index of the first spoke to `j`; it is `n` if there has been none before
+  // the index of the first outgoing halfedge to `j`; it is `n` if there has been none before
   std::size_t first(Vertex_index j, std::size_t n)
   {
     std::size_t place = (j.idx() * 2654435769U) >> (32 - m_bits);
@@ -49,4 +50,4 @@ private:
 
 } // namespace CGAL::Intrinsic_simplification::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_HALFEDGES_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TURNED_EDGE_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TURNED_EDGE_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_RECORDED_FLIP_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_RECORDED_FLIP_H
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
@@ -18,7 +18,7 @@
 namespace CGAL::Intrinsic_simplification::internal {
 
 // A flip or the inverse of one: the faces pqr and qpo become orp and roq.
-class Turned_edge
+class Recorded_flip
 {
 public:
   enum Corner : std::size_t
@@ -29,7 +29,7 @@ public:
     r
   };
 
-  Turned_edge(const Flip& flip, bool forward)
+  Recorded_flip(const Flip& flip, bool forward)
   {
     const auto& [left, right] = flip.corners;
     const Face_corner first(left.face(), 0), second(right.face(), 0);
@@ -145,4 +145,4 @@ private:
 
 } // namespace CGAL::Intrinsic_simplification::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TURNED_EDGE_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_RECORDED_FLIP_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_SMALL_ANGLE_VERTICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_SMALL_ANGLE_VERTICES_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -29,13 +29,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // constrained edges there is less than 60 degrees (Section 3.6), or the angle around them less than
 // `least_sum`.
 template <typename Traits>
-class Narrow_vertices
+class Small_angle_vertices
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::FT FT;
 
 public:
-  Narrow_vertices(const Triangulation& tri, const FT& least_sum, bool has_exact_angles)
+  Small_angle_vertices(const Triangulation& tri, const FT& least_sum, bool has_exact_angles)
     : m_tri(tri), m_least_sum(least_sum), m_answer(tri.mesh().num_vertices(), Answer::unknown)
   {
     if constexpr(has_exact_decisions<Traits>())
@@ -43,10 +43,10 @@ public:
         set_by_input();
   }
 
-  // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
-  // exactly one of its corners is narrow, or else if it lies in faces of T1 at a narrow vertex and
-  // is crossed by no other edges than those at this vertex. `courses()` has the courses of all
-  // edges and is called only if they are needed.
+  // Returns why a face that violates the bound on angles is excused, and by which small-angle
+  // vertex: if exactly one of its corners is narrow, or else if it lies in faces of T1 at a
+  // small-angle vertex and is crossed by no other edges than those at this vertex. `courses()` has
+  // the courses of all edges and is called only if they are needed.
   template <typename Courses>
   std::optional<Remaining_face> excuse(Face_index f, const Courses& courses) const
   {
@@ -78,23 +78,23 @@ private:
     if(v.idx() >= m_answer.size())
       return false;
     if(m_answer[v] == Answer::unknown)
-      m_answer[v] = answer(has_narrow_sector(v));
+      m_answer[v] = answer(has_small_sector(v));
     return m_answer[v] == Answer::yes;
   }
 
-  bool has_narrow_sector(Vertex_index v) const
+  bool has_small_sector(Vertex_index v) const
   {
     const Delta_complex& mesh = m_tri.mesh();
     const auto is_fixed = [&](Halfedge_index h) {
       return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
     };
-    return has_narrow_sector(v, mesh, is_fixed,
-                             [&](Halfedge_index h) { return angle_at_source(h, m_tri); });
+    return has_small_sector(v, mesh, is_fixed,
+                            [&](Halfedge_index h) { return angle_at_source(h, m_tri); });
   }
 
   // A face that is crossed only by edges at one vertex lies in faces at this vertex. If it had to
-  // lie in one of them, the wedge at a narrow vertex would be filled with ever smaller faces where
-  // several faces of T1 share it.
+  // lie in one of them, the wedge at a small-angle vertex would be filled with ever smaller faces
+  // where several faces of T1 share it.
   std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
                                                       const Edge_courses<Traits>& courses) const
   {
@@ -140,7 +140,7 @@ private:
     std::vector<char> is_constrained(input.num_halfedges(), false);
     for(Halfedge_index h : mesh.halfedges())
       if(m_tri.is_constrained(mesh.edge(h)) && !m_tri.is_inserted(mesh.source(h)))
-        is_constrained[m_tri.input_spoke_before(h)] = true;
+        is_constrained[m_tri.input_outgoing_before(h)] = true;
     const auto is_fixed = [&](Halfedge_index h) {
       return is_constrained[h] || input.is_border(input.edge(h));
     };
@@ -148,19 +148,19 @@ private:
     const auto decisions = exact_decisions(m_tri);
     const auto angle = [&](Halfedge_index h) { return decisions.input_angle(h); };
     for(Vertex_index v : input.vertices())
-      m_answer[v] = answer(has_narrow_sector(v, input, is_fixed, angle));
+      m_answer[v] = answer(has_small_sector(v, input, is_fixed, angle));
   }
 
   // whether the vertex `v` of T1 or T2 is narrow
   template <typename Is_fixed, typename Angle>
-  bool has_narrow_sector(Vertex_index v, const Delta_complex& mesh, const Is_fixed& is_fixed,
-                         const Angle& angle) const
+  bool has_small_sector(Vertex_index v, const Delta_complex& mesh, const Is_fixed& is_fixed,
+                        const Angle& angle) const
   {
     if(mesh.is_isolated(v))
       return false;
     FT least(-1), sector(0), before_first_fixed(0);
     bool has_fixed = false;
-    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
       if(is_fixed(h)) {
         if(has_fixed)
           least = least < 0 ? sector : (std::min)(least, sector);
@@ -186,4 +186,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_SMALL_ANGLE_VERTICES_H
