@@ -64,8 +64,8 @@ std::size_t default_maximum_number_of_insertions(std::size_t faces, const FT& mi
 enum class Remaining_reason
 {
   at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
-  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a small-angle vertex, and only edges of
-                        ///< \f$T_1\f$ that end there cross it
+  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a small-angle vertex, and
+                        ///< only edges of \f$T_1\f$ that end there cross it
   insertion_limit,      ///< no more insertions were allowed
   no_room,              ///< rounded numbers leave no room for the new edges
   at_rounding,          ///< it is of the order of the rounding of coordinates on \f$T_1\f$ (only
