@@ -2,10 +2,10 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Writes the manual's page of examples with what they print: examples_page.py PROGRAMS, the directory
-of the compiled examples. With --check NAME, PROGRAMS is the one that runs this example, and what it
-prints is compared with the page, if it is there: integers up to 2 or 5 %, other numbers up to a
-relative difference of 0.001."""
+"""Writes the pages of examples of the manuals, with what the examples print: examples_page.py PROGRAMS,
+the directory of the compiled examples. With --check NAME, PROGRAMS is the one that runs this example,
+and what it prints is compared with its page, if it is there: integers up to 2 or 5 %, other numbers up
+to a relative difference of 0.001."""
 
 import argparse
 import re
@@ -16,14 +16,11 @@ import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PAGE = HERE / "Intrinsic_triangulations" / "Examples.txt"
-PACKAGES = {"Intrinsic_triangulations": "Intrinsic Triangulations",
-            "Discrete_conformal_maps": "Discrete Conformal Maps",
-            "Intrinsic_simplification": "Intrinsic Simplification"}
+PACKAGES = ["Intrinsic_triangulations", "Discrete_conformal_maps", "Intrinsic_simplification"]
 MOST_LINES = 12
 
 INTRODUCTION = """/*!
-\\page Chapter_Examples Examples and What They Print
+\\page Chapter_Examples_PACKAGE Examples and What They Print
 
 [TOC]
 
@@ -31,6 +28,10 @@ There is a program for each task, in the directory `examples`. Without arguments
 meshes; all take the name of a mesh. The tests run them and compare what they print with this page,
 which `doc/examples_page.py` writes.
 """
+
+
+def page(package):
+    return HERE / package / "Examples.txt"
 
 
 def comment(source):
@@ -51,13 +52,13 @@ def printed(program, name):
 
 def section(package, source, lines):
     name = source.stem
-    return "\n".join([f"\\subsection ex_{name} {name.replace('_', ' ')}", "", textwrap.fill(comment(source), 100), "",
+    return "\n".join([f"\\section ex_{name} {name.replace('_', ' ')}", "", textwrap.fill(comment(source), 100), "",
                       f"File: \\ref {package}/{name}.cpp", "", "\\verbatim", *lines, "\\endverbatim", ""])
 
 
 def blocks(text):
     """What each example prints according to the page, by name."""
-    found = re.findall(r"\\subsection ex_(\w+) .*?\\verbatim\n(.*?)\\endverbatim", text, re.S)
+    found = re.findall(r"\\section ex_(\w+) .*?\\verbatim\n(.*?)\\endverbatim", text, re.S)
     return {name: block.split("\n")[:-1] for name, block in found}
 
 
@@ -79,20 +80,17 @@ def agree(a, b):
 def check(name, program):
     lines = printed(program, name)
     print(*lines, sep="\n")
-    expected = blocks(PAGE.read_text()).get(name, lines)
+    expected = {k: v for package in PACKAGES for k, v in blocks(page(package).read_text()).items()}.get(name, lines)
     if len(expected) != len(lines) or not all(map(agree, expected, lines)):
-        sys.exit(f"{name} prints something else than doc/{PAGE.name} says")
+        sys.exit(f"{name} prints something else than its manual says")
 
 
-def write(programs):
-    text = INTRODUCTION
-    for package, title in PACKAGES.items():
-        text += f"\n\\section ex_{package} {title}\n\n"
-        for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
-            if not source.stem.endswith("_with_Qt"): # they open windows
-                lines = printed(programs / f"examples_{package}", source.stem)
-                text += section(package, source, lines) + "\n"
-    PAGE.write_text(text.rstrip("\n") + "\n*/\n")
+def write(package, programs):
+    text = INTRODUCTION.replace("PACKAGE", package) + "\n"
+    for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
+        if not source.stem.endswith("_with_Qt"): # they open windows
+            text += section(package, source, printed(programs / f"examples_{package}", source.stem)) + "\n"
+    page(package).write_text(text.rstrip("\n") + "\n*/\n")
 
 
 def main():
@@ -103,7 +101,8 @@ def main():
     if arguments.check:
         check(arguments.check, arguments.programs)
     else:
-        write(arguments.programs)
+        for package in PACKAGES:
+            write(package, arguments.programs)
 
 
 main()

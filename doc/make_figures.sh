@@ -38,7 +38,7 @@ screenshot Intrinsic_triangulations viewer_delaunay
 result flatten nefertiti.off -o out.obj --boundary disk
 screenshot Intrinsic_triangulations viewer_flatten
 result hyperbolic eight.off -o out.obj --tiles 2
-screenshot Intrinsic_triangulations viewer_hyperbolic 'view.set({shown: {is_seam: true}}) === undefined'
+screenshot Discrete_conformal_maps viewer_hyperbolic 'view.set({shown: {is_seam: true}}) === undefined'
 result distance elephant.off -o out.ply --source 0
 screenshot Intrinsic_triangulations viewer_distance
 result flatten elephant.off -o out.obj
