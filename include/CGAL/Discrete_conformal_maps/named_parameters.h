@@ -9,30 +9,16 @@
 
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
-#define CGAL_DISCRETE_CONFORMAL_MAPS_OWN_PARAMETERS(DO)                                            \
-  DO(vertex_condition_map)                                                                         \
-  DO(maximum_log_scale)                                                                            \
-  DO(minimizer)                                                                                    \
-  DO(flipping)                                                                                     \
-  DO(initial_log_scale_map)                                                                        \
-  DO(layout)                                                                                       \
-  DO(texture_coordinates_map)                                                                      \
-  DO(homogeneous_texture_coordinates_map)
-
-#define CGAL_DISCRETE_CONFORMAL_MAPS_PARAMETERS(DO)                                                \
-  CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                                     \
-  CGAL_DISCRETE_CONFORMAL_MAPS_OWN_PARAMETERS(DO)
-
 namespace CGAL::Discrete_conformal_maps {
 
 #ifndef DOXYGEN_RUNNING
 
 namespace internal_np {
 using namespace Intrinsic_triangulations::internal_np;
-CGAL_DISCRETE_CONFORMAL_MAPS_OWN_PARAMETERS(CGAL_NAMED_PARAMETER_TAG)
 } // namespace internal_np
 
-CGAL_DEFINE_NAMED_PARAMETERS(CGAL_DISCRETE_CONFORMAL_MAPS_PARAMETERS)
+#define CGAL_NAMED_PARAMETERS <CGAL/Discrete_conformal_maps/internal/list_of_named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/define_named_parameters.h>
 
 #else
 

@@ -9,22 +9,16 @@
 
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
-#define CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(DO) DO(number_of_vertices) DO(maximum_cost)
-
-#define CGAL_INTRINSIC_SIMPLIFICATION_PARAMETERS(DO)                                               \
-  CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                                     \
-  CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(DO)
-
 namespace CGAL::Intrinsic_simplification {
 
 #ifndef DOXYGEN_RUNNING
 
 namespace internal_np {
 using namespace Intrinsic_triangulations::internal_np;
-CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(CGAL_NAMED_PARAMETER_TAG)
 } // namespace internal_np
 
-CGAL_DEFINE_NAMED_PARAMETERS(CGAL_INTRINSIC_SIMPLIFICATION_PARAMETERS)
+#define CGAL_NAMED_PARAMETERS <CGAL/Intrinsic_simplification/internal/list_of_named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/define_named_parameters.h>
 
 #else
 

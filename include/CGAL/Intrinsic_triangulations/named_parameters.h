@@ -7,36 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/internal/input/define_named_parameters.h>
-
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-
-#define CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)                                           \
-  DO(edge_length_map)                                                                              \
-  DO(squared_edge_length_map)                                                                      \
-  DO(mollification)                                                                                \
-  DO(exact_decisions)                                                                              \
-  DO(concurrency_tag)                                                                              \
-  DO(time_step_factor)                                                                             \
-  DO(distance_method)                                                                              \
-  DO(minimum_angle)                                                                                \
-  DO(maximum_circumradius)                                                                         \
-  DO(simplicial)                                                                                   \
-  DO(face_predicate)                                                                               \
-  DO(maximum_number_of_insertions)                                                                 \
-  DO(input_point_map)                                                                              \
-  DO(parent_vertex_map)                                                                            \
-  DO(parent_edge_map)                                                                              \
-  DO(parent_face_map)
-
-// with those of CGAL that are read
-#define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                               \
-  DO(vertex_point_map)                                                                             \
-  DO(edge_is_constrained_map)                                                                      \
-  DO(geom_traits)                                                                                  \
-  DO(number_of_iterations)                                                                         \
-  DO(visitor)                                                                                      \
-  CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -46,10 +18,11 @@ namespace internal_np {
 using namespace CGAL::internal_np;
 typedef CGAL::internal_np::vertex_point_t vertex_point_map_t;
 typedef CGAL::internal_np::edge_is_constrained_t edge_is_constrained_map_t;
-CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(CGAL_NAMED_PARAMETER_TAG)
 } // namespace internal_np
 
-CGAL_DEFINE_NAMED_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS)
+#define CGAL_NAMED_PARAMETERS                                                                      \
+<CGAL/Intrinsic_triangulations/internal/input/list_of_named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/define_named_parameters.h>
 
 #else
 
