@@ -4,8 +4,8 @@
 
 // Defines the named parameters of a package, in its namespace. This file is included once for each
 // package, after `CGAL_NAMED_PARAMETERS` has been defined as the header that lists them; it has no
-// include guard, and undefines the macro. A list applies `CGAL_named_parameter` to each name, and to
-// names of other packages unless `CGAL_DEFINING_TAGS` is defined.
+// include guard, and undefines the macro. A list applies `CGAL_named_parameter` to each name, and
+// to names of other packages unless `CGAL_DEFINING_TAGS` is defined.
 //
 // The tag of a parameter is `internal_np::name_t`, which is CGAL's own if CGAL has one. The
 // functions in `parameters` begin a sequence of named parameters. The member functions of the class
