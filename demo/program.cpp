@@ -5,8 +5,8 @@
 #include "program.h"
 
 #include "Program_error.h"
+#include "commands/Command_line.h"
 #include "commands/Thread_limit.h"
-#include "commands/command_line.h"
 #include "commands/unknown_words.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -35,35 +35,6 @@ int report(const std::exception& e, int code)
   return code;
 }
 
-int run_command(const CLI::App& app, const Options& options)
-{
-  if(app.got_subcommand("info"))
-    return info(options.info);
-  if(app.got_subcommand("view"))
-    return view(options.view);
-  if(app.got_subcommand("delaunay"))
-    return delaunay(options.common, options.delaunay);
-  if(app.got_subcommand("refine"))
-    return refine(options.common, options.refine);
-  if(app.got_subcommand("distance"))
-    return distance(options.common, options.distance);
-  if(app.got_subcommand("path"))
-    return path(options.common, options.path);
-  if(app.got_subcommand("transfer"))
-    return transfer(options.common, options.transfer);
-  if(app.got_subcommand("flatten"))
-    return flatten(options.common, options.flatten);
-  if(app.got_subcommand("hyperbolic"))
-    return hyperbolic(options.common, options.hyperbolic);
-  if(app.got_subcommand("uniformize"))
-    return uniformize(options.common, options.hyperbolic);
-  if(app.got_subcommand("sphere"))
-    return sphere(options.common, options.sphere);
-  if(app.got_subcommand("simplify"))
-    return simplify(options.common, options.simplify);
-  return operators(options.common, options.operators);
-}
-
 // What can be tried if there is no map at all; empty for other commands.
 std::string advice(const CLI::App& app)
 {
@@ -73,11 +44,11 @@ std::string advice(const CLI::App& app)
   return "";
 }
 
-int run(const CLI::App& app, const Options& options)
+int run(Command_line& line)
 {
-  const Thread_limit limit(options.common.threads);
+  const Thread_limit limit(line.common().threads);
   try {
-    return run_command(app, options);
+    return line.run();
   } catch(const Program_error& e) {
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {
@@ -85,7 +56,7 @@ int run(const CLI::App& app, const Options& options)
   } catch(const Map_failure& e) {
     return report(e, 1);
   } catch(const CGAL::Intrinsic_triangulations::Error& e) {
-    return report(std::runtime_error(e.what() + advice(app)), 1);
+    return report(std::runtime_error(e.what() + advice(line.app())), 1);
   } catch(const std::exception& e) {
     return report(e, 1);
   }
@@ -95,13 +66,11 @@ int run(const CLI::App& app, const Options& options)
 
 int run_program(int argc, const char* const* argv)
 {
-  CLI::App app;
-  Options options;
-  define_command_line(app, options);
+  Command_line line;
   try {
-    app.parse(argc, argv);
+    line.app().parse(argc, argv);
   } catch(const CLI::ParseError& e) {
-    return exit_code(app, e, argc, argv);
+    return exit_code(line.app(), e, argc, argv);
   }
-  return run(app, options);
+  return run(line);
 }

@@ -7,7 +7,7 @@
 
 #include "commands/Progress_bar.h"
 #include "commands/Statistics.h"
-#include "commands/commands.h"
+#include "commands/options.h"
 #include "page/View_page.h"
 #include "reading/Input_mesh.h"
 #include "writing/Mesh_writer.h"

@@ -14,4 +14,12 @@
 // surface as it is. A map that is no success is written if that is wanted and there is no other.
 int attempt(Command_run& run, const std::function<int()>& compute);
 
+// Returns what a command returns that is a class.
+template <class Command, class Own_options>
+int attempted(const Common_options& common, const Own_options& options)
+{
+  Command command(common, options);
+  return attempt(command.command_run(), [&] { return command.run(); });
+}
+
 #endif // INTRINSIC_ATTEMPTS_H

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
@@ -38,6 +38,80 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+constexpr const char* flatten_help =
+  R"(The map is discretely conformal. Without --boundary the boundary is not scaled. A surface
+without boundary is cut through its cones.
+
+Values of --boundary:
+  free       vertices on the boundary are not scaled (the default)
+  straight   all exterior angles are zero; cones are placed inside
+  scale      --boundary-values FILE prescribes the logarithms of their scale factors
+  curvature  --boundary-values FILE prescribes their exterior angles
+  rectangle  each component is mapped to a rectangle; its corners are as far apart along the
+             boundary as possible with a sum of angles of at least nine tenths of that of the
+             four sharpest vertices
+  disk       the boundary of each component is mapped to a circle
+Rectangles and disks are for components with one boundary. They have no cones unless --cones is
+given, as handles require, and then only inside.
+
+A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
+follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,
+and straight on the boundary. In the file of --cones the values are angle defects, 2 pi less the
+sum of angles; an empty one makes a torus flat. All curvatures must add up to 2 pi times the
+Euler characteristic, unless scale factors are prescribed somewhere.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
+flat triangulation. The texture coordinates u, v at the corners of its faces are lengths in the
+plane, not limited to one. Charts of components are side by side. With --linear (the default,
+which every program reads) they are interpolated linearly; the map itself is projective on each
+face, and exact with --homogeneous: three numbers u w, v w, w, to be divided after linear
+interpolation.
+  .obj  "vt u v", or "vt uw vw w"
+  .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its
+        corners
+  .vtp  a property with that name of points, which are repeated along seams
+.ply and .vtp have for each vertex the input vertex (-1 if it is none), whether it is a cone and
+its logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat
+face or edge they are a part. Edges with is_seam 1 are cut open.
+
+With --exact, the flips to the intrinsic Delaunay triangulation are decided exactly, on the
+surface of the positions, whose lengths and curvature errors have 32 digits, and the map is
+certified: "certified" in the statistics says whether this triangulation is Delaunay, the flat one
+is ideal Delaunay with the scale factors as they are, and all crossings are in order, without a
+tolerance. "greatest_excess", "exchanged_crossings", "undecided" and "undecided_crossings" are
+what fails: rounding decides ties.
+
+Solvers:
+  newton  Newton's method
+  ceres   L-BFGS of the Ceres Solver: as accurate, with fewer factorizations and more evaluations
+  cetm    Newton's method in the triangulation of the mesh, without flips, for comparison.
+          The scale factors depend on the triangulation and often do not exist; the error names the
+          violated condition, triangle_inequality or no_minimum.
+
+The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order
+of .obj and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh.
+Its product with values at the vertices of the mesh (positions, colors, logarithmic scale
+factors) has the values at the vertices of the output, linear on the faces of the mesh. Each row
+has one to three weights, sum one. Rows of vertices of the mesh come first, in their order, so the
+matrix starts with the identity.
+
+The image can cover parts of the plane more than once. "overlap_area" in the statistics, and the
+last line, have the area of these parts, and "overlapping_charts" the pairs of charts that overlap:
+a chart has two equal numbers if it overlaps itself. With --no-overlap charts are cut along edges of
+the flat triangulation until none does, and packed. With --unit-square all texture coordinates are
+multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
+
+A map that lacks something it should have (curvatures, exterior angles, the shape of its boundary,
+length cross ratios, orientation) is not written, and the message says what can be tried. With
+--keep-going it is written, with exit code 3; "promises" in the statistics has all errors.
+"flipped_triangles" in the statistics leaves out slivers, triangles with heights in space of up to
+16 units in the last place of their coordinates; "flipped_slivers" counts those.
+
+Examples:
+  intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
+  intrinsic flatten bunny.obj -o atlas.obj --no-overlap --unit-square
+  intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
 // Greedy, except for shapes that need no cones.
 Flatten_options with_defaults(Flatten_options options, bool is_exact)
@@ -244,8 +318,50 @@ void show(View_page& page, Command_run& run, const Planar_map& map, const Map_pa
 
 void add_files(Command_run&, const Planar_map&, const Map_output&) {}
 
-int flatten(const Common_options& common, const Flatten_options& options)
+namespace {
+
+void add_flattening_targets(CLI::App& command, Flatten_options& options)
 {
-  Flatten_command command(common, options);
-  return attempt(command.command_run(), [&] { return command.run(); });
+  command.add_option("--cones", options.cones,
+                     "greedy, none, or a file of angle defects; greedy by default, but none for a "
+                     "rectangle or a disk");
+  add_number(command, "--max-log-scale", options.maximum_log_scale,
+             "Place greedy cones until the absolute values of all logarithmic scale factors are at "
+             "most this; 5 by default",
+             positive_number());
+  command
+    .add_option("--boundary", options.boundary,
+                "free, straight, scale, curvature, rectangle or disk, see below")
+    ->capture_default_str();
+  command.add_option("--boundary-values", options.boundary_values,
+                     "File of values at vertices for --boundary scale or curvature");
+}
+
+} // namespace
+
+void define_flatten(Command_line& line)
+{
+  const auto [command, options] =
+    line.add_with_mesh("flatten", "Map a mesh to the plane, conformally",
+                       attempted<Flatten_command, Flatten_options>, flatten_help);
+  add_texture_output(command, options);
+  add_flattening_targets(command, options);
+  command
+    .add_option("--solver", options.solver,
+                "newton, ceres, or cetm, which keeps the triangulation of the mesh, see below")
+    ->check(CLI::IsMember({"newton", "ceres", "cetm"}))
+    ->capture_default_str();
+  command.add_option(
+    "--matrix", options.matrix,
+    "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
+  add_keep_going(command, line.common());
+  command.add_flag("--no-overlap", options.has_no_overlap,
+                   "Cut charts where they overlap in the plane, and pack them");
+  command.add_flag("--unit-square", options.is_in_unit_square,
+                   "Scale the texture coordinates to the unit square");
+  add_common_options(command, line.common());
+  add_exact(
+    command, line.common(),
+    "Decide exactly about the flips to the intrinsic Delaunay triangulation, and certify it, "
+    "the flat triangulation and the order of their crossings");
 }

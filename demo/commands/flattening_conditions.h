@@ -5,13 +5,26 @@
 #ifndef INTRINSIC_FLATTENING_CONDITIONS_H
 #define INTRINSIC_FLATTENING_CONDITIONS_H
 
-#include "commands/commands.h"
+#include "commands/options.h"
 #include "reading/Polygon_soup.h"
 
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 
+#include <optional>
 #include <string>
 #include <vector>
+
+struct Flatten_options : Texture_options
+{
+  std::string cones; // "greedy", "none" or a file; empty for what suits the boundary
+  std::optional<double> maximum_log_scale; // for greedy cones
+  std::string boundary = "free";
+  std::string boundary_values;   // the file of "scale" and "curvature"
+  std::string solver = "newton"; // or "ceres" or "cetm"
+  std::string matrix;            // a file for the interpolation matrix
+  bool has_no_overlap = false;   // charts are cut where they overlap
+  bool is_in_unit_square = false;
+};
 
 using Conditions = std::vector<CGAL::Discrete_conformal_maps::Vertex_condition>;
 

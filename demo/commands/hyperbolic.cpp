@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
@@ -26,6 +26,26 @@
 namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
+
+constexpr const char* hyperbolic_help =
+  R"(Every component must have genus two or more, or sufficiently many boundaries or cones; for
+others there is `intrinsic uniformize`. --component K and --largest choose one. Boundaries become
+geodesics. The double of the surface is laid out; the output is the part of the mesh.
+
+The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With
+--homogeneous they are x t, y t, t, in Klein's disk, where the map is exact.
+
+Statistics: the area, which is 2 pi (2 genus - 2 + boundaries); for each component its genus,
+boundaries and area, and the motions z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of
+its domain, or of that of its double, as real and imaginary parts of a and b; a relation, the order
+in which their product is the identity (from 1, negative for inverse ones), and its error as they
+are written; these motions with all known digits, where the layout needed more than 16, and the
+error of their relation. max_gluing_error is that of the corners of the domain; radius
+is the greatest distance from its center: in double precision, positions at a distance d have
+errors of about 1e-16 exp(d).
+
+Example:
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
 
 Cones cones_of(const Conditions& conditions, const Mesh& mesh)
 {
@@ -183,6 +203,18 @@ void check_tiling(const Common_options& common, const Hyperbolic_options& option
     throw Program_error("--tiles is for --svg and --view; leave it out, or add one of them");
 }
 
+void add_tiling(CLI::App& command, Hyperbolic_options& options)
+{
+  command.add_option("--svg", options.picture, "Picture of the domain and its images in the disk");
+  command
+    .add_option(
+      "--tiles", options.depth,
+      "Maximum number of sides between the domain and an image in the picture; 3 by default")
+    ->check(integer_from_to(0, 100));
+}
+
+namespace {
+
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
 {
   check_tiling(common, options);
@@ -202,4 +234,20 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
       throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
     return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions));
   });
+}
+
+} // namespace
+
+void define_hyperbolic(Command_line& line)
+{
+  const auto [command, options] = line.add_with_mesh(
+    "hyperbolic", "Compute the conformal metric of curvature -1, in the Poincare disk", hyperbolic,
+    hyperbolic_help);
+  add_texture_output(command, options);
+  command.add_option("--cones", options.cones,
+                     "File of angle defects; zero everywhere if not given");
+  add_tiling(command, options);
+  add_keep_going(command, line.common());
+  add_components(command, line.common());
+  add_common_options(command, line.common());
 }

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "Program_error.h"
 #include "commands/Statistics.h"
@@ -23,6 +23,14 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+struct Info_options
+{
+  bool is_json = false;
+};
+
+constexpr const char* info_help = "Example:\n  intrinsic info bunny.obj --json\n\n"
+                                  "Exit code: 0 if the mesh can be worked on, 2 if not.";
 
 // What is wrong or worth noting about a mesh that is read by a command.
 struct Verdict
@@ -150,34 +158,45 @@ void print_text(const std::string& input, const Polygon_soup& soup, const Verdic
               << '\n';
 }
 
-void write_page(const Info_options& options, const Polygon_soup& soup, const Verdict& verdict)
+void write_page(const Common_options& common, const Polygon_soup& soup, const Verdict& verdict)
 {
-  if(!options.view.empty())
+  if(!common.view.empty())
     View_page::check_available();
-  check_picture_available(options.picture);
-  if(options.view.empty() && options.picture.empty())
+  check_picture_available(common.picture);
+  if(common.view.empty() && common.picture.empty())
     return;
-  Output output(options.input, {options.view, options.picture});
+  Output output(common.input, {common.view, common.picture});
   View_page page;
   show(page, "input", soup);
-  page.set_statistics(statistics_of(options.input, verdict));
-  output.add(options.view, [&](Text& text) { page.write_html(text); });
-  output.add(options.picture, [&](Text& text) { page.write_picture(text, options.picture); });
+  page.set_statistics(statistics_of(common.input, verdict));
+  output.add(common.view, [&](Text& text) { page.write_html(text); });
+  output.add(common.picture, [&](Text& text) { page.write_picture(text, common.picture); });
   output.commit();
+}
+
+int info(const Common_options& common, const Info_options& options)
+{
+  const Polygon_soup soup = read_mesh(common.input);
+  const Verdict verdict = verdict_on(common.input, soup);
+  write_page(common, soup, verdict);
+  if(options.is_json)
+    std::cout << text_of(statistics_of(common.input, verdict));
+  else
+    print_text(common.input, soup, verdict);
+  if(!std::cout.flush())
+    throw std::runtime_error("standard output could not be written completely");
+  return verdict.is_valid() ? 0 : 2;
 }
 
 } // namespace
 
-int info(const Info_options& options)
+void define_info(Command_line& line)
 {
-  const Polygon_soup soup = read_mesh(options.input);
-  const Verdict verdict = verdict_on(options.input, soup);
-  write_page(options, soup, verdict);
-  if(options.is_json)
-    std::cout << text_of(statistics_of(options.input, verdict));
-  else
-    print_text(options.input, soup, verdict);
-  if(!std::cout.flush())
-    throw std::runtime_error("standard output could not be written completely");
-  return verdict.is_valid() ? 0 : 2;
+  const auto [command, options] = line.add_with_mesh(
+    "info", "Print the size, the topology and the defects of a mesh", info, info_help);
+  command.add_flag("--json", options.is_json, "Print JSON");
+  command.add_option("--view", line.common().view,
+                     "HTML file that shows the mesh, and its defects in red");
+  command.add_option("--picture", line.common().picture,
+                     "SVG or PNG file with a picture of the mesh");
 }

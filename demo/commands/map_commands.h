@@ -5,9 +5,9 @@
 #ifndef INTRINSIC_MAP_COMMANDS_H
 #define INTRINSIC_MAP_COMMANDS_H
 
+#include "commands/Command_line.h"
 #include "commands/Command_run.h"
 #include "commands/Statistics.h"
-#include "commands/commands.h"
 #include "writing/Map_part.h"
 #include "writing/Mesh_writer.h"
 #include "writing/Output_mesh.h"
@@ -21,6 +21,13 @@
 #include <vector>
 
 // What commands that map surfaces have in common.
+
+struct Hyperbolic_options : Texture_options
+{
+  std::string cones;        // a file; empty for none
+  std::string picture;      // an SVG file
+  std::optional<int> depth; // of the tiling in the picture; three if not given
+};
 
 // Shows and times the stages, and counts the iterations of all minimizations.
 struct Stage_visitor
@@ -40,6 +47,8 @@ struct Stage_visitor
 
 // The stages of a map, in their order; `has_cones` says whether cones are placed.
 Stages map_stages(bool has_cones);
+
+void add_tiling(CLI::App& command, Hyperbolic_options& options);
 
 // Throws Program_error if there is no picture for the depth of its tiling.
 void check_tiling(const Common_options& common, const Hyperbolic_options& options);

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
@@ -22,6 +22,32 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+struct Operators_options
+{
+  std::string prefix;
+  Refinement_bounds refinement; // none without an angle
+};
+
+constexpr const char* operators_help =
+  R"(Files, with v vertices and f faces of the intrinsic triangulation:
+  PREFIX_laplacian.mtx             cotan Laplacian, positive semidefinite (v x v, symmetric)
+  PREFIX_mass.mtx                  consistent mass (v x v, symmetric)
+  PREFIX_lumped_mass.mtx           lumped mass (v x v, diagonal)
+  PREFIX_connection_laplacian.mtx  connection Laplacian (v x v, complex Hermitian)
+  PREFIX_gradient.mtx              values at vertices to vectors on faces (2f x v)
+  PREFIX_divergence.mtx            vectors on faces to integrals at vertices (v x 2f)
+Rows and columns of vertices are in the order of the input, inserted vertices after them. Those of
+faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
+writes.
+
+The triangles need not form a surface, and with --neighbors there may be points alone. Then f
+counts faces of the tufted cover, which has two for each triangle, and there is a further file:
+  PREFIX_cover_vertices.mtx        values at vertices to those at vertices of the cover (c x v)
+The connection Laplacian is c x c.
+
+Example:
+  intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
 
 // What matrices are of: functions on the input, and vectors on the triangulation.
 struct Operand
@@ -137,8 +163,6 @@ int write_matrices(Command_run& run, const Operators_options& options,
   return 0;
 }
 
-} // namespace
-
 int operators(const Common_options& common, const Operators_options& options)
 {
   std::vector<std::string> paths = paths_of(options.prefix);
@@ -148,4 +172,20 @@ int operators(const Common_options& common, const Operators_options& options)
   run.plan({delaunay_stages, refinement_stages(options.refinement), certificate_stages(common),
             view_stages(common)});
   return attempt(run, [&] { return write_matrices(run, options, paths); });
+}
+
+} // namespace
+
+void define_operators(Command_line& line)
+{
+  const auto [command, options] =
+    line.add_with_mesh("operators", "Write matrices of the intrinsic Delaunay triangulation",
+                       operators, operators_help);
+  command.add_option("--prefix", options.prefix, "Start of the names of the Matrix Market files")
+    ->required();
+  add_save(command, line.common());
+  add_common_options(command, line.common());
+  add_exact(command, line.common());
+  add_angle(command, options.refinement);
+  add_neighbors(command, line.common());
 }

@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Program_error.h"
+#include "commands/Command_line.h"
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
-#include "commands/commands.h"
 #include "commands/triangulation_stages.h"
 #include "reading/surface_points.h"
 #include "writing/Mesh_writer.h"
@@ -34,6 +34,40 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+struct Path_options : Output_options
+{
+  Path_options() : Output_options("obj") {}
+
+  // points as `surface_point()` reads them
+  std::string from;             // empty for a homology basis
+  std::string to;               // empty for a loop or a straightest path, too
+  std::vector<std::string> via; // vertices where the path goes along edges before it is shortened
+  bool is_loop = false;
+  bool is_flipped = false;        // a geodesic near the path along edges, not the shortest
+  bool is_homology_basis = false; // geodesic loops around all handles and holes
+  std::optional<std::pair<double, double>> straightest; // degrees and length
+};
+
+constexpr const char* path_help =
+  R"(The path is shortest, up to rounding. With --flips it is a geodesic: the shortest path along
+edges from vertex to vertex, through all --via, is shortened in its homotopy class, and with
+--loop a loop. With --homology there are as many loops as are needed for every closed curve to be
+homologous to a combination of them. The status, in the statistics and in the last line on standard
+error:
+  shortest             no path is shorter
+  geodesic             no small change shortens it
+  blocked              it crosses itself, and is geodesic elsewhere
+  straightest          it has the requested length
+  stopped_at_boundary  it ends at the boundary
+The statistics have all its places on the mesh and, after flips, its edges in the intrinsic
+triangulation that --save writes.
+
+Examples:
+  intrinsic path bunny.obj --from 17 --to 1000:0.2,0.3,0.5 -o path.vtp
+  intrinsic path bunny.obj --from 17 --via 99 --via 612 --loop -o loop.obj --stats loop.json
+  intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply
+  intrinsic path eight.off --homology -o loops.vtp --view loops.html)";
 
 constexpr const char* no_path_advice = "; choose points of one connected component";
 
@@ -412,10 +446,33 @@ private:
   std::vector<Surface_location> m_points; // that the path passes
 };
 
+void add_path_points(CLI::App& command, Path_options& options)
+{
+  command.add_option("--from", options.from,
+                     "Start: a vertex, FACE:a,b,c (barycentric), or x,y,z (nearest)");
+  command.add_option("--to", options.to, "End, as the start");
+  command.add_option("--via", options.via, "Vertex that the path passes before it is shortened")
+    ->allow_extra_args(false);
+  command.add_flag("--flips", options.is_flipped,
+                   "Shorten a path along edges to a geodesic nearby, by flips");
+  command.add_flag("--loop", options.is_loop,
+                   "Shorten the loop from --from through all --via, by flips");
+  command.add_option(
+    "--straightest", options.straightest,
+    "Go straight instead: the angle in degrees, counterclockwise from the first side of "
+    "the face at --from or from the side that leaves a vertex, and the length");
+  command.add_flag("--homology", options.is_homology_basis,
+                   "Shortest geodesic loops around all handles and holes, by flips");
+}
+
 } // namespace
 
-int path(const Common_options& common, const Path_options& options)
+void define_path(Command_line& line)
 {
-  Path_command command(common, options);
-  return attempt(command.command_run(), [&] { return command.run(); });
+  const auto [command, options] = line.add_with_mesh(
+    "path", "Find shortest paths and geodesics", attempted<Path_command, Path_options>, path_help);
+  add_path_points(command, options);
+  add_output(command, options, "The path as a line (.obj, .ply, .vtp", "obj, ply or vtp");
+  add_save(command, line.common());
+  add_common_options(command, line.common());
 }

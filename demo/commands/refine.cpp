@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
@@ -20,6 +20,43 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+struct Refine_options : Subdivision_options
+{
+  Refine_options() { bounds.minimum_angle = 25; }
+
+  Refinement_bounds bounds;
+};
+
+constexpr const char* refine_help =
+  R"(The result is Delaunay and is written with exit code 0 whatever the status, which is in the
+statistics and in the last line on standard error:
+  bounds_met              every face obeys the bounds
+  bounds_met_but_excused  faces that violate the bound on angles are excused by narrow vertices
+  insertion_limit         --max-insertions was reached; some faces violate the bounds. Lower
+                          --min-angle, or raise --max-insertions
+  no_room                 floating point coordinates are too coarse for the faces that are left
+On closed meshes without narrow vertices and constrained edges, refinement to at most 30 degrees
+is proven to terminate, in exact arithmetic; with boundary this is an open question, but 25
+degrees were reached on all meshes of CGAL. With greater angles it need not terminate: hence the
+smaller default of --max-insertions. If rounded lengths do not suffice, refinement starts anew
+with exact decisions; the last line and "exact_decisions" in the statistics report this. With
+--exact the decisions are exact from the beginning, and the result is certified: the statistics
+have "certified", whether it is geodesic and exactly Delaunay, "ties", the number of edges whose
+flip is Delaunay too, "undecided", the number of edges and vertices for which a decision involves
+more than twelve independent square roots, and "decisions", the number of decisions at each stage.
+A result that is not certified is written, too; the last line says so.
+
+Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
+input edge with an intrinsic edge, 2 inserted vertex.
+
+With --simplicial the output is an ordinary mesh, for other programs: its vertices lie on the
+surface, its edges are straight in space, and their property "length" is the length on the
+surface. Seams of a texture stay edges, unless the output is .off.
+
+Examples:
+  intrinsic refine scan.ply -o mesh.ply --simplicial
+  intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
 
 std::string summary_of_refinement(Command_run& run)
 {
@@ -115,7 +152,15 @@ int write_refinement(Command_run& run, const Refine_options& options, Mesh_forma
   return 0;
 }
 
-} // namespace
+void add_bounds(CLI::App& command, Refinement_bounds& bounds)
+{
+  add_number(command, "--min-angle", bounds.minimum_angle,
+             "Least angle of the faces in degrees, 0 for no bound", number_from_to(0., 60.))
+    ->capture_default_str();
+  add_number(command, "--max-circumradius", bounds.maximum_circumradius,
+             "Greatest circumradius of the faces; no bound if not given", positive_number());
+  add_maximum_number_of_insertions(command, bounds, ", but 10,000,000 with --max-circumradius");
+}
 
 int refine(const Common_options& common, const Refine_options& options)
 {
@@ -123,4 +168,21 @@ int refine(const Common_options& common, const Refine_options& options)
   Command_run run("refine", common, {options.output});
   run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
   return attempt(run, [&] { return write_refinement(run, options, format); });
+}
+
+} // namespace
+
+void define_refine(Command_line& line)
+{
+  const auto [command, options] =
+    line.add_with_mesh("refine", "Insert vertices until all faces obey bounds on angles and sizes",
+                       refine, refine_help);
+  add_subdivision_options(command, options, line.common());
+  add_bounds(command, options.bounds);
+  command.add_flag(
+    "--simplicial", options.bounds.is_simplicial,
+    "Insert vertices until no edge is a loop and no two have the same ends, and write "
+    "the triangulation itself, its faces flat in space, in place of the subdivision");
+  add_exact(command, line.common(),
+            "Decide exactly about edges and inserted vertices, and certify the triangulation");
 }

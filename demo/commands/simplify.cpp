@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "Program_error.h"
 #include "commands/Command_run.h"
@@ -45,6 +45,82 @@ namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+struct Simplify_options : Output_options
+{
+  Simplify_options() : Output_options("ply") {}
+
+  std::string coarse_mesh; // a file for the coarse triangulation in space
+  std::string prolongation;
+  // one of these is given
+  std::optional<std::size_t> number_of_vertices;
+  std::optional<double> ratio; // of the number of vertices
+  std::optional<double> maximum_cost;
+  std::vector<std::string> weights; // as "name=value"
+  std::size_t number_of_levels = 1;
+  Refinement_bounds refinement;    // of the fine triangulation; none without an angle
+  double coarse_minimum_angle = 0; // of the coarse triangulation; 0 for no refinement
+  double closed_length = 0;        // of boundary loops that are closed before
+  double pinched_length = 0;       // of edge loops along which handles are cut before
+};
+
+constexpr const char* simplify_help =
+  R"(Vertices are removed one by one, the one of least cost first. The result is an intrinsic
+Delaunay triangulation of a surface whose distances are close to those of the mesh; vertices keep
+their positions. The cost of a removal is a length: the distance by which curvature and area,
+with their weights, have been moved, times their part of the whole. Changes of area cost, too, at
+the boundary most, so that corners of flat parts stay. With --weight, weights that are not given
+are zero, and the last line names those in force. With a weight of color (in
+.ply, .off and .obj) or of any function at the vertices (properties in .ply, by their names), its
+Laplacian is moved too, so that more vertices stay where its gradient changes. --error is the
+greatest cost of a removal. If no vertex can be removed, simplification ends early, with exit
+code 0 and the status "nothing_removable" in the statistics. Vertices without faces stay;
+--vertices and --ratio do not count them.
+
+With --min-angle, vertices are finally inserted into the coarse triangulation until its angles
+obey the bound, except at narrow vertices, as by `intrinsic refine`. All output is about the
+refined coarse triangulation.
+
+With --close-loops and --pinch-handles the topology is simplified first: boundary loops up to a
+length are closed, and handles are cut along closed curves of edges up to a length, the shortest
+first, and closed on both sides, each by a disk of triangles around a new vertex. The rest of the
+mesh does not change. Faces of the disks have -1 as "input_face"; in the output their vertex is
+in the middle of the others, but lengths are those of the disk. Lengths are in the units of the
+mesh.
+
+With --exact, the refinement before and the intrinsic Delaunay triangulation from which vertices
+are removed are decided exactly and certified, as by `intrinsic delaunay --exact`. Removals
+change the surface by rounded numbers, and are decided in floating point.
+
+The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp
+faces have the properties "coarse_face" and "input_face", and a color by which adjacent coarse
+faces differ; in .ply edges have "coarse_edge" and "input_edge", or -1, and .vtp has the coarse
+edges as polylines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input
+vertex, 1 crossing of a coarse edge with an edge, 2 inserted vertex, 3 bend of a coarse edge
+inside a face. With --refine more edges lead to the inserted vertices, within the
+faces of the mesh.
+
+The file of --coarse has the coarse triangulation as an ordinary mesh, for other programs: vertices
+where they are on the mesh, edges straight, faces flat. Vertices have the property "input_vertex"
+in .ply and .vtp, -1 for those that were inserted because there were loops or several edges with
+the same ends. The coarse triangulation is close to the mesh in its lengths, not in space. The last
+line and "coarse_mesh" in the statistics have the deviation, the greatest distance of a vertex of
+the mesh from the coarse mesh and of the middle of a coarse edge or face from the mesh, and the
+numbers of faces that are flipped or without area and of pairs of faces that intersect.
+
+P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its
+rows are barycentric coordinates: not negative, with sum 1. With L levels there are L matrices,
+P_1.mtx to P_L.mtx, each from one level to the one before; the vertices of the levels are those of
+the mesh that are left, in their order. Vertices inserted by --refine follow those of the mesh;
+they can be coarse vertices, but have no rows in the first matrix. Those of --min-angle are the
+last of the coarse vertices.
+
+--save writes all levels and the operations between them, with --refine after the mesh with the
+inserted vertices.
+
+Examples:
+  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --prolongation P.mtx
+  intrinsic simplify bunny.obj --coarse small.obj --vertices 500)";
 
 // In the order of `Removal_status`.
 constexpr std::array<const char*, IS::number_of_removal_statuses> removal_names = {
@@ -504,10 +580,74 @@ private:
   std::vector<IS::Surface_level> m_levels;      // from the fine one to the coarse one
 };
 
+void add_target(CLI::App& command, Simplify_options& options)
+{
+  CLI::App& target = *command.add_option_group("Target", "Where to stop");
+  target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
+    ->check(integer_from(1));
+  add_number(target, "--ratio", options.ratio, "Part of the vertices to be left",
+             number_from_to(1e-9, 1.));
+  add_number(target, "--error", options.maximum_cost, "Greatest cost of a removal, a length",
+             nonnegative_number());
+  target.require_option(1);
+}
+
+void add_simplify_outputs(CLI::App& command, Simplify_options& options, Common_options& common)
+{
+  add_output(command, options,
+             "Common subdivision with the coarse triangulation (.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
+  command.get_option("--output")->required(false); // or --coarse
+  command.add_option(
+    "--coarse", options.coarse_mesh,
+    "The coarse triangulation as an ordinary mesh in space (.off, .obj, .ply, .vtp)");
+  command.add_option("--prolongation", options.prolongation,
+                     "Matrix Market file: from coarse vertices to those of the mesh");
+  command.add_option("--save", common.save, "File for the levels and the operations between them");
+}
+
+void add_topology(CLI::App& command, Simplify_options& own)
+{
+  add_number(command, "--close-loops", own.closed_length,
+             "First close boundary loops up to this length by disks", nonnegative_number());
+  add_number(command, "--pinch-handles", own.pinched_length,
+             "First cut handles along closed curves of edges up to this length, and close both "
+             "sides by disks",
+             nonnegative_number());
+}
+
 } // namespace
 
-int simplify(const Common_options& common, const Simplify_options& options)
+void define_simplify(Command_line& line)
 {
-  Simplify_command command(common, options);
-  return attempt(command.command_run(), [&] { return command.run(); });
+  const auto [command, options] =
+    line.add_with_mesh("simplify", "Remove vertices, intrinsically",
+                       attempted<Simplify_command, Simplify_options>, simplify_help);
+  add_simplify_outputs(command, options, line.common());
+  add_target(command, options);
+  command
+    .add_option(
+      "--weight", options.weights,
+      "NAME=W: the share of curvature, area, area_change, boundary_change, color or a property of "
+      "vertices in the cost; what is not given has none. Without --weight it is curvature=1, "
+      "area=2, area_change=6 and boundary_change=12")
+    ->allow_extra_args(false);
+  command
+    .add_option("--levels", options.number_of_levels,
+                "Number of levels, each smaller by the same factor; the last is the coarse one")
+    ->check(integer_from_to(1, 100))
+    ->capture_default_str();
+  add_number(command, "--refine", options.refinement.minimum_angle,
+             "Refine to this angle in degrees first, so that there are vertices to choose from",
+             number_from_to(0., 30.));
+  add_number(command, "--min-angle", options.coarse_minimum_angle,
+             "Insert vertices into the coarse triangulation until all its angles have this many "
+             "degrees, see `intrinsic refine`",
+             number_from_to(0., 60.));
+  add_maximum_number_of_insertions(command, options.refinement);
+  add_topology(command, options);
+  add_common_options(command, line.common());
+  add_exact(command, line.common(),
+            "Decide exactly about the intrinsic Delaunay triangulation from which vertices are "
+            "removed, and about --refine, and certify it");
 }

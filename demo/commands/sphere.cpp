@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
@@ -27,6 +27,41 @@
 namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
+
+struct Sphere_options : Output_options
+{
+  Sphere_options() : Output_options("ply") {}
+
+  std::string precise; // positions in all digits; empty if not wanted
+};
+
+constexpr const char* sphere_help =
+  R"(Each component must be a sphere or a disk. The image is a convex polyhedron with
+vertices on the unit sphere, discretely conformal to the mesh, that has its center of mass (with
+areas of the mesh) in the center; or one half of such a polyhedron, with the boundary on the
+equator. Convexity is decided exactly. A disk without vertices inside becomes a convex polygon in
+the equator, in the plane z = 0: "flat" in the statistics.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
+polyhedron, projected to the sphere. .ply and .vtp have for each vertex the input vertex (-1 if it
+is none) and its logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and
+homogeneous coordinates on the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces;
+of faces (and in .ply of edges) of which input, intrinsic and sphere face or edge they are a part.
+A disk has its image in the unit disk as texture coordinates.
+
+Long limbs have small images. By rounding of the output, triangles can lose their convexity or be
+flipped: lost_in_output in the statistics counts them. --precise writes the positions of the input
+vertices with 31 digits, all of which hold: the points are on the unit sphere up to 1e-31.
+
+Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
+zero. If the image is not convex, nothing is written but with --keep-going.
+
+Several components are mapped one by one. Their spheres stand beside each other along the x axis,
+as "center" in the "components" of the statistics says; positions of --precise are relative to
+it, and vertices without faces stay where they are. --component K and --largest choose one.
+
+Example:
+  intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
 
 // A line "x y z", with all digits that the map has, for a vertex of the input.
 std::string precise_position(const Spherical_map& map, Mesh::Vertex_index v)
@@ -143,8 +178,6 @@ int map_components(Command_run& run, const Map_output& output, double epsilon)
   return maps.finish(output);
 }
 
-} // namespace
-
 int sphere(const Common_options& common, const Sphere_options& options)
 {
   const Mesh_format format = output_format(options.output, options);
@@ -158,4 +191,20 @@ int sphere(const Common_options& common, const Sphere_options& options)
       return map_components(run, output, epsilon);
     return finish(run, output, mapped(run, run.input().mesh, epsilon));
   });
+}
+
+} // namespace
+
+void define_sphere(Command_line& line)
+{
+  const auto [command, options] = line.add_with_mesh(
+    "sphere", "Map a sphere or a disk to the unit sphere, conformally", sphere, sphere_help);
+  add_output(command, options, "Common subdivision on the sphere (.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
+  command.add_option(
+    "--precise", options.precise,
+    "Text file for the positions of the input vertices with 31 digits: index x y z");
+  add_keep_going(command, line.common());
+  add_components(command, line.common());
+  add_common_options(command, line.common());
 }

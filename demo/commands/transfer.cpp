@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Program_error.h"
+#include "commands/Command_line.h"
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
-#include "commands/commands.h"
 #include "commands/triangulation_stages.h"
 #include "reading/surface_points.h"
 #include "reading/text_encoding.h"
@@ -31,6 +31,27 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
+
+struct Transfer_options
+{
+  std::string output;
+  std::string points;           // a file; empty if functions are transferred
+  std::string data;             // a file; empty if points are
+  bool is_back = false;         // from the intrinsic triangulation to the mesh
+  Refinement_bounds refinement; // none without an angle
+};
+
+constexpr const char* transfer_help =
+  R"(With --points each line of the output has two places, FACE:a,b,c on the mesh and on the
+intrinsic triangulation; with --back such lines are read. With --data the output has a value for
+each vertex of the other triangulation, in lines "index value": those of the piecewise linear
+function that is closest in the L2 norm, which has the same integral. Faces and vertices of the
+intrinsic triangulation are those that --save writes. The statistics have the greatest error of
+points or values after the way there and back.
+
+Examples:
+  intrinsic transfer bunny.obj --points points.txt -o places.txt
+  intrinsic transfer bunny.obj --data heights.txt --min-angle 25 -o refined.txt --stats s.json)";
 
 using Correspondence = IT::Correspondence<Triangulation::Traits>;
 
@@ -221,8 +242,20 @@ private:
 
 } // namespace
 
-int transfer(const Common_options& common, const Transfer_options& options)
+void define_transfer(Command_line& line)
 {
-  Transfer_command command(common, options);
-  return attempt(command.command_run(), [&] { return command.run(); });
+  const auto [command, options] = line.add_with_mesh(
+    "transfer", "Take points or functions to the intrinsic triangulation and back",
+    attempted<Transfer_command, Transfer_options>, transfer_help);
+  command.add_option("-o,--output", options.output, "Text file; - for standard output")->required();
+  command.add_option("--points", options.points,
+                     "Text file of points, one in a line: a vertex, FACE:a,b,c (barycentric), or "
+                     "x,y,z (nearest)");
+  command.add_option("--data", options.data, "Text file of values at vertices: index value");
+  command.add_flag("--back", options.is_back,
+                   "Take what is given on the intrinsic triangulation to the mesh");
+  add_save(command, line.common());
+  add_common_options(command, line.common());
+  add_exact(command, line.common());
+  add_angle(command, options.refinement);
 }

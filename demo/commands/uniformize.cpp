@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "Program_error.h"
 #include "commands/attempts.h"
@@ -22,6 +22,29 @@
 namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
+
+constexpr const char* uniformize_help =
+  R"(Each component, by its topology, becomes
+  a sphere      round, as with `intrinsic sphere`
+  a disk        a hemisphere, as with `intrinsic sphere`; its texture is the image in the unit disk
+  a torus       flat, as with `intrinsic flatten --cones none`
+  a cylinder    with two boundaries and no handles: flat, with straight boundaries
+  hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
+--svg and --tiles are for hyperbolic surfaces, --homogeneous for these and flat ones.
+
+Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
+generators of its lattice in the fundamental domain of the modular group, as real and imaginary
+part; of a cylinder the height over the circumference, as imaginary part.
+
+Several components are mapped one by one and written into one mesh, in which the vertices of the
+input keep their indices. Their textures stand beside each other, and unit spheres stand in a row,
+to the right of the mesh if other components are there. "components" in the statistics has what
+each became: the keys above, its number, sizes and first face, and of a sphere its center. If one
+has no map, nothing is written, or, with --keep-going, only the others. --component K and --largest
+choose one; --view, --picture and --svg show only one.
+
+Example:
+  intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
 
 DCM::Uniformization uniformized(Command_run& run, const Mesh& mesh, double epsilon)
 {
@@ -124,8 +147,6 @@ int map_surface(Command_run& run, const Hyperbolic_options& options, Mesh_format
   return std::visit([&](const auto& map) { return finish(run, output, map); }, result.map);
 }
 
-} // namespace
-
 int uniformize(const Common_options& common, const Hyperbolic_options& options)
 {
   check_tiling(common, options);
@@ -135,4 +156,18 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
     return component_faces(run.input().mesh).size() > 1 ? map_components(run, options, format)
                                                         : map_surface(run, options, format);
   });
+}
+
+} // namespace
+
+void define_uniformize(Command_line& line)
+{
+  const auto [command, options] = line.add_with_mesh(
+    "uniformize", "Compute the conformal metric of constant curvature that suits the topology",
+    uniformize, uniformize_help);
+  add_texture_output(command, options);
+  add_tiling(command, options);
+  add_keep_going(command, line.common());
+  add_components(command, line.common());
+  add_common_options(command, line.common());
 }

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "commands/commands.h"
+#include "commands/Command_line.h"
 
 #include "page/soup_view.h"
 #include "reading/Mesh_reader.h"
@@ -10,7 +10,29 @@
 
 #include <filesystem>
 
-int view(const View_options& options)
+namespace {
+
+struct View_options
+{
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+constexpr const char* view_help =
+  R"(The page is one file that opens in any browser with WebGL 2, without a network. It shows the
+meshes side by side, turned together, with their defects in red. Clicking on a point shows its
+place. The page explains the keys.
+
+All other commands write such a page with --view FILE.html: the surface with the edges of its
+triangulations, colored by scale factors, distances or curvature, by functions of the input, or
+by faces; its image in the plane, on the sphere or in the Poincare disk; with a checkerboard, by
+projective or linear interpolation; histograms of angles, and the statistics. Pages of large
+meshes draw intrinsic edges without the common subdivision, as with --direct.
+
+Example:
+  intrinsic view bunny.obj scan.stl -o meshes.html)";
+
+int view(const Common_options&, const View_options& options)
 {
   View_page::check_available();
   Output output(options.inputs.front(), {options.output});
@@ -26,4 +48,14 @@ int view(const View_options& options)
   output.add(options.output, [&](Text& text) { page.write_html(text); });
   output.commit();
   return 0;
+}
+
+} // namespace
+
+void define_view(Command_line& line)
+{
+  const auto [command, options] =
+    line.add("view", "Write a page that shows meshes in a browser", view, view_help);
+  command.add_option("mesh", options.inputs, "Meshes (.off, .obj, .ply, .stl, .vtp)")->required();
+  command.add_option("-o,--output", options.output, "HTML file; - for standard output")->required();
 }

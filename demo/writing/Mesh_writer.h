@@ -5,7 +5,7 @@
 #ifndef INTRINSIC_MESH_WRITER_H
 #define INTRINSIC_MESH_WRITER_H
 
-#include "commands/commands.h"
+#include "commands/options.h"
 #include "writing/Output_mesh.h"
 #include "writing/Text.h"
 

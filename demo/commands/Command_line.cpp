@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/Command_line.h"
+
+#include <CGAL/version.h>
+
+namespace {
+
+constexpr const char* version = "intrinsic " INTRINSIC_VERSION " (with CGAL " CGAL_VERSION_STR ")";
+
+constexpr const char* examples_help =
+  R"(Examples:
+  intrinsic info bunny.obj
+  intrinsic view bunny.obj scan.stl -o meshes.html
+  intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json --view bunny.html
+  intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
+  intrinsic refine bunny.obj -o refined.ply --min-angle 30
+  intrinsic distance bunny.obj --source 17 -o distance.vtp
+  intrinsic path bunny.obj --from 17 --to 99 -o path.obj
+  intrinsic operators bunny.obj --prefix bunny
+  intrinsic flatten bunny.obj -o flat.obj
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
+  intrinsic sphere bunny.obj -o sphere.ply
+  intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
+
+Colors, normals, texture coordinates and functions at the vertices of a mesh, and the groups and
+materials of faces of .obj files, are carried to the meshes that are written, if their format
+supports them.
+
+Edges must be between 2^-127 and 2^127 (5.9e-39 and 1.7e38) long.
+
+Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong, 3 a map that failed
+was written with --keep-going.)";
+
+} // namespace
+
+Command_line::Command_line()
+{
+  m_app.description("Intrinsic triangulations of surface meshes");
+  m_app.set_version_flag("--version", version);
+  m_app.add_flag("-q,--quiet", m_common.is_quiet, "Print errors and repairs only");
+  add_number(m_app, "--threads", m_common.threads,
+             "Maximum number of threads; the output does not depend on it",
+             integer_from_to(1, 1024));
+  m_app.footer(examples_help);
+  m_app.require_subcommand(1);
+  m_app.fallthrough();
+  for(const auto define :
+      {define_info, define_view, define_delaunay, define_refine, define_distance, define_path,
+       define_transfer, define_operators, define_flatten, define_hyperbolic, define_uniformize,
+       define_sphere, define_simplify})
+    define(*this);
+}
+
+void add_output(CLI::App& command, Output_options& options, const std::string& what,
+                const std::string& formats)
+{
+  command.add_option("-o,--output", options.output, what + "; - for standard output)")->required();
+  command.add_option("--format", options.format, "Format on standard output: " + formats)
+    ->capture_default_str();
+  command.add_flag("--binary", options.is_binary, "Write .ply with binary numbers");
+}
+
+void add_common_options(CLI::App& command, Common_options& options)
+{
+  command.add_option("--stats", options.statistics, "JSON file for statistics");
+  command.add_option("--view", options.view,
+                     "HTML file that shows the result in a browser, see `intrinsic view`");
+  command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
+  command.add_option(
+    "--section", options.section,
+    "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius");
+  add_number(command, "--mollify", options.mollification,
+             "Lengthen all edges until every triangle inequality has this slack, "
+             "relative to the mean edge length; done by itself where almost flat triangles leave "
+             "no other way to a result, but not with --exact or --strict",
+             number_from_to(1e-16, 1.));
+  command.add_flag("--repair", options.is_repair_wanted,
+                   "Repair defects of the mesh where possible and report it; indices may change");
+  add_number(command, "--weld", options.weld_distance,
+             "Repair the mesh, and merge points that are at most this far apart",
+             positive_number());
+  command.add_flag("--strict", options.is_strict,
+                   "Refuse faces that are not triangles, which are split otherwise; never change "
+                   "the lengths of edges");
+}
+
+void add_save(CLI::App& command, Common_options& options)
+{
+  command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
+}
+
+void add_direct(CLI::App& command, Common_options& options)
+{
+  command.add_flag("--direct", options.is_direct,
+                   "Let the --view page find intrinsic edges while it draws, without the common "
+                   "subdivision, as it does for large meshes; not with --mollify");
+}
+
+void add_exact(CLI::App& command, Common_options& options, const char* what)
+{
+  command.add_flag("--exact", options.is_exact, what);
+}
+
+void add_keep_going(CLI::App& command, Common_options& options)
+{
+  command.add_flag("--keep-going", options.is_failure_kept,
+                   "Write a map that lacks something it should have, too, and say what it lacks; "
+                   "the exit code is 3 then");
+}
+
+void add_components(CLI::App& command, Common_options& options)
+{
+  CLI::Option* const number =
+    command.add_option("--component", options.component,
+                       "Map only this component, counted from 0 in the order of their first faces");
+  command
+    .add_flag("--largest", options.is_largest_chosen,
+              "Map only the component with the greatest area")
+    ->excludes(number);
+}
+
+void add_neighbors(CLI::App& command, Common_options& options)
+{
+  command
+    .add_option("--neighbors", options.number_of_neighbors,
+                "Accept files without faces, .xyz too, and triangulate each point with this many "
+                "neighbors; 30 is usual")
+    ->check(integer_from_to(3, 10000));
+}
+
+void add_subdivision_options(CLI::App& command, Subdivision_options& options,
+                             Common_options& common)
+{
+  add_output(command, options,
+             "Common subdivision of the mesh and its intrinsic triangulation "
+             "(.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
+  add_save(command, common);
+  add_common_options(command, common);
+  add_direct(command, common);
+  add_number(command, "--constrain-angle", options.constrained_angle,
+             "Never flip an edge at which the normals differ by this many degrees or more",
+             number_from_to(0.001, 180.));
+}
+
+void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
+                                      const std::string& exception)
+{
+  command
+    .add_option("--max-insertions", bounds.maximum_number_of_insertions,
+                "Maximum number of insertions; if not given, 1,000,000 (with angles of more than "
+                "30 degrees 100,000) plus 20 for each face" +
+                  exception)
+    ->check(integer_from(0));
+}
+
+void add_angle(CLI::App& command, Refinement_bounds& bounds)
+{
+  add_number(command, "--min-angle", bounds.minimum_angle,
+             "Insert vertices until all angles have this many degrees, see `intrinsic refine`",
+             number_from_to(0.001, 60.));
+  add_maximum_number_of_insertions(command, bounds);
+}
+
+void add_texture_output(CLI::App& command, Texture_options& options)
+{
+  add_output(command, options, "Common subdivision with texture coordinates (.obj, .ply, .vtp",
+             "obj, ply or vtp");
+  command.add_flag("--homogeneous,!--linear", options.is_homogeneous,
+                   "Write homogeneous texture coordinates, or linear ones (the default)");
+}

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_OPTIONS_H
+#define INTRINSIC_OPTIONS_H
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+// What all commands on intrinsic triangulations have; empty paths are outputs that are not wanted.
+struct Common_options
+{
+  std::string input;
+  std::string save;
+  std::string statistics;
+  std::string view;                            // a page
+  std::string picture;                         // SVG or PNG
+  std::pair<std::string, std::string> section; // of the picture: a point, empty for all; a radius
+  double mollification = 0;
+  bool is_repair_wanted = false;
+  double weld_distance = 0;             // zero for no repair by it
+  bool is_strict = false;               // faces must be triangles, and keep their lengths
+  bool is_direct = false;               // pages are drawn without a common subdivision
+  std::size_t number_of_neighbors = 0;  // in a cloud of points; zero if there must be faces
+  std::optional<std::size_t> component; // the one that is mapped; all if not given
+  bool is_largest_chosen = false;       // the component with the greatest area
+  bool is_exact = false;                // decisions about Delaunay edges, with a certificate
+  bool is_failure_kept = false;         // a map that is no success is written
+  bool is_failure_expected = false;     // this is what there is, after all else has been tried
+  bool is_quiet = false;
+  std::size_t threads = 0; // 0 for as many as there are processors
+};
+
+// The output of a command that is a mesh.
+struct Output_options
+{
+  explicit Output_options(const char* default_format) : format(default_format) {}
+
+  std::string output;
+  std::string format; // on standard output
+  bool is_binary = false;
+};
+
+// Of the commands whose output is the common subdivision.
+struct Subdivision_options : Output_options
+{
+  Subdivision_options() : Output_options("off") {}
+
+  double constrained_angle = 0; // in degrees; 0 for none
+};
+
+// Of the commands whose output has a texture.
+struct Texture_options : Output_options
+{
+  Texture_options() : Output_options("obj") {}
+
+  bool is_homogeneous = false;
+};
+
+// What the faces of a refined triangulation shall obey, and how many vertices that may take.
+struct Refinement_bounds
+{
+  double minimum_angle = 0; // in degrees; 0 for none
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t>
+    maximum_number_of_insertions; // the default of the library if not given
+  bool is_simplicial = false;
+};
+
+#endif // INTRINSIC_OPTIONS_H
