@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace {
 
@@ -148,7 +149,9 @@ Index Corner_data_builder::number(Index point, const Coordinates& coordinates)
     m_first[point] = add();
   if(m_result.coordinates[m_first[point]] == coordinates)
     return m_first[point];
-  const auto [other, is_new] = m_others.emplace(std::pair(point, coordinates), Polygons::none);
+  // zero has two signs
+  const Coordinates key{coordinates[0] + 0., coordinates[1] + 0., coordinates[2] + 0.};
+  const auto [other, is_new] = m_others.emplace(Key(point, key), Polygons::none);
   if(is_new)
     other->second = add();
   return other->second;

@@ -7,14 +7,16 @@
 
 #include "reading/Polygons.h"
 
+#include <boost/container_hash/hash.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -99,11 +101,13 @@ public:
   void finish(Mesh_data& data);
 
 private:
+  typedef std::pair<Polygons::Index, Coordinates> Key;
+
   Polygons::Index number(Polygons::Index point, const Coordinates& coordinates);
 
   Corner_data m_result;
   std::vector<Polygons::Index> m_first; // of each point
-  std::map<std::pair<Polygons::Index, Coordinates>, Polygons::Index> m_others;
+  std::unordered_map<Key, Polygons::Index, boost::hash<Key>> m_others;
 };
 
 // Adds coordinates at the corners of polygons, of which some may name points that do not exist.
