@@ -6,13 +6,18 @@
 
 #include "Program_error.h"
 #include "commands/Command_line.h"
-#include "commands/Thread_limit.h"
 #include "commands/unknown_words.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -43,6 +48,24 @@ std::string advice(const CLI::App& app)
       return "; try --repair, which removes faces without area, or --mollify 1e-6";
   return "";
 }
+
+// For as long as it lives, no more threads are used; 0 for no limit. Without TBB there is one.
+class Thread_limit
+{
+public:
+  explicit Thread_limit([[maybe_unused]] std::size_t threads)
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    if(threads > 0)
+      m_control.emplace(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+  }
+
+private:
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> m_control;
+#endif
+};
 
 int run(Command_line& line)
 {

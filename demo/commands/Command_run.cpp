@@ -31,11 +31,11 @@ std::vector<std::string> all_outputs(std::vector<std::string> outputs,
 Command_run::Command_run(const std::string& command, const Common_options& options,
                          std::vector<std::string> outputs, bool are_soups_allowed)
   : m_command(command),
-    m_are_soups_allowed(are_soups_allowed),
     m_options(options),
     m_output(options.input, all_outputs(std::move(outputs), options)),
     m_progress(options.is_quiet)
 {
+  m_options.are_soups_allowed = are_soups_allowed;
   if(!options.view.empty())
     View_page::check_available();
   check_picture_available(options.picture);
@@ -50,14 +50,7 @@ void Command_run::read(bool is_quiet)
 {
   m_stage = "read";
   m_watch = Stopwatch();
-  Input_tolerance tolerance;
-  tolerance.is_repair_wanted = m_options.is_repair_wanted || m_options.weld_distance > 0;
-  tolerance.weld_distance = m_options.weld_distance;
-  tolerance.is_strict = m_options.is_strict;
-  tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
-  tolerance.are_soups_allowed = m_are_soups_allowed;
-  tolerance.neighbors = m_options.number_of_neighbors;
-  m_input = read_input(m_options.input, tolerance, is_quiet);
+  m_input = read_input(m_options, is_quiet);
   end_stage();
   describe_input();
   if(m_options.component || m_options.is_largest_chosen)
@@ -91,7 +84,7 @@ void Command_run::restart(double epsilon)
     read(true);
   m_statistics = m_statistics_of_input;
   m_page.reset();
-  if(!m_options.view.empty() || !m_options.picture.empty())
+  if(m_options.is_shown())
     m_page.emplace();
 }
 

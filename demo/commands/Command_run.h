@@ -112,7 +112,6 @@ private:
   void end_stage();
 
   const std::string m_command;
-  const bool m_are_soups_allowed;
   Common_options m_options;
   Output m_output;
   Progress_bar m_progress;

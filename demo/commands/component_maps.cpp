@@ -25,7 +25,7 @@ Component_maps::Component_maps(Command_run& run)
   : m_run(run), m_components(component_faces(run.input().mesh)), m_joined(run.input())
 {
   const Common_options& options = run.options();
-  if(!options.view.empty() || !options.picture.empty())
+  if(options.is_shown())
     throw Program_error((options.view.empty() ? "--picture" : "--view") +
                         std::string(" shows one component, and the mesh has ") +
                         std::to_string(size()) + ": add --component or --largest");

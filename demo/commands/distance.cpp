@@ -83,14 +83,6 @@ Example:
 constexpr double unreachable = -1;
 constexpr std::size_t most_vertices = 100000; // of a triangulation on which errors are computed
 
-Mesh_format format_with_attributes(const std::string& path, const Output_options& options)
-{
-  const Mesh_format format = output_format(path, options);
-  if(!has_attributes(format))
-    throw Program_error(path + ": this format cannot carry distances (.ply and .vtp can)");
-  return format;
-}
-
 // What distances are measured from, on one of the triangulations.
 struct Sources
 {
@@ -383,9 +375,9 @@ class Distance_command
 public:
   Distance_command(const Common_options& common, const Distance_options& options)
     : m_options(options),
-      m_format(format_with_attributes(options.output, options)),
-      m_subdivision_format(subdivision_format(options)),
-      m_level_format(level_format(options)),
+      m_format(output_format(options.output, options, Carried::DISTANCES)),
+      m_subdivision_format(format_of(options.subdivision, options, Carried::DISTANCES)),
+      m_level_format(format_of(options.level_sets, options, Carried::LINES)),
       m_run("distance", common, {options.output, options.subdivision, options.level_sets},
             options.method != "exact" && options.curve.empty())
   {
@@ -463,22 +455,11 @@ private:
             values.begin() + static_cast<std::ptrdiff_t>(m_run.input().number_of_vertices())};
   }
 
-  static std::optional<Mesh_format> subdivision_format(const Distance_options& options)
+  // None if the file is not wanted.
+  static std::optional<Mesh_format> format_of(const std::string& path,
+                                              const Distance_options& options, Carried what)
   {
-    if(options.subdivision.empty())
-      return std::nullopt;
-    return format_with_attributes(options.subdivision, options);
-  }
-
-  static std::optional<Mesh_format> level_format(const Distance_options& options)
-  {
-    if(options.level_sets.empty())
-      return std::nullopt;
-    const Mesh_format format = output_format(options.level_sets, options);
-    if(format == Mesh_format::OFF)
-      throw Program_error(options.level_sets +
-                          ": this format has no lines (.obj, .ply and .vtp have)");
-    return format;
+    return path.empty() ? std::nullopt : std::optional(output_format(path, options, what));
   }
 
   bool is_subdivision_wanted()

@@ -137,7 +137,7 @@ class Flatten_command
 public:
   Flatten_command(const Common_options& common, const Flatten_options& options)
     : m_options(with_defaults(options, common.is_exact)),
-      m_format(format_with_texture(options)),
+      m_format(output_format(options.output, options, Carried::TEXTURE)),
       m_run("flatten", common, {options.output, options.matrix}),
       m_visitor{m_run}
   {

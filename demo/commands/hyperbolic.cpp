@@ -218,7 +218,7 @@ namespace {
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
 {
   check_tiling(common, options);
-  const Mesh_format format = format_with_texture(options);
+  const Mesh_format format = output_format(options.output, options, Carried::TEXTURE);
   Command_run run("hyperbolic", common, {options.output, options.picture});
   run.plan({{"build"}, map_stages(false)});
   return attempt(run, [&] {

@@ -6,7 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/Statistics.h"
-#include "page/soup_view.h"
+#include "page/View_page.h"
 #include "reading/Mesh_reader.h"
 #include "reading/close_points.h"
 #include "reading/polygon_splitting.h"
@@ -163,7 +163,7 @@ void write_page(const Common_options& common, const Polygon_soup& soup, const Ve
   if(!common.view.empty())
     View_page::check_available();
   check_picture_available(common.picture);
-  if(common.view.empty() && common.picture.empty())
+  if(!common.is_shown())
     return;
   Output output(common.input, {common.view, common.picture});
   View_page page;

@@ -77,15 +77,6 @@ Stages map_stages(bool has_cones)
 
 void Stage_visitor::start(DCM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
 
-Mesh_format format_with_texture(const Output_options& options)
-{
-  const Mesh_format format = output_format(options.output, options);
-  if(!has_texture(format))
-    throw Program_error(options.output +
-                        ": this format cannot carry texture coordinates (.obj, .ply and .vtp can)");
-  return format;
-}
-
 void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out)
 {
   if(map.status() == DCM::Map_status::success)

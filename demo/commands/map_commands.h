@@ -53,9 +53,6 @@ void add_tiling(CLI::App& command, Hyperbolic_options& options);
 // Throws Program_error if there is no picture for the depth of its tiling.
 void check_tiling(const Common_options& common, const Hyperbolic_options& options);
 
-// Throws Program_error if the format has no texture coordinates.
-Mesh_format format_with_texture(const Output_options& options);
-
 // Throws Map_failure, with what is wrong, if a map is not a success; prints that as a warning, if
 // failures are to be written and there is a layout.
 void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out);

@@ -22,7 +22,7 @@ struct Common_options
   std::pair<std::string, std::string> section; // of the picture: a point, empty for all; a radius
   double mollification = 0;
   bool is_repair_wanted = false;
-  double weld_distance = 0;             // zero for no repair by it
+  double weld_distance = 0;             // at which a repair merges points; zero for none
   bool is_strict = false;               // faces must be triangles, and keep their lengths
   bool is_direct = false;               // pages are drawn without a common subdivision
   std::size_t number_of_neighbors = 0;  // in a cloud of points; zero if there must be faces
@@ -32,7 +32,11 @@ struct Common_options
   bool is_failure_kept = false;         // a map that is no success is written
   bool is_failure_expected = false;     // this is what there is, after all else has been tried
   bool is_quiet = false;
-  std::size_t threads = 0; // 0 for as many as there are processors
+  std::size_t threads = 0;        // 0 for as many as there are processors
+  bool are_soups_allowed = false; // by the command: edges and vertices that are not manifold
+
+  bool is_repaired() const { return is_repair_wanted || weld_distance > 0; }
+  bool is_shown() const { return !view.empty() || !picture.empty(); } // on a page or in a picture
 };
 
 // The output of a command that is a mesh.

@@ -135,7 +135,7 @@ class Path_command
 public:
   Path_command(const Common_options& common, const Path_options& options)
     : m_options(options),
-      m_format(output_format(options.output, options)),
+      m_format(output_format(options.output, options, Carried::LINES)),
       m_run("path", common, {options.output})
   {
     check_options();
@@ -167,9 +167,6 @@ private:
 
   void check_options() const
   {
-    if(m_format == Mesh_format::OFF)
-      throw Program_error(m_options.output +
-                          ": this format has no lines (.obj, .ply and .vtp have)");
     if(m_options.is_homology_basis) {
       check_alone();
       return;

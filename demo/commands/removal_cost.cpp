@@ -6,12 +6,15 @@
 
 #include "Program_error.h"
 #include "reading/Scanner.h"
-#include "reading/vertex_functions.h"
+#include "reading/text_encoding.h"
 
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <set>
 
 namespace IS = CGAL::Intrinsic_simplification;
 
@@ -34,6 +37,68 @@ bool is_of_change(const std::string& name)
 bool is_of_function(const std::string& name)
 {
   return name != "curvature" && name != "area" && !is_of_change(name);
+}
+
+typedef std::vector<std::vector<double>> Components;
+
+[[noreturn]] void fail(const std::string& path, const std::string& what)
+{
+  throw Program_error(path + ": " + what);
+}
+
+// No component if a vertex has no color.
+Components colors(const Mesh_data& data)
+{
+  for(const std::array<const char*, 3>& names :
+      {std::array{"red", "green", "blue"}, std::array{"r", "g", "b"}}) {
+    Components result;
+    for(const char* name : names)
+      if(const Point_function* component = data.function(name))
+        result.push_back(component->values);
+    if(result.size() == names.size())
+      return result;
+  }
+  return {};
+}
+
+// Coordinates are functions, too.
+std::vector<double> property(const std::string& path, const Input_mesh& input,
+                             const std::string& name)
+{
+  if(extension_of(path) != ".ply")
+    fail(path, "vertices have no property '" + name + "' (.ply can have properties)");
+  if(const Point_function* function = input.data.function(name))
+    return function->values;
+  std::vector<double> result;
+  std::set<std::string> names;
+  for(int k = 0; k < 3; ++k)
+    if(const auto axis = names.insert({"xyz"[k]}).first; *axis == name)
+      for(const Point& p : input.mesh.points())
+        result.push_back(p[k]);
+  if(!result.empty())
+    return result;
+  for(const Point_function& f : input.data.functions)
+    names.insert(f.name);
+  std::string known;
+  for(const std::string& other : names)
+    known += (known.empty() ? "" : ", ") + other;
+  fail(path, "vertices have no property '" + name + "'; they have " + known);
+}
+
+// "color" has three components, a property of .ply has one.
+Components vertex_function(const std::string& path, const Input_mesh& input,
+                           const std::string& name)
+{
+  const Components result =
+    name == "color" ? colors(input.data) : Components{property(path, input, name)};
+  if(result.empty())
+    fail(path, "vertices have no colors (.ply, .off and .obj can have them); give each one, or "
+               "leave out the weight of color");
+  for(const std::vector<double>& component : result)
+    for(const double x : component)
+      if(!std::isfinite(x))
+        fail(path, "a value of '" + name + "' is not finite; correct it in the file");
+  return result;
 }
 
 } // namespace
@@ -59,11 +124,12 @@ Cost_weights::Cost_weights(const std::vector<std::string>& texts)
                         "are not a cost; give another weight that is positive, as curvature=1");
 }
 
-void Cost_weights::read_functions(const std::string& path)
+void Cost_weights::set_functions(const std::string& path, const Input_mesh& input)
 {
+  m_functions.clear();
   for(const auto& weight : m_weights)
     if(is_of_function(weight.first))
-      m_functions[weight.first] = read_vertex_function(path, weight.first);
+      m_functions[weight.first] = vertex_function(path, input, weight.first);
 }
 
 bool Cost_weights::has_functions() const

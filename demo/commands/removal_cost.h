@@ -5,6 +5,8 @@
 #ifndef INTRINSIC_REMOVAL_COST_H
 #define INTRINSIC_REMOVAL_COST_H
 
+#include "reading/Input_mesh.h"
+
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
 
 #include <map>
@@ -25,9 +27,9 @@ public:
   // The positive ones, by their names.
   const std::map<std::string, double>& values() const { return m_weights; }
 
-  // Reads the functions that have weights, from the file of the mesh.
-  // Throws Program_error as `read_vertex_function()`.
-  void read_functions(const std::string& path);
+  // Takes the functions that have weights from the mesh, whose file is `path`.
+  // Throws Program_error if it has no such function, or a value is not finite.
+  void set_functions(const std::string& path, const Input_mesh& input);
 
   // Whether there are such functions.
   bool has_functions() const;
@@ -42,7 +44,7 @@ public:
   }
 
   // The cost of removals from the surface.
-  // Precondition: the functions have been read, and have values at all vertices.
+  // Precondition: the functions have been set, and have values at all vertices.
   CGAL::Intrinsic_simplification::Transport_cost
   cost(const CGAL::Intrinsic_simplification::Evolving_surface& surface) const;
 

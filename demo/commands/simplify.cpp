@@ -202,7 +202,7 @@ public:
     m_levels.clear();
     m_curvature.clear();
     m_area_change.clear();
-    read_functions();
+    set_functions();
     if(m_options.refinement.minimum_angle > 0)
       refine();
     Triangulation start = m_run.timed("build", [&] { return built(); });
@@ -234,13 +234,13 @@ public:
   Command_run& command_run() { return m_run; }
 
 private:
-  void read_functions()
+  void set_functions()
   {
     if(m_weights.has_functions() && !m_run.input().repairs.empty())
       throw Program_error(
         "--weight: the mesh had to be repaired, and its vertices are not those of the file; "
         "give a mesh that needs no repair");
-    m_weights.read_functions(m_run.options().input);
+    m_weights.set_functions(m_run.options().input, m_run.input());
   }
 
   // How that went has keys of its own in the statistics.

@@ -8,7 +8,6 @@
 #include "commands/attempts.h"
 #include "commands/triangulation_stages.h"
 #include "reading/surface_points.h"
-#include "reading/text_encoding.h"
 #include "reading/vertex_values.h"
 #include "writing/Text.h"
 
@@ -22,8 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,24 +58,13 @@ void write(Text& text, const Surface_location& p)
        << p.second[2];
 }
 
-// The first or the last word of each line. What follows a # is not read, nor are empty lines.
+// The first or the last word of each line.
 std::vector<std::string> read_words(const std::string& path, bool is_last)
 {
-  std::ifstream file(path);
-  if(!file)
-    throw Program_error(path + ": cannot be opened; is there such a file?");
   std::vector<std::string> result;
-  for(std::string line; std::getline(file, line);) {
-    std::istringstream words(without_byte_order_mark(line.substr(0, line.find('#'))));
-    std::string word, chosen;
-    while(words >> word)
-      if(chosen.empty() || is_last)
-        chosen = word;
-    if(!chosen.empty())
-      result.push_back(chosen);
-  }
-  if(file.bad())
-    throw Program_error(path + ": cannot be read");
+  for_each_line(path, [&](const std::vector<std::string>& words, std::size_t) {
+    result.push_back(is_last ? words.back() : words.front());
+  });
   if(result.empty())
     throw Program_error(path + ": has no points; write one in each line");
   return result;

@@ -70,7 +70,7 @@ inline Stages refinement_stages(const Refinement_bounds& bounds)
 // those of a page or picture, if one is wanted, where nothing else needs the subdivision
 inline Stages view_stages(const Common_options& options)
 {
-  return options.view.empty() && options.picture.empty() ? Stages{} : subdivision_stages;
+  return options.is_shown() ? subdivision_stages : Stages{};
 }
 
 // The triangulation T2 = T1 of the input, mollified if that is wanted.

@@ -150,7 +150,7 @@ int map_surface(Command_run& run, const Hyperbolic_options& options, Mesh_format
 int uniformize(const Common_options& common, const Hyperbolic_options& options)
 {
   check_tiling(common, options);
-  const Mesh_format format = format_with_texture(options);
+  const Mesh_format format = output_format(options.output, options, Carried::TEXTURE);
   Command_run run("uniformize", common, {options.output, options.picture});
   return attempt(run, [&] {
     return component_faces(run.input().mesh).size() > 1 ? map_components(run, options, format)

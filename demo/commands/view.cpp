@@ -4,7 +4,7 @@
 
 #include "commands/Command_line.h"
 
-#include "page/soup_view.h"
+#include "page/View_page.h"
 #include "reading/Mesh_reader.h"
 #include "writing/Output.h"
 

@@ -8,6 +8,7 @@
 #include "commands/Statistics.h"
 #include "pictures/Shown_surface.h"
 #include "pictures/Surface_picture.h"
+#include "reading/Polygon_soup.h"
 #include "writing/Text.h"
 
 #include <optional>
@@ -65,5 +66,9 @@ private:
   Statistics m_curves = Statistics::array();
   Statistics m_statistics;
 };
+
+// Shows polygons as a file gives them, with all their defects in red. Those that name points that
+// do not exist are left out.
+void show(View_page& page, const std::string& name, const Polygon_soup& soup);
 
 #endif // INTRINSIC_VIEW_PAGE_H

@@ -52,11 +52,4 @@ struct Shown_surface
   std::optional<Developed_faces> developed; // what a page shows in place of the mesh
 };
 
-// The polygons whose attribute `name` is one of `values`.
-std::vector<std::int64_t> parts_of(const std::vector<std::int64_t>& values, const std::string& name,
-                                   const Output_mesh& mesh);
-
-// Null if there is no attribute with this name.
-const Attribute* find_attribute(const std::vector<Attribute>& data, const std::string& name);
-
 #endif // INTRINSIC_SHOWN_SURFACE_H

@@ -7,8 +7,8 @@
 #include "Program_error.h"
 #include "pictures/Canvas.h"
 #include "pictures/Occlusion.h"
-#include "reading/file_extension.h"
 #include "reading/surface_points.h"
+#include "reading/text_encoding.h"
 
 #include <algorithm>
 #include <array>

@@ -43,43 +43,42 @@ std::size_t number_of_polygons(const IT::Input_diagnosis& diagnosis)
   return diagnosis.count(IT::Defect_kind::NON_TRIANGULAR_FACE);
 }
 
-bool is_allowed(IT::Defect_kind kind, const Input_tolerance& tolerance)
+bool is_allowed(IT::Defect_kind kind, const Common_options& options)
 {
   switch(kind) {
     case IT::Defect_kind::NON_MANIFOLD_EDGE:
     case IT::Defect_kind::NON_MANIFOLD_VERTEX:
-    case IT::Defect_kind::INCONSISTENT_ORIENTATION: return tolerance.are_soups_allowed;
-    case IT::Defect_kind::ZERO_LENGTH_EDGE: return tolerance.are_zero_lengths_allowed;
-    case IT::Defect_kind::NON_TRIANGULAR_FACE: return !tolerance.is_strict;
+    case IT::Defect_kind::INCONSISTENT_ORIENTATION: return options.are_soups_allowed;
+    case IT::Defect_kind::ZERO_LENGTH_EDGE: return options.mollification > 0;
+    case IT::Defect_kind::NON_TRIANGULAR_FACE: return !options.is_strict;
     default: return false;
   }
 }
 
 // What to do about what is not acceptable.
-const char* advice(const IT::Input_diagnosis& diagnosis, const Input_tolerance& tolerance)
+const char* advice(const IT::Input_diagnosis& diagnosis, const Common_options& options)
 {
   if(!is_repairable(diagnosis))
     return "; correct it in the file";
-  if(number_of_soup_defects(diagnosis) > 0 && !tolerance.are_soups_allowed &&
-     !tolerance.is_repair_wanted)
+  if(number_of_soup_defects(diagnosis) > 0 && !options.are_soups_allowed && !options.is_repaired())
     return "; --repair makes it a surface";
   if(diagnosis.count(IT::Defect_kind::LENGTH_OUT_OF_RANGE) > 0)
     return "; scale the mesh";
-  if(number_of_polygons(diagnosis) > 0 && tolerance.is_strict)
+  if(number_of_polygons(diagnosis) > 0 && options.is_strict)
     return "; split it, or leave out --strict";
-  return tolerance.is_repair_wanted ? "; `intrinsic view` shows where" : "; --repair may mend it";
+  return options.is_repaired() ? "; `intrinsic view` shows where" : "; --repair may mend it";
 }
 
 void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagnosis,
-                      const Input_tolerance& tolerance)
+                      const Common_options& options)
 {
   std::string message;
   for(const IT::Defect_description& d : IT::defect_descriptions)
-    if(d.is_fatal && diagnosis.count(d.kind) > 0 && !is_allowed(d.kind, tolerance))
+    if(d.is_fatal && diagnosis.count(d.kind) > 0 && !is_allowed(d.kind, options))
       message += (message.empty() ? "" : "; ") + diagnosis.message(d.kind);
   if(message.empty())
     return;
-  throw Program_error(path + ": " + message + advice(diagnosis, tolerance));
+  throw Program_error(path + ": " + message + advice(diagnosis, options));
 }
 
 Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double weld_distance)
@@ -140,28 +139,29 @@ Surface_location Input_mesh::as_read(const Surface_location& p) const
   return p;
 }
 
-Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet)
+Input_mesh read_input(const Common_options& options, bool is_quiet)
 {
-  Polygon_soup soup = read_mesh(path, tolerance.neighbors > 0);
+  const std::string& path = options.input;
+  Polygon_soup soup = read_mesh(path, options.number_of_neighbors > 0);
   const bool is_cloud = soup.polygons.empty();
   Input_mesh result;
   result.diagnosis = diagnose(soup);
-  if(tolerance.is_repair_wanted && is_repairable(result.diagnosis) && !is_cloud) {
-    result.repairs = repair_aloud(path, soup, tolerance.weld_distance);
+  if(options.is_repaired() && is_repairable(result.diagnosis) && !is_cloud) {
+    result.repairs = repair_aloud(path, soup, options.weld_distance);
     result.diagnosis = diagnose(soup);
   }
-  check_acceptable(path, result.diagnosis, tolerance);
+  check_acceptable(path, result.diagnosis, options);
   if(is_cloud)
-    triangulate_cloud(path, soup, tolerance.neighbors);
+    triangulate_cloud(path, soup, options.number_of_neighbors);
   else if(number_of_polygons(result.diagnosis) > 0)
     split_polygons(path, soup,
-                   {tolerance.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
-                    tolerance.is_repair_wanted});
+                   {options.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
+                    options.is_repaired()});
   if(!is_quiet)
     print_notes(path, soup, result.diagnosis, is_cloud);
   if(is_cloud || !soup.parents.empty()) {
     result.diagnosis = diagnose(soup);
-    check_acceptable(path, result.diagnosis, tolerance);
+    check_acceptable(path, result.diagnosis, options);
   }
   result.parents = soup.parents;
   result.is_reversed = soup.is_reversed;

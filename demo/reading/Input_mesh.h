@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_INPUT_MESH_H
 #define INTRINSIC_INPUT_MESH_H
 
+#include "commands/options.h"
 #include "reading/Polygon_soup.h"
 #include "reading/Soup_repair.h"
 #include "reading/close_points.h"
@@ -78,20 +79,9 @@ struct Input_mesh
   }
 };
 
-// What a command accepts beside valid meshes.
-struct Input_tolerance
-{
-  bool is_repair_wanted = false;
-  double weld_distance = 0; // at which a repair merges points
-  bool is_strict = false;   // no polygon is split into triangles
-  bool are_zero_lengths_allowed = false;
-  bool are_soups_allowed = false; // edges and vertices that are not manifold, any orientation
-  std::size_t neighbors = 0;      // in a cloud of points; zero if there must be faces
-};
-
-// Reads a mesh; repairs, and notes unless `is_quiet`, are printed on standard error.
+// Reads the mesh of a command; repairs, and notes unless `is_quiet`, are printed on standard error.
 // Throws Program_error if the file cannot be read or if the mesh, repaired if wanted, has a fatal
 // defect.
-Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet);
+Input_mesh read_input(const Common_options& options, bool is_quiet);
 
 #endif // INTRINSIC_INPUT_MESH_H

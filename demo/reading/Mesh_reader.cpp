@@ -4,7 +4,6 @@
 
 #include "reading/Mesh_reader.h"
 
-#include "reading/file_format.h"
 #include "reading/format_readers.h"
 
 #include <new>
@@ -26,6 +25,15 @@ void read(Scanner& in, File_format format, Polygon_soup& soup)
 }
 
 } // namespace
+
+void read_xyz(Scanner& in, Polygon_soup& soup)
+{
+  for(in.skip_comments('#'); !in.at_end(); in.skip_comments('#')) {
+    const double x = in.number<double>(), y = in.number<double>(), z = in.number<double>();
+    soup.points.emplace_back(x, y, z);
+    in.skip_line(); // normals or colors
+  }
+}
 
 Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowed)
 {

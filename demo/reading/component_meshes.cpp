@@ -5,12 +5,11 @@
 #include "reading/component_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <unordered_map>
 #include <utility>
 
@@ -19,19 +18,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 namespace {
 
 typedef std::vector<Mesh::Face_index> Faces;
-
-double area(const Faces& faces, const Mesh& mesh)
-{
-  double result = 0;
-  for(const Mesh::Face_index f : faces) {
-    std::array<Point, 3> p;
-    std::size_t i = 0;
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      p[i++] = mesh.point(v);
-    result += std::sqrt(CGAL::squared_area(p[0], p[1], p[2]));
-  }
-  return result;
-}
 
 // Builds a mesh of faces of another one.
 class Component_builder
@@ -117,6 +103,6 @@ std::size_t index_of_largest(const std::vector<Faces>& components, const Mesh& m
 {
   std::vector<double> areas;
   for(const Faces& faces : components)
-    areas.push_back(area(faces, mesh));
+    areas.push_back(PMP::area(faces, mesh));
   return std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin());
 }

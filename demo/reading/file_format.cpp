@@ -2,9 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "reading/file_format.h"
-
-#include "reading/file_extension.h"
+#include "reading/format_readers.h"
+#include "reading/text_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -81,15 +80,6 @@ std::string first_line(const std::string& text)
   return start < text.size() ? text.substr(start, end - start) : "";
 }
 
-bool is_binary_stl(std::string_view bytes)
-{
-  constexpr std::size_t header = 84, facet = 50;
-  std::size_t facets = 0;
-  for(std::size_t k = 0; k < 4 && bytes.size() >= header; ++k)
-    facets += std::size_t(static_cast<unsigned char>(bytes[80 + k])) << 8 * k;
-  return bytes.size() >= header && bytes.size() - header == facet * facets;
-}
-
 bool is_off_keyword(std::string_view word)
 {
   for(const std::string_view prefix : {"st", "c", "n", "4", "n"})
@@ -140,6 +130,15 @@ const Foreign_format* foreign_format(const std::string& extension, const std::st
 }
 
 } // namespace
+
+bool is_binary_stl(std::string_view bytes)
+{
+  constexpr std::size_t header = 84, facet = 50;
+  std::size_t facets = 0;
+  for(std::size_t k = 0; k < 4 && bytes.size() >= header; ++k)
+    facets += std::size_t(static_cast<unsigned char>(bytes[80 + k])) << 8 * k;
+  return bytes.size() >= header && bytes.size() - header == facet * facets;
+}
 
 const char* name_of(File_format format) { return formats[static_cast<std::size_t>(format)].name; }
 

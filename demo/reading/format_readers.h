@@ -8,6 +8,31 @@
 #include "reading/Mesh_reader.h"
 #include "reading/Scanner.h"
 
+#include <string_view>
+
+// What can be read.
+enum class File_format
+{
+  OFF,
+  OBJ,
+  PLY,
+  STL,
+  VTP,
+  XYZ
+};
+
+// The format that the content begins with or, if it begins with none, that the extension names.
+// Throws Program_error, which says what to do, if that is no format that can be read.
+File_format file_format(const Scanner& in);
+
+// Whether the extension names another format, or none.
+bool is_misnamed(const Scanner& in, File_format format);
+
+const char* name_of(File_format format);
+
+// Whether the number of facets of a binary .stl file fits to its size.
+bool is_binary_stl(std::string_view bytes);
+
 // The readers of the formats add what the scanner has to the soup. They throw Program_error if the
 // file does not follow the format. Memory is taken for what was read, not for what a file
 // announces.

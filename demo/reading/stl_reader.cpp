@@ -28,21 +28,14 @@ public:
 private:
   typedef std::array<double, 3> Coordinates;
 
-  static constexpr std::size_t header_bytes = 80, facet_bytes = 50;
+  static constexpr std::size_t header_bytes = 80;
 
   // Binary files may start with "solid", too, but then the number of facets fits.
   bool is_binary()
   {
     const Scanner::Place start = m_in.place();
-    bool result = false;
-    if(m_in.size() >= header_bytes + 4) {
-      m_in.skip_bytes(header_bytes);
-      const std::size_t facets = m_in.binary<std::uint32_t>(false);
-      result = m_in.remaining() == facet_bytes * facets;
-    }
-    m_in.return_to(start);
     m_in.skip_space();
-    result = result || !m_in.accept_in_any_case("solid");
+    const bool result = is_binary_stl(m_in.bytes()) || !m_in.accept_in_any_case("solid");
     m_in.return_to(start);
     return result;
   }

@@ -5,7 +5,6 @@
 #include "reading/surface_curves.h"
 
 #include "Program_error.h"
-#include "reading/file_format.h"
 #include "reading/format_readers.h"
 #include "reading/surface_points.h"
 

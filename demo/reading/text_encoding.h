@@ -6,7 +6,9 @@
 #define INTRINSIC_TEXT_ENCODING_H
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -42,6 +44,19 @@ inline std::string plain_text(std::string bytes)
   if(bytes.find('\n') == bytes.npos && bytes.find('\0') == bytes.npos)
     std::replace(bytes.begin(), bytes.end(), '\r', '\n');
   return bytes;
+}
+
+inline std::string lower_case(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// With its dot, in lower case.
+inline std::string extension_of(const std::filesystem::path& path)
+{
+  return lower_case(path.extension().string());
 }
 
 #endif // INTRINSIC_TEXT_ENCODING_H

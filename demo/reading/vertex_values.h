@@ -6,8 +6,14 @@
 #define INTRINSIC_VERTEX_VALUES_H
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
+
+// Calls `use(words, line)` for each line of a file that has words. What follows a # is not read.
+// Throws Program_error if the file cannot be read.
+void for_each_line(const std::string& path,
+                   const std::function<void(const std::vector<std::string>&, std::size_t)>& use);
 
 // What a line of a file says of a vertex.
 struct Vertex_value
@@ -18,7 +24,6 @@ struct Vertex_value
 };
 
 // Reads lines "index value", with indices from 0 to less than `number_of_vertices`, none twice.
-// What follows a # is not read, nor are empty lines.
 // Throws Program_error with the line if there is anything else.
 std::vector<Vertex_value> read_vertex_values(const std::string& path,
                                              std::size_t number_of_vertices);

@@ -5,7 +5,7 @@
 #include "writing/Mesh_writer.h"
 
 #include "Program_error.h"
-#include "reading/file_extension.h"
+#include "reading/text_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -551,20 +551,21 @@ Mesh_format mesh_format(const std::string& name)
 
 } // namespace
 
-Mesh_format output_format(const std::string& path, const Output_options& options)
+Mesh_format output_format(const std::string& path, const Output_options& options, Carried what)
 {
   const Mesh_format format =
     mesh_format(path == "-" ? options.format : std::filesystem::path(path).extension().string());
-  if(!options.is_binary)
-    return format;
-  if(format != Mesh_format::PLY)
-    throw Program_error(path + ": this format cannot be binary (.ply can)");
-  return Mesh_format::BINARY_PLY;
-}
-
-bool has_attributes(Mesh_format format)
-{
-  return format != Mesh_format::OFF && format != Mesh_format::OBJ;
+  const auto check = [&](bool is_possible, const char* message) {
+    if(!is_possible)
+      throw Program_error(path + ": this format " + message);
+  };
+  check(!options.is_binary || format == Mesh_format::PLY, "cannot be binary (.ply can)");
+  check(what != Carried::DISTANCES || (has_texture(format) && format != Mesh_format::OBJ),
+        "cannot carry distances (.ply and .vtp can)");
+  check(what != Carried::TEXTURE || has_texture(format),
+        "cannot carry texture coordinates (.obj, .ply and .vtp can)");
+  check(what != Carried::LINES || has_texture(format), "has no lines (.obj, .ply and .vtp have)");
+  return options.is_binary ? Mesh_format::BINARY_PLY : format;
 }
 
 bool has_texture(Mesh_format format) { return format != Mesh_format::OFF; }

@@ -29,12 +29,20 @@ enum class Mesh_format
   BINARY_PLY
 };
 
-// The format of the file `path`, by its extension; on standard output (-) the one that is wanted
-// there. Throws Program_error if there is none, or it shall be binary and cannot.
-Mesh_format output_format(const std::string& path, const Output_options& options);
+// What a file has beside polygons.
+enum class Carried
+{
+  NOTHING,
+  DISTANCES, // attributes
+  TEXTURE,
+  LINES
+};
 
-// Whether a file carries the attributes of points and polygons.
-bool has_attributes(Mesh_format format);
+// The format of the file `path`, by its extension; on standard output (-) the one that is wanted
+// there. Throws Program_error if there is none, it shall be binary and cannot, or it cannot carry
+// what it shall.
+Mesh_format output_format(const std::string& path, const Output_options& options,
+                          Carried what = Carried::NOTHING);
 
 // Whether a file carries a texture.
 bool has_texture(Mesh_format format);

@@ -6,13 +6,18 @@
 
 #include "Program_error.h"
 
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
 
+#include <unistd.h>
+
 namespace fs = std::filesystem;
 
 namespace {
+
+bool is_replaceable(const fs::path& path) { return !fs::exists(path) || fs::is_regular_file(path); }
 
 bool are_same(const fs::path& a, const fs::path& b)
 {
@@ -40,6 +45,69 @@ void check(const fs::path& input, const std::string& path)
 
 } // namespace
 
+// A file that appears under its name when it is complete, or not at all.
+// What is not a regular file, such as a pipe, is written to directly.
+class Atomic_file
+{
+public:
+  // Throws std::runtime_error if the file cannot be created.
+  explicit Atomic_file(const fs::path& path);
+
+  ~Atomic_file();
+
+  Atomic_file(const Atomic_file&) = delete;
+  Atomic_file& operator=(const Atomic_file&) = delete;
+
+  std::ostream& stream() { return m_stream; }
+
+  // Nothing is written any more. Throws std::runtime_error if not everything could be.
+  void close();
+
+  // Gives the closed file its name. Throws std::runtime_error if that fails.
+  void commit();
+
+private:
+  fs::path m_path;
+  fs::path m_temporary; // is m_path if that is not a regular file
+  std::ofstream m_stream;
+  bool m_is_committed = false;
+};
+
+Atomic_file::Atomic_file(const fs::path& path)
+  : m_path(fs::weakly_canonical(path)), // a link stays one
+    m_temporary(m_path)
+{
+  if(is_replaceable(m_path))
+    m_temporary.replace_filename("." + m_path.filename().string() + "." +
+                                 std::to_string(::getpid()) + ".part");
+  m_stream.open(m_temporary, std::ios::binary);
+  if(!m_stream)
+    throw std::runtime_error(path.string() +
+                             ": cannot be written; are you allowed to write to its directory?");
+}
+
+Atomic_file::~Atomic_file()
+{
+  std::error_code ignored;
+  if(!m_is_committed && m_temporary != m_path)
+    fs::remove(m_temporary, ignored);
+}
+
+void Atomic_file::close()
+{
+  m_stream.close();
+  if(!m_stream)
+    throw std::runtime_error(m_path.string() +
+                             ": could not be written completely; is the disk full?");
+}
+
+void Atomic_file::commit()
+{
+  if(m_temporary != m_path)
+    fs::rename(m_temporary, m_path);
+  m_is_committed = true;
+}
+
 Output::Output(const fs::path& input, const std::vector<std::string>& paths)
 {
   for(std::size_t i = 0; i < paths.size(); ++i) {
@@ -48,6 +116,14 @@ Output::Output(const fs::path& input, const std::vector<std::string>& paths)
       if(!paths[i].empty() && (paths[i] == paths[j] || are_same(paths[i], paths[j])))
         throw Program_error(paths[i] + ": is named for two outputs; give each its own name");
   }
+}
+
+Output::~Output() = default;
+
+void Output::clear()
+{
+  m_files.clear();
+  m_standard_output.clear();
 }
 
 void Output::add(const std::string& path, const std::function<void(Text&)>& write)

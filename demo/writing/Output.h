@@ -5,7 +5,6 @@
 #ifndef INTRINSIC_OUTPUT_H
 #define INTRINSIC_OUTPUT_H
 
-#include "writing/Atomic_file.h"
 #include "writing/Text.h"
 
 #include <filesystem>
@@ -13,6 +12,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+class Atomic_file;
 
 // The files a command writes: all appear together at the end, none after a failure.
 // The path "-" stands for standard output.
@@ -24,16 +25,14 @@ public:
   // Throws Program_error if not.
   Output(const std::filesystem::path& input, const std::vector<std::string>& paths);
 
+  ~Output();
+
   // `write(text)` adds the content to a text. Throws std::runtime_error if the file cannot be
   // written.
   void add(const std::string& path, const std::function<void(Text&)>& write);
 
   // Forgets what has been added.
-  void clear()
-  {
-    m_files.clear();
-    m_standard_output.clear();
-  }
+  void clear();
 
   // Throws std::runtime_error if not everything could be written.
   void commit();

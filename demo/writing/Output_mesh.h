@@ -118,6 +118,13 @@ struct Output_mesh
   }
 };
 
+// The polygons whose attribute `name` is one of `values`.
+std::vector<std::int64_t> parts_of(const std::vector<std::int64_t>& values, const std::string& name,
+                                   const Output_mesh& mesh);
+
+// Null if there is no attribute with this name.
+const Attribute* find_attribute(const std::vector<Attribute>& data, const std::string& name);
+
 // That of a property of a file.
 const char* name_of(const Corner_data& data);
 
