@@ -29,7 +29,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <functional>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -89,6 +88,11 @@ Solvers:
           The scale factors depend on the triangulation and often do not exist; the error names the
           violated condition, triangle_inequality or no_minimum.
 
+Layouts, which differ by rounding only:
+  least-squares  face by face, then errors of all sides are distributed
+  spectral       the function with the least conformal energy: twice the time, often less error
+  incremental    face by face: errors add up on the way; half of the time
+
 The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order
 of .obj and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh.
 Its product with values at the vertices of the mesh (positions, colors, logarithmic scale
@@ -130,6 +134,13 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
   if(options.maximum_log_scale && options.cones != "greedy")
     throw Program_error("--max-log-scale is for --cones greedy; leave out one of them");
   return options;
+}
+
+DCM::Layout layout_named(const std::string& name)
+{
+  return name == "spectral"      ? DCM::Layout::spectral
+         : name == "incremental" ? DCM::Layout::incremental
+                                 : DCM::Layout::least_squares;
 }
 
 class Flatten_command
@@ -183,8 +194,6 @@ private:
   template <class Minimizer>
   Planar_map flattened_by(const Minimizer& minimizer)
   {
-    const double bound = m_options.cones == "greedy" ? m_options.maximum_log_scale.value_or(5)
-                                                     : std::numeric_limits<double>::infinity();
     const auto conditions =
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
@@ -192,7 +201,9 @@ private:
     return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
                     .mollification(m_mollification)
                     .vertex_condition_map(conditions)
-                    .maximum_log_scale(bound)
+                    .cones(m_options.cones == "greedy" ? DCM::Cones::greedy : DCM::Cones::none)
+                    .maximum_log_scale(m_options.maximum_log_scale.value_or(5))
+                    .layout(layout_named(m_options.layout))
                     .flipping(flipping)
                     .exact_decisions(m_run.options().is_exact)
                     .minimizer(minimizer)
@@ -350,6 +361,11 @@ void define_flatten(Command_line& line)
     .add_option("--solver", options.solver,
                 "newton, ceres, or cetm, which keeps the triangulation of the mesh, see below")
     ->check(CLI::IsMember({"newton", "ceres", "cetm"}))
+    ->capture_default_str();
+  command
+    .add_option("--layout", options.layout,
+                "least-squares, spectral or incremental: how flat faces are laid out, see below")
+    ->check(CLI::IsMember({"least-squares", "spectral", "incremental"}))
     ->capture_default_str();
   command.add_option(
     "--matrix", options.matrix,

@@ -19,10 +19,11 @@ struct Flatten_options : Texture_options
   std::string cones; // "greedy", "none" or a file; empty for what suits the boundary
   std::optional<double> maximum_log_scale; // for greedy cones
   std::string boundary = "free";
-  std::string boundary_values;   // the file of "scale" and "curvature"
-  std::string solver = "newton"; // or "ceres" or "cetm"
-  std::string matrix;            // a file for the interpolation matrix
-  bool has_no_overlap = false;   // charts are cut where they overlap
+  std::string boundary_values;          // the file of "scale" and "curvature"
+  std::string solver = "newton";        // or "ceres" or "cetm"
+  std::string layout = "least-squares"; // or "spectral" or "incremental"
+  std::string matrix;                   // a file for the interpolation matrix
+  bool has_no_overlap = false;          // charts are cut where they overlap
   bool is_in_unit_square = false;
 };
 

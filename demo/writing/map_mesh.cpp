@@ -23,9 +23,9 @@ using DCM::Face_index;
 using DCM::Halfedge_index;
 using DCM::Vertex_index;
 
-std::complex<double> position(const Planar_map&, const std::array<double, 3>& z)
+std::complex<double> position(const Planar_map& map, const std::array<double, 3>& z)
 {
-  return {z[0] / z[2], z[1] / z[2]};
+  return map.to_plane(z);
 }
 
 std::complex<double> position(const Hyperbolic_map& map, const std::array<double, 3>& z)

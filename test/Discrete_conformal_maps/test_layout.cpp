@@ -66,8 +66,7 @@ std::vector<Named_map> maps()
 
 Planar_conformal_map flat_disk(const Mesh& mesh) // without cones
 {
-  return DCM::flatten(mesh,
-                      DCM::parameters::maximum_log_scale(std::numeric_limits<double>::infinity()));
+  return DCM::flatten(mesh, DCM::parameters::cones(DCM::Cones::none));
 }
 
 // ---- Seams ----

@@ -5,7 +5,7 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Spectral_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
@@ -332,7 +332,7 @@ TEST(Layout_choice, faces_smaller_than_rounding_are_reported)
 TEST(Layout_choice, spectral_layout_is_an_eigenvector)
 {
   const Dome dome;
-  DCM::internal::Spectral_layout<double> layout;
+  DCM::internal::Spectral_chart<double> layout;
   for(const auto& f : dome.faces) {
     const std::array<Complex, 3> z = Dome::flat(f);
     std::array<DCM::internal::Plane_vector<double>, 3> sides;

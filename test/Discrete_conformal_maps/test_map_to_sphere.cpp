@@ -253,11 +253,13 @@ TEST(Map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
   DCM::Default_flattening_visitor visitor;
   std::vector<std::vector<double>> distances;
   for(unsigned at_infinity : {0u, 17u, 44u}) {
-    const DCM::internal::Unfolded_sphere sphere(problem, mass, Vertex_index(at_infinity), visitor);
-    EXPECT_TRUE(sphere.is_good());
+    const DCM::internal::Unfolded_sphere sphere =
+      DCM::internal::Sphere_unfolding(problem, mass, Vertex_index(at_infinity)).run(visitor);
+    EXPECT_TRUE(sphere.is_good(1e-9));
     std::vector<Position> p;
     for(unsigned v = 0; v < 60; ++v) {
-      const double x = double(sphere.positions()[v][0]), y = double(sphere.positions()[v][1]);
+      const double x = double(sphere.layout.in_plane[v][0]),
+                   y = double(sphere.layout.in_plane[v][1]);
       const double s = 1 + x * x + y * y;
       p.push_back(v == at_infinity ? Position{0, 0, -1}
                                    : Position{2 * x / s, 2 * y / s, 2 / s - 1});

@@ -6,7 +6,10 @@
 
 #include "flat_maps.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace Test_named_parameters {
@@ -44,6 +47,35 @@ TEST(Named_parameters, of_all_packages_chain_in_any_order)
   for(Vertex_index v : t.mesh().vertices())
     EXPECT_EQ(first.log_scale(v), second.log_scale(v));
   EXPECT_EQ(first.log_scale(Vertex_index(4)), 0.1);
+}
+
+// Scale factors are within the bound if cones are placed, and beyond it if not.
+TEST(Named_parameters, cones_are_placed_as_is_said)
+{
+  const Mesh mesh = punctured(random_sphere(40, 6), {0});
+  const double bound = 0.01;
+  const Conditions conditions = default_conditions(Triangulation(mesh).mesh());
+  const auto map = as_map(conditions);
+  const auto is_within = [&](const Planar_conformal_map& m) {
+    const auto vertices = mesh.vertices();
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](Vertex_index v) { return std::abs(m.log_scale(v)) <= bound + 1e-9; });
+  };
+  const auto expect_cones = [&](const Planar_conformal_map& m, bool has_cones) {
+    EXPECT_EQ(m.status(), DCM::Map_status::success);
+    EXPECT_EQ(!m.cones().empty(), has_cones);
+    EXPECT_EQ(is_within(m), has_cones);
+  };
+  using DCM::Cones;
+  for(const auto& [cones, has_cones] :
+      {std::pair(Cones::automatic, true), {Cones::greedy, true}, {Cones::none, false}}) {
+    expect_cones(DCM::flatten(mesh, np::maximum_log_scale(bound).cones(cones)), has_cones);
+    expect_cones(
+      DCM::flatten(mesh, np::cones(cones).vertex_condition_map(map).maximum_log_scale(bound)),
+      has_cones);
+  }
+  expect_cones(DCM::flatten(mesh, np::maximum_log_scale(bound)), true);
+  expect_cones(DCM::flatten(mesh, np::vertex_condition_map(map)), false);
 }
 
 } // namespace Test_named_parameters

@@ -331,6 +331,14 @@ expect 0 flatten winding.mesh.off -o a.obj --cones none --stats a.json
 says 'covered more than once'
 claim "s = json('a.json')" "near(s.overlap_area, overlap(obj('a.obj')), 1e-9)" 's.overlap_area > 0.1' \
   '(s.charts, s.overlapping_charts) == (1, [[0, 0]])'
+for layout in least-squares spectral incremental; do
+  expect 0 flatten winding.mesh.off -o $layout.obj --cones none --layout $layout --stats b.json
+  is_conformal b.json
+  claim "a, b = obj('a.obj'), obj('$layout.obj')" 'near(flat_area(a), flat_area(b), 1e-9)' \
+    'near(overlap(a), overlap(b), 1e-9)' 'a.faces == b.faces'
+done
+cmp a.obj least-squares.obj # the default
+expect 2 flatten winding.mesh.off -o b.obj --layout round
 expect 0 flatten winding.mesh.off -o b.obj --cones none --no-overlap --stats b.json
 claim "s = json('b.json')" '(s.charts, s.overlap_area, s.overlapping_charts) == (2, 0, [])' \
   "a, b = obj('a.obj'), obj('b.obj')" 'overlap(b) < 1e-9' 'near(flat_area(a), flat_area(b), 1e-9)' \
@@ -341,7 +349,7 @@ claim "s, m = json('b.json'), obj('b.obj')" 'overlap(m) < 1e-9' \
   'max(box(m.texture)) <= 1 < max(box(m.texture)) + 1e-9'
 expect 0 flatten slivers.mesh.off -o b.obj --no-overlap --stats b.json
 claim "json('b.json').overlap_area == 0"
-rm a.* b.*
+rm a.* b.* least-squares.* spectral.* incremental.*
 
 if [ -n "$data" ]; then
   for mesh in elephant.off diplodocus.off cube-ouvert.off sphere.stl blobby_3cc.off fandisk.off; do

@@ -21,12 +21,48 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
-class Map_builder;
+
+// What all maps consist of.
+struct Map_data
+{
+  typedef Intrinsic_triangulations::Ideal_geometry_traits<> Ideal_traits;
+
+  Intrinsic_triangulations::Intrinsic_triangulation<> ab;
+  Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> bc;
+  // They refer to the triangulations, which do not move.
+  std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
+  std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
+  std::unique_ptr<Triple_subdivision<double>> subdivision;
+  std::size_t number_of_original_faces = 0;
+  std::vector<Vertex_index> input_vertex;
+  std::vector<double> log_scale;
+  std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+  std::shared_ptr<const Factorization_counts> counts = std::make_shared<Factorization_counts>();
+
+  bool is_original(Face_index f) const { return f.idx() < number_of_original_faces; }
+  bool is_original(Halfedge_index h) const
+  {
+    const Face_index f = subdivision->mesh().face(h);
+    return f.is_valid() && is_original(subdivision->parent_face(Layer::A, f));
+  }
+};
+
+// How the search for a map has ended, and what was measured on the result.
+struct Map_outcome
+{
+  Map_status status = Map_status::not_converged;
+  std::vector<Map_promise> promises;
+  std::string cause;
+  Minimization_result minimization;
+  double max_curvature_error = 0;
+};
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsMaps
@@ -44,13 +80,22 @@ public:
   /// the type of \f$T^A\f$ and \f$T^B\f$.
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Euclidean_triangulation;
   /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron.
-  typedef Intrinsic_triangulations::Ideal_geometry_traits<> Ideal_traits;
+  typedef internal::Map_data::Ideal_traits Ideal_traits;
   /// the type of \f$T^B\f$ and \f$T^C\f$.
   typedef Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> Ideal_triangulation;
   /// the common subdivision of all three.
   typedef Triple_subdivision<double> Subdivision;
   /// a point of the input.
   typedef Intrinsic_triangulations::Face_location<double> Face_location;
+
+  /// \cond SKIP_IN_MANUAL
+  Discrete_conformal_map() : Discrete_conformal_map(std::make_unique<internal::Map_data>()) {}
+  explicit Discrete_conformal_map(std::unique_ptr<const internal::Map_data> data)
+    : m_data(std::move(data))
+  {}
+
+  void set_outcome(internal::Map_outcome outcome) { m_outcome = std::move(outcome); }
+  /// \endcond
 
   /// returns the pair of \f$T^A\f$, as `input()`, and \f$T^B\f$, as `intrinsic()`.
   const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
@@ -80,15 +125,11 @@ public:
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
   /// returns whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
-  bool is_original(Face_index f) const { return f.idx() < m_data->number_of_original_faces; }
+  bool is_original(Face_index f) const { return m_data->is_original(f); }
 
   /// returns whether `h`, a halfedge of `subdivision()`, is a side of a face that is part of the
   /// input, not of its second copy.
-  bool is_original(Halfedge_index h) const
-  {
-    const Face_index f = subdivision().mesh().face(h);
-    return f.is_valid() && is_original(subdivision().parent_face(Layer::A, f));
-  }
+  bool is_original(Halfedge_index h) const { return m_data->is_original(h); }
 
   /// \deprecated Use `is_original()`.
   template <typename Index>
@@ -105,24 +146,24 @@ public:
 
   /// returns whether the map has what is promised, and if not, why: it is
   /// `Map_status::success` if and only if all of `promises()` are kept.
-  Map_status status() const { return m_data->status; }
+  Map_status status() const { return m_outcome.status; }
 
   /// returns what a map of this kind is promised to have, with the errors that were measured on the
   /// result.
-  const std::vector<Map_promise>& promises() const { return m_data->promises; }
+  const std::vector<Map_promise>& promises() const { return m_outcome.promises; }
 
   /// returns the message of the numerical error that ended the computation; empty if none has.
-  const std::string& cause() const { return m_data->cause; }
+  const std::string& cause() const { return m_outcome.cause; }
 
   /// returns how the minimization of the energy has ended.
-  const Minimization_result& minimization() const { return m_data->minimization; }
+  const Minimization_result& minimization() const { return m_outcome.minimization; }
 
   /// returns the numbers of factorizations of all stages: of cones, `Newton_minimizer` or
   /// `Bounded_Newton_minimizer`, and the layout, which share their fill-reducing order.
   const Factorization_counts& factorization_counts() const { return *m_data->counts; }
 
   /// returns the greatest difference of a curvature from what was prescribed, in radians.
-  double max_curvature_error() const { return m_data->max_curvature_error; }
+  double max_curvature_error() const { return m_outcome.max_curvature_error; }
 
   /// returns the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of
   /// \f$T^A\f$, or \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
@@ -142,29 +183,8 @@ public:
   }
 
 private:
-  friend class internal::Map_builder;
-
-  // does not move, since the correspondences refer to the triangulations
-  struct Data
-  {
-    Euclidean_triangulation ab;
-    Ideal_triangulation bc;
-    std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
-    std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
-    std::unique_ptr<Subdivision> subdivision;
-    std::size_t number_of_original_faces = 0;
-    std::vector<Vertex_index> input_vertex;
-    std::vector<double> log_scale;
-    Map_status status = Map_status::not_converged;
-    std::vector<Map_promise> promises;
-    std::string cause;
-    Minimization_result minimization;
-    std::shared_ptr<const Factorization_counts> counts = std::make_shared<Factorization_counts>();
-    double max_curvature_error = 0;
-    std::array<std::size_t, 3> number_of_flips{0, 0, 0};
-  };
-
-  std::unique_ptr<Data> m_data = std::make_unique<Data>();
+  std::unique_ptr<const internal::Map_data> m_data;
+  internal::Map_outcome m_outcome;
 };
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -19,7 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -166,9 +165,7 @@ private:
 
   Planar_conformal_map flattened(const typename Component::Mesh& mesh) const
   {
-    return flatten(
-      mesh,
-      parameters::flipping(m_flipping).maximum_log_scale(std::numeric_limits<double>::infinity()));
+    return flatten(mesh, parameters::flipping(m_flipping).cones(Cones::none));
   }
 
   template <typename VertexUVMap>

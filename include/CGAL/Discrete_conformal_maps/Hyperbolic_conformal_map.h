@@ -18,14 +18,11 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
-
-namespace internal {
-template <typename Visitor>
-class Hyperbolic_uniformization;
-} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// the group of motions of the hyperbolic plane that belongs to a closed hyperbolic surface, which
@@ -84,6 +81,25 @@ double relation_error(const Fuchsian_group& group, const std::vector<Disk_motion
   return product.distance_to_identity();
 }
 
+namespace internal {
+
+// Where the faces of T^C are in the hyperbolic plane, and how they are glued.
+struct Hyperbolic_layout
+{
+  static constexpr std::size_t no_seam = static_cast<std::size_t>(-1);
+
+  bool exists = false;
+  std::vector<std::size_t> component;                               // of each face
+  std::vector<Fuchsian_group> groups;                               // of each component
+  std::vector<Intrinsic_triangulations::Topological_type> topology; // of each component
+  std::vector<std::array<double, 3>> position; // of the source of each halfedge
+  std::vector<std::size_t> seam;               // for each edge, its index among the seams
+  std::vector<Disk_motion<>> gluing;           // of the first halfedge of each seam
+  double max_gluing_error = 0;
+};
+
+} // namespace internal
+
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// a discrete conformal map of a surface to the hyperbolic plane: the faces of \f$T^C\f$ are
 /// hyperbolic triangles, those of each component are laid out beside each other in the Poincare
@@ -97,23 +113,31 @@ double relation_error(const Fuchsian_group& group, const std::vector<Disk_motion
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
 public:
+  /// \cond SKIP_IN_MANUAL
+  Hyperbolic_conformal_map() = default;
+  Hyperbolic_conformal_map(std::unique_ptr<const internal::Map_data> data,
+                           internal::Hyperbolic_layout layout)
+    : Discrete_conformal_map(std::move(data)), m_layout(std::move(layout))
+  {}
+  /// \endcond
+
   /// returns whether faces are in the hyperbolic plane. They are not if numbers have too few digits
   /// for a layout.
-  bool is_laid_out() const { return m_is_laid_out; }
+  bool is_laid_out() const { return m_layout.exists; }
 
   /// returns the number of components, except for isolated vertices; zero without a layout.
-  std::size_t number_of_components() const { return m_groups.size(); }
+  std::size_t number_of_components() const { return m_layout.groups.size(); }
 
   /// returns the component of the face `f` of \f$T^C\f$.
-  std::size_t component(Face_index f) const { return m_component[f.idx()]; }
+  std::size_t component(Face_index f) const { return m_layout.component[f.idx()]; }
 
   /// returns the group of component `c`, or of its double.
-  const Fuchsian_group& group(std::size_t c) const { return m_groups[c]; }
+  const Fuchsian_group& group(std::size_t c) const { return m_layout.groups[c]; }
 
   /// returns the genus and the number of boundary loops of component `c`, not of its double.
   const Intrinsic_triangulations::Topological_type& topology(std::size_t c) const
   {
-    return m_topology[c];
+    return m_layout.topology[c];
   }
 
   /// returns the area of component `c` itself: \f$2\pi(2g - 2 + b)\f$ without cones, for genus
@@ -144,14 +168,17 @@ public:
   /// hyperboloid \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
   const std::array<double, 3>& hyperboloid_position(Halfedge_index h) const
   {
-    return m_position[h.idx()];
+    return m_layout.position[h.idx()];
   }
 
   /// returns the image in the Poincare disk.
-  std::complex<double> position(Halfedge_index h) const { return to_disk(m_position[h.idx()]); }
+  std::complex<double> position(Halfedge_index h) const
+  {
+    return to_disk(m_layout.position[h.idx()]);
+  }
 
   /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other.
-  bool is_seam(Edge_index e) const { return m_seam[e.idx()] != no_seam; }
+  bool is_seam(Edge_index e) const { return m_layout.seam[e.idx()] != m_layout.no_seam; }
 
   /// returns the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place
   /// beside the face of `h`; the identity where there is no seam.
@@ -159,19 +186,19 @@ public:
   {
     if(!is_seam(Edge_index(h)))
       return {};
-    const Disk_motion<>& motion = m_gluing[m_seam[Edge_index(h).idx()]];
+    const Disk_motion<>& motion = m_layout.gluing[m_layout.seam[Edge_index(h).idx()]];
     return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
   /// returns how far faces are from closing up around vertices without cones, seen from the origin:
   /// the greatest distance of a product of gluing motions from the identity.
-  double max_gluing_error() const { return m_max_gluing_error; }
+  double max_gluing_error() const { return m_layout.max_gluing_error; }
 
   /// returns the greatest distance of a vertex from the origin.
   double radius() const
   {
     double greatest = 1;
-    for(const auto& p : m_position)
+    for(const auto& p : m_layout.position)
       greatest = (std::max)(greatest, p[2]);
     return std::acosh(greatest);
   }
@@ -189,7 +216,7 @@ public:
     for(std::size_t s = 0; s < 3; ++s) {
       const double w = on_C.second[s] * std::exp(-log_scale(mesh.source(side[s])));
       for(std::size_t i = 0; i < 3; ++i)
-        result[i] += w * m_position[side[s].idx()][i];
+        result[i] += w * m_layout.position[side[s].idx()][i];
     }
     return result;
   }
@@ -211,19 +238,7 @@ public:
   }
 
 private:
-  template <typename Visitor>
-  friend class internal::Hyperbolic_uniformization;
-
-  static constexpr std::size_t no_seam = static_cast<std::size_t>(-1);
-
-  std::vector<std::size_t> m_component; // of the faces of T^C
-  std::vector<Fuchsian_group> m_groups;
-  std::vector<Intrinsic_triangulations::Topological_type> m_topology; // of each component
-  std::vector<std::array<double, 3>> m_position; // of the sources of halfedges of T^C
-  std::vector<std::size_t> m_seam;               // for each edge of T^C, its index among the seams
-  std::vector<Disk_motion<>> m_gluing;           // of the first halfedge of each seam
-  double m_max_gluing_error = 0;
-  bool m_is_laid_out = true;
+  internal::Hyperbolic_layout m_layout;
 };
 
 } // namespace CGAL::Discrete_conformal_maps

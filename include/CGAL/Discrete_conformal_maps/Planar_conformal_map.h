@@ -12,13 +12,23 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
-template <typename Visitor>
-class Flattening;
+
+// Where the faces of T^C are in the plane.
+struct Planar_layout
+{
+  bool exists = false;
+  std::vector<char> is_laid_out;              // for each face
+  std::vector<std::complex<double>> position; // of the source of each halfedge
+  std::vector<char> is_seam;                  // for each edge
+};
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -34,24 +44,37 @@ class Flattening;
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:
+  /// \cond SKIP_IN_MANUAL
+  Planar_conformal_map() = default;
+  Planar_conformal_map(std::unique_ptr<const internal::Map_data> data,
+                       std::vector<Vertex_index> cones, internal::Planar_layout layout)
+    : Discrete_conformal_map(std::move(data)),
+      m_cones(std::move(cones)),
+      m_layout(std::move(layout))
+  {}
+  /// \endcond
+
   /// returns the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
   /// returns whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not
   /// if scaled lengths violate the triangle inequality.
-  bool is_laid_out() const { return m_has_layout; }
+  bool is_laid_out() const { return m_layout.exists; }
 
   /// returns whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it
   /// belongs to the input. There is none beyond a border.
-  bool is_laid_out(Face_index f) const { return f.is_valid() && m_is_laid_out[f.idx()] != 0; }
+  bool is_laid_out(Face_index f) const
+  {
+    return f.is_valid() && m_layout.is_laid_out[f.idx()] != 0;
+  }
 
   /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
   /// \pre The face is laid out.
-  std::complex<double> position(Halfedge_index h) const { return m_position[h.idx()]; }
+  std::complex<double> position(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
   /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the
   /// plane; also where a face is not laid out, since it is not a part of the input.
-  bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
+  bool is_seam(Edge_index e) const { return m_layout.is_seam[e.idx()] != 0; }
 
   /// returns the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear
   /// on the faces of the common subdivision.
@@ -72,14 +95,26 @@ public:
     return result;
   }
 
+  /// returns the point of the plane with these homogeneous coordinates.
+  static std::complex<double> to_plane(const std::array<double, 3>& z)
+  {
+    return std::complex<double>(z[0], z[1]) / z[2];
+  }
+
+  /// returns the image of the corner at the target of `h`, a halfedge of `subdivision()`.
+  /// \pre The face of `h` is a part of the input, and `is_laid_out()`.
+  std::complex<double> image(Halfedge_index h) const
+  {
+    return to_plane(homogeneous_coordinates(subdivision().location(Layer::C, h)));
+  }
+
   /// returns the image of a point of the input, by piecewise projective interpolation (Section
   /// 4.2.3). Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence,
   /// twice.
   /// \pre `is_laid_out()`
   std::complex<double> operator()(const Face_location& p) const
   {
-    const auto z = homogeneous_coordinates(place_on_C(p));
-    return std::complex<double>(z[0], z[1]) / z[2];
+    return to_plane(homogeneous_coordinates(place_on_C(p)));
   }
 
   /// moves faces in the plane. Faces that are beside each other across an edge that is no seam must
@@ -91,7 +126,7 @@ public:
   {
     for(Halfedge_index h : ideal().mesh().halfedges())
       if(is_laid_out(ideal().mesh().face(h)))
-        m_position[h.idx()] = motion(h, m_position[h.idx()]);
+        m_layout.position[h.idx()] = motion(h, m_layout.position[h.idx()]);
   }
 
   /// makes edges seams, so that their faces can be moved apart. Complexity: linear.
@@ -102,18 +137,12 @@ public:
   {
     for(Edge_index e : ideal().mesh().edges())
       if(!is_seam(e) && is_to_be_seam(e))
-        m_is_seam[e.idx()] = 1;
+        m_layout.is_seam[e.idx()] = 1;
   }
 
 private:
-  template <typename Visitor>
-  friend class internal::Flattening;
-
   std::vector<Vertex_index> m_cones;
-  bool m_has_layout = true;
-  std::vector<char> m_is_laid_out;              // for each face of T^C
-  std::vector<std::complex<double>> m_position; // of the sources of halfedges of T^C
-  std::vector<char> m_is_seam;                  // for each edge of T^C
+  internal::Planar_layout m_layout;
 };
 
 } // namespace CGAL::Discrete_conformal_maps

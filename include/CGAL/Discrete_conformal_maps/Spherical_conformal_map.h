@@ -16,13 +16,55 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
-template <typename Visitor>
-class Sphere_mapping;
+
+// Where the vertices of a sphere or of a doubled disk are.
+struct Spherical_layout
+{
+  bool exists = false, is_disk = false, is_flat = false;
+  bool is_extended = false; // whether more digits than those of `double` were needed
+  Vertex_index at_infinity;
+  std::vector<std::array<Extended, 2>> in_plane;
+  std::vector<std::array<double, 3>> position; // on the unit sphere
+  Convexity_certificate certificate;
+  std::size_t lost_in_output = 0, bound_violations = 0;
+
+  template <typename Number>
+  std::array<Number, 3> position_in(Vertex_index v) const
+  {
+    if(v == at_infinity)
+      return turned<Number>({Number(0), Number(0), Number(-1)});
+    const auto number = [](const Extended& x) {
+      return Number(Number(x.high()) + Number(x.low()));
+    };
+    const Number x = number(in_plane[v.idx()][0]), y = number(in_plane[v.idx()][1]),
+                 square = x * x + y * y, scale = 1 / (1 + square);
+    return turned<Number>({2 * x * scale, 2 * y * scale, (1 - square) * scale});
+  }
+
+  double max_inscribed_error() const
+  {
+    double result = 0;
+    for(const auto& p : position)
+      result = (std::max)(result, std::abs(std::hypot(p[0], p[1], p[2]) - 1));
+    return result;
+  }
+
+private:
+  // Of a disk, the mirror plane is turned into that of the equator.
+  template <typename Number>
+  std::array<Number, 3> turned(const std::array<Number, 3>& p) const
+  {
+    return is_disk ? std::array<Number, 3>{p[2], p[0], p[1]} : p;
+  }
+};
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSphere
@@ -63,23 +105,31 @@ public:
   /// of which is the number rounded.
   typedef internal::Extended Extended;
 
+  /// \cond SKIP_IN_MANUAL
+  Spherical_conformal_map() = default;
+  Spherical_conformal_map(std::unique_ptr<const internal::Map_data> data,
+                          internal::Spherical_layout layout)
+    : Discrete_conformal_map(std::move(data)), m_layout(std::move(layout))
+  {}
+  /// \endcond
+
   /// returns whether the input is a disk.
-  bool is_disk() const { return !is_original(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
+  bool is_disk() const { return m_layout.is_disk; }
 
   /// returns whether the image is a convex polygon inscribed in a great circle: in the equator, if
   /// the input is a disk without vertices inside, or seen from both sides, if it is a sphere.
-  bool is_flat() const { return m_is_flat; }
+  bool is_flat() const { return m_layout.is_flat; }
 
   /// returns whether vertices have positions. They have none if the scale factors have not been
   /// found, or if numbers have too few digits for a layout.
-  bool is_laid_out() const { return m_is_laid_out; }
+  bool is_laid_out() const { return m_layout.exists; }
 
   /// returns the vertex from which the sphere was unfolded into the plane.
-  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
+  Vertex_index vertex_at_infinity() const { return m_layout.at_infinity; }
 
   /// returns the position of `v` on the unit sphere, the nearest that `double` has.
   /// \pre `is_laid_out()`
-  const Point& position(Vertex_index v) const { return m_position[v.idx()]; }
+  const Point& position(Vertex_index v) const { return m_layout.position[v.idx()]; }
 
   /// returns the position of `v` on the unit sphere, in more digits.
   std::array<Extended, 3> precise_position(Vertex_index v) const
@@ -94,44 +144,37 @@ public:
   template <typename Number>
   std::array<Number, 3> position_in(Vertex_index v) const
   {
-    if(v == m_at_infinity)
-      return turned<Number>({Number(0), Number(0), Number(-1)});
-    const auto number = [](const Extended& x) {
-      return Number(Number(x.high()) + Number(x.low()));
-    };
-    const Number x = number(m_in_plane[v.idx()][0]), y = number(m_in_plane[v.idx()][1]),
-                 square = x * x + y * y, scale = 1 / (1 + square);
-    return turned<Number>({2 * x * scale, 2 * y * scale, (1 - square) * scale});
+    return m_layout.position_in<Number>(v);
   }
 
   /// returns the position of `v` in the plane: the stereographic projection, from the vertex at
   /// infinity, of its position on the sphere. That of the vertex at infinity has no meaning.
   const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
   {
-    return m_in_plane[v.idx()];
+    return m_layout.in_plane[v.idx()];
   }
 
   /// returns the certificate of exact predicates about the polyhedron with the stored positions in
   /// the plane.
-  const Convexity_certificate& certificate() const { return m_certificate; }
+  const Convexity_certificate& certificate() const { return m_layout.certificate; }
 
   /// returns the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped
   /// as seen from the center, if they have their vertices at `position()`: exact for these rounded
   /// numbers. Edges between faces that are parts of one flat face can have any
   /// side, and count. Faces of a disk count if they have a vertex inside; those of a flat image if
   /// they have no area or, of a disk, are flipped in its plane.
-  std::size_t lost_in_output() const { return m_lost_in_output; }
+  std::size_t lost_in_output() const { return m_layout.lost_in_output; }
 
   /// returns the greatest distance of a `position()` from the sphere.
-  double max_inscribed_error() const;
+  double max_inscribed_error() const { return m_layout.max_inscribed_error(); }
 
   /// returns the number of vertices that break a bound of Section 4.4.3: their scale factors are
   /// too small, or they are neighbors of the vertex at infinity and their scale factors are greater
   /// than they may be.
-  std::size_t bound_violations() const { return m_bound_violations; }
+  std::size_t bound_violations() const { return m_layout.bound_violations; }
 
   /// returns whether more digits than those of `double` were needed.
-  bool is_extended() const { return m_is_extended; }
+  bool is_extended() const { return m_layout.is_extended; }
 
   /// returns the homogeneous coordinates of a point of the polyhedron, as a vector
   /// `(x w, y w, z w, w)`. They are linear on the faces of the common subdivision (Section 4.4.6).
@@ -183,31 +226,8 @@ public:
   }
 
 private:
-  template <typename Visitor>
-  friend class internal::Sphere_mapping;
-
-  // Of a disk, the mirror plane is turned into that of the equator.
-  template <typename Number>
-  std::array<Number, 3> turned(const std::array<Number, 3>& p) const
-  {
-    return is_disk() ? std::array<Number, 3>{p[2], p[0], p[1]} : p;
-  }
-
-  Vertex_index m_at_infinity;
-  std::vector<std::array<Extended, 2>> m_in_plane;
-  std::vector<Point> m_position;
-  Convexity_certificate m_certificate;
-  std::size_t m_lost_in_output = 0, m_bound_violations = 0;
-  bool m_is_extended = false, m_is_laid_out = false, m_is_flat = false;
+  internal::Spherical_layout m_layout;
 };
-
-inline double Spherical_conformal_map::max_inscribed_error() const
-{
-  double result = 0;
-  for(const Point& p : m_position)
-    result = (std::max)(result, std::abs(std::hypot(p[0], p[1], p[2]) - 1));
-  return result;
-}
 
 } // namespace CGAL::Discrete_conformal_maps
 

@@ -105,6 +105,69 @@ private:
   std::vector<std::size_t> m_index;                 // of a piece among some partners
 };
 
+// Charts that grow face by face, across edges that are no seams, such that none has two faces that
+// are kept apart. They are numbered in the order of their first faces.
+class Chart_growth
+{
+public:
+  typedef std::vector<std::pair<Face_index, Face_index>> Pairs;
+
+  explicit Chart_growth(const Planar_conformal_map& map, const Pairs& apart = {})
+    : m_map(map), m_partners(mesh().num_faces()), m_chart(mesh().num_faces(), none)
+  {
+    for(const auto& [f, g] : apart) {
+      m_partners[f.idx()].push_back(g);
+      m_partners[g.idx()].push_back(f);
+    }
+    for(Face_index f : mesh().faces())
+      if(map.is_laid_out(f) && m_chart[f.idx()] == none) {
+        grow(f);
+        ++m_size;
+      }
+  }
+
+  // the number of charts
+  std::size_t size() const { return m_size; }
+
+  // those of the faces of T^C
+  const std::vector<std::size_t>& charts() const { return m_chart; }
+  std::size_t chart(Face_index f) const { return m_chart[f.idx()]; }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  const Delta_complex& mesh() const { return m_map.ideal().mesh(); }
+
+  // to all sides at once
+  void grow(Face_index root)
+  {
+    std::deque<Face_index> waiting{root};
+    while(!waiting.empty()) {
+      const Face_index f = waiting.front();
+      waiting.pop_front();
+      if(!can_be_added(f))
+        continue;
+      m_chart[f.idx()] = m_size;
+      for(Halfedge_index h : sides(f, mesh()))
+        if(!m_map.is_seam(Edge_index(h)))
+          waiting.push_back(mesh().face(mesh().opposite(h)));
+    }
+  }
+
+  bool can_be_added(Face_index f) const
+  {
+    const std::vector<Face_index>& partners = m_partners[f.idx()];
+    return m_chart[f.idx()] == none &&
+           std::none_of(partners.begin(), partners.end(),
+                        [&](Face_index g) { return m_chart[g.idx()] == m_size; });
+  }
+
+  const Planar_conformal_map& m_map;
+  std::vector<std::vector<Face_index>> m_partners; // those that each face is kept apart from
+  std::vector<std::size_t> m_chart;                // of each face of T^C
+  std::size_t m_size = 0;
+};
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -112,7 +175,7 @@ private:
 /// each other in the plane across an edge are in one chart. Complexity: linear.
 inline std::vector<std::size_t> charts_of_faces(const Planar_conformal_map& map)
 {
-  return internal::numbered_charts(map);
+  return internal::Chart_growth(map).charts();
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -128,11 +191,10 @@ inline Chart_overlap find_overlap(const Planar_conformal_map& map)
 {
   const internal::Chart_pieces pieces(map);
   const std::vector<internal::Chart_pieces::Overlap> overlaps = pieces.overlaps();
-  const std::vector<std::size_t> chart = charts_of_faces(map);
+  const internal::Chart_growth charts(map);
+  const std::vector<std::size_t>& chart = charts.charts();
   Chart_overlap result;
-  for(Face_index f : map.ideal().mesh().faces())
-    if(map.is_laid_out(f))
-      result.number_of_charts = (std::max)(result.number_of_charts, chart[f.idx()] + 1);
+  result.number_of_charts = charts.size();
   std::map<std::pair<std::size_t, std::size_t>, double> area;
   for(const auto& o : overlaps) {
     const auto [first, second] =
@@ -169,70 +231,6 @@ inline void pack_charts(Planar_conformal_map& map)
   });
 }
 
-namespace internal {
-
-// Charts that grow face by face, so that none overlaps itself.
-class Chart_growth
-{
-public:
-  Chart_growth(const Planar_conformal_map& map, const Chart_pieces& pieces,
-               const std::vector<Chart_pieces::Overlap>& overlaps)
-    : m_map(map), m_partners(mesh().num_faces()), m_chart(mesh().num_faces(), none)
-  {
-    for(const Chart_pieces::Overlap& o : overlaps) {
-      const Face_index f = pieces[o.first].face, g = pieces[o.second].face;
-      m_partners[f.idx()].push_back(g);
-      m_partners[g.idx()].push_back(f);
-    }
-    for(Face_index f : mesh().faces())
-      if(map.is_laid_out(f) && m_chart[f.idx()] == none) {
-        grow(f);
-        ++m_size;
-      }
-  }
-
-  // the number of charts
-  std::size_t size() const { return m_size; }
-
-  std::size_t chart(Face_index f) const { return m_chart[f.idx()]; }
-
-private:
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-  const Delta_complex& mesh() const { return m_map.ideal().mesh(); }
-
-  // to all sides at once
-  void grow(Face_index root)
-  {
-    std::deque<Face_index> waiting{root};
-    while(!waiting.empty()) {
-      const Face_index f = waiting.front();
-      waiting.pop_front();
-      if(!can_be_added(f))
-        continue;
-      m_chart[f.idx()] = m_size;
-      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh()))
-        if(!m_map.is_seam(Edge_index(h)))
-          waiting.push_back(mesh().face(mesh().opposite(h)));
-    }
-  }
-
-  bool can_be_added(Face_index f) const
-  {
-    const std::vector<Face_index>& partners = m_partners[f.idx()];
-    return m_chart[f.idx()] == none &&
-           std::none_of(partners.begin(), partners.end(),
-                        [&](Face_index g) { return m_chart[g.idx()] == m_size; });
-  }
-
-  const Planar_conformal_map& m_map;
-  std::vector<std::vector<Face_index>> m_partners; // the faces that each one overlaps
-  std::vector<std::size_t> m_chart;                // of each face of T^C
-  std::size_t m_size = 0;
-};
-
-} // namespace internal
-
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// cuts a map such that no chart overlaps itself, and packs the charts: faces are added to a chart,
 /// across edges that are no seams, unless they overlap one that it has. The edges between charts
@@ -244,8 +242,11 @@ inline std::size_t cut_overlaps(Planar_conformal_map& map)
 {
   const internal::Chart_pieces pieces(map);
   const std::vector<internal::Chart_pieces::Overlap> overlaps = pieces.overlaps();
-  const internal::Chart_growth charts(map, pieces, overlaps);
-  if(overlaps.empty())
+  internal::Chart_growth::Pairs faces;
+  for(const auto& o : overlaps)
+    faces.emplace_back(pieces[o.first].face, pieces[o.second].face);
+  const internal::Chart_growth charts(map, faces);
+  if(faces.empty())
     return charts.size();
   const Delta_complex& mesh = map.ideal().mesh();
   map.add_seams([&](Edge_index e) {

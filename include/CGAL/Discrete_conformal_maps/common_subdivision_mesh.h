@@ -42,10 +42,11 @@ homogeneous_coordinates(const Spherical_conformal_map& map, const Input_part& pa
 
 namespace internal {
 
-inline std::array<double, 2> affine_coordinates(const Planar_conformal_map&,
+inline std::array<double, 2> affine_coordinates(const Planar_conformal_map& map,
                                                 const std::array<double, 3>& z)
 {
-  return {z[0] / z[2], z[1] / z[2]};
+  const std::complex<double> p = map.to_plane(z);
+  return {p.real(), p.imag()};
 }
 
 inline std::array<double, 2> affine_coordinates(const Hyperbolic_conformal_map& map,

@@ -12,7 +12,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
-#include <limits>
 #include <utility>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -40,13 +39,19 @@ namespace CGAL::Discrete_conformal_maps {
 ///       value}
 ///     \cgalParamDefault{curvature zero inside, a logarithmic scale factor of zero on the boundary}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{cones}
+///     \cgalParamDescription{whether cones without scaling are placed inside. A vertex with a
+///                           prescribed exterior angle, or a prescribed curvature other than zero,
+///                           becomes no cone}
+///     \cgalParamType{`Cones`}
+///     \cgalParamDefault{`Cones::automatic`: yes if there is no `vertex_condition_map`, or a
+///                       `maximum_log_scale`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{cones without scaling are placed inside until all logarithmic scale
-///                           factors there are at most this in absolute value; infinity for no
-///                           cones. A vertex with a prescribed exterior angle, or a prescribed
-///                           curvature other than zero, becomes no cone}
+///     \cgalParamDescription{cones are placed until all logarithmic scale factors inside are at most
+///                           this in absolute value}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{5 if there is no `vertex_condition_map`, otherwise infinity}
+///     \cgalParamDefault{5}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimizer}
 ///     \cgalParamDescription{what minimizes the energy}
@@ -114,8 +119,7 @@ Planar_conformal_map flatten(const Graph& g,
   const auto conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0));
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             is_free ? 5. : std::numeric_limits<double>::infinity(), np,
-                             internal::Free_shape());
+                             is_free, np, internal::Free_shape());
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -173,11 +173,10 @@ private:
 ///       value}
 ///     \cgalParamDefault{curvature zero}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{as for `flatten()`, for the vertices inside: none of the boundary
-///       becomes a cone}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{infinity}
+///   \cgalParamNBegin{cones}
+///     \cgalParamDescription{as for `flatten()`: none of the boundary becomes a cone}
+///     \cgalParamType{`Cones`}
+///     \cgalParamDefault{`Cones::automatic`: yes if there is a `maximum_log_scale`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{how many times the surface may be flattened}
@@ -206,7 +205,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   internal::Circular_boundary boundary(input, rounds);
   boundary.prescribe([&](Vertex_index v, const auto& c) { conditions[v.idx()] = c; });
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             std::numeric_limits<double>::infinity(), np, std::move(boundary));
+                             false, np, std::move(boundary));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -150,9 +150,9 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 ///   vertices are allowed
 /// \param corners four vertices on the boundary of each component, in any order, such as those that
 ///   `rectangle_corners()` returns
-/// \param np the parameters of `flatten()`; a `vertex_condition_map` and a `maximum_log_scale`,
-///   which is infinity if it is not given, apply to vertices inside: none of the boundary becomes a
-///   cone
+/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside, and
+///   none of the boundary becomes a cone. `Cones::automatic` places cones if there is a
+///   `maximum_log_scale`
 ///
 /// Complexity and status: those of `flatten()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
@@ -177,7 +177,7 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
   internal::Rectangular_boundary boundary(input.mesh(), is_corner);
   boundary.prescribe(conditions);
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             std::numeric_limits<double>::infinity(), np, std::move(boundary));
+                             false, np, std::move(boundary));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -75,8 +75,7 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   const std::vector<Vertex_condition> conditions(input.mesh().num_vertices());
   internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
   problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-  internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(
-    problem, problem.surface().num_faces(), visitor);
+  internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(problem, visitor);
   return mapping.run();
 }
 

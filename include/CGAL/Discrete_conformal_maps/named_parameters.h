@@ -30,7 +30,12 @@ template <typename Map>
 auto vertex_condition_map(const Map& map);
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// names the bound of logarithmic scale factors for which cones are placed.
+/// names a `Cones`: whether cones are placed.
+template <typename Cones>
+auto cones(const Cones& value);
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names the bound of logarithmic scale factors beyond which cones are placed.
 template <typename Number>
 auto maximum_log_scale(const Number& value);
 

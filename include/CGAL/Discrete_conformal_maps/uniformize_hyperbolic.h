@@ -89,7 +89,7 @@ uniformize_hyperbolic(const Graph& g,
   problem.check_hyperbolic();
   problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
-    problem, problem.surface().num_faces(), visitor);
+    problem, visitor);
   uniformization.find_scale_factors(
     choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()));
   return uniformization.finish();

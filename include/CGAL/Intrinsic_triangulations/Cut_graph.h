@@ -69,6 +69,27 @@ public:
   /// returns whether `e` is a seam. \pre `close_ends()` has been called
   bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
 
+  /// calls `visit(h, first)` for the outgoing halfedges `h` of `v`. Those between which there is no
+  /// seam are one corner, of which `first` is the first one. Complexity: linear in the degree.
+  /// \pre `close_ends()` has been called, and `v` is not isolated
+  template <typename Visit>
+  void for_each_corner(Vertex_index v, const Visit& visit) const
+  {
+    const Halfedge_index any = first_outgoing_halfedge(v, m_mesh);
+    Halfedge_index first = any;
+    while(!is_seam(Edge_index(first)) && next_around_source(first, m_mesh) != any)
+      first = next_around_source(first, m_mesh);
+    if(!is_seam(Edge_index(first)))
+      first = any;
+    Halfedge_index h = first, corner = first;
+    do {
+      if(is_seam(Edge_index(h)))
+        corner = h;
+      visit(h, corner);
+      h = next_around_source(h, m_mesh);
+    } while(h != first);
+  }
+
 private:
   const Delta_complex& m_mesh;
   std::vector<Step> m_steps;

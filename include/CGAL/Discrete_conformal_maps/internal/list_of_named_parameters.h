@@ -13,6 +13,7 @@
 #endif
 
 CGAL_named_parameter(vertex_condition_map)
+CGAL_named_parameter(cones)
 CGAL_named_parameter(maximum_log_scale)
 CGAL_named_parameter(minimizer)
 CGAL_named_parameter(flipping)

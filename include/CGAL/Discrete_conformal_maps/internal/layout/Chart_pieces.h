@@ -16,11 +16,8 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -122,41 +119,14 @@ private:
   {
     Convex_polygon result;
     const auto& mesh = m_map.subdivision().mesh();
-    for(Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
-      const auto z = m_map.homogeneous_coordinates(m_map.subdivision().location(Layer::C, h));
-      result.emplace_back(z[0] / z[2], z[1] / z[2]);
-    }
+    for(Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      result.push_back(m_map.image(h));
     return convex_hull(std::move(result));
   }
 
   const Planar_conformal_map& m_map;
   std::vector<Piece> m_pieces;
 };
-
-// Numbers the charts of a map, in the order of their first faces. Returns the chart of each face of
-// T^C that is laid out.
-inline std::vector<std::size_t> numbered_charts(const Planar_conformal_map& map)
-{
-  const Delta_complex& mesh = map.ideal().mesh();
-  boost::disjoint_sets_with_storage<> sets(mesh.num_faces());
-  for(Face_index f : mesh.faces())
-    sets.make_set(f.idx());
-  for(Edge_index e : mesh.edges())
-    if(!map.is_seam(e))
-      sets.union_set(mesh.face(mesh.halfedge(e)).idx(),
-                     mesh.face(mesh.opposite(mesh.halfedge(e))).idx());
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::size_t> of_set(mesh.num_faces(), none), result(mesh.num_faces(), none);
-  std::size_t number = 0;
-  for(Face_index f : mesh.faces())
-    if(map.is_laid_out(f)) {
-      std::size_t& chart = of_set[sets.find_set(f.idx())];
-      if(chart == none)
-        chart = number++;
-      result[f.idx()] = chart;
-    }
-  return result;
-}
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

@@ -8,13 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Least_squares_shift.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +51,10 @@ public:
 
   // The sum over all sides of faces of the double of the squared change of the side, from that of
   // `unfolded`, relative to its length, becomes least among symmetric positions.
-  void distribute_errors(const Cut_graph& cut, const Flat_layout<FT>& unfolded)
+  void distribute_errors(const Unfolded_faces<FT>& unfolded)
   {
     for(const auto coordinate : {&Vector::x, &Vector::y})
-      fit(cut, unfolded, coordinate);
+      fit(unfolded, coordinate);
   }
 
   Vector position(Vertex_index v) const
@@ -123,50 +118,30 @@ private:
   }
 
   // With more digits than a shift has, there is a second one.
-  void fit(const Cut_graph& cut, const Flat_layout<FT>& unfolded, FT Vector::*coordinate)
+  void fit(const Unfolded_faces<FT>& unfolded, FT Vector::*coordinate)
   {
-    Least_squares_shift shift(m_position.size(), 3 * cut.steps().size());
-    for_each_side(cut, unfolded, coordinate,
-                  [&](const Side& s) { shift.add(s.from, s.to, s.weight, s.sign); });
+    const auto for_each_side = [&](const auto& visit) {
+      for(const Cut_graph::Step& step : unfolded.cut().steps())
+        for(Halfedge_index h : sides(step.face, m_mesh)) {
+          const Vertex_index v = m_mesh.source(h), w = m_mesh.target(h);
+          const int at_source = sign(v, coordinate), at_target = sign(w, coordinate);
+          const FT change = (turned(unfolded.side(h)) - (position(w) - position(v))).*coordinate;
+          visit(Side_change{original(v), original(w), at_source * at_target,
+                            m_problem.part(step.face) * side_weight(unfolded.length(h)),
+                            at_target * static_cast<double>(change)});
+        }
+    };
+    const auto& steps = unfolded.cut().steps();
+    Least_squares_shift shift(m_position.size(), 3 * steps.size(), for_each_side);
     if(coordinate == &Vector::x)
-      shift.fix(original(m_mesh.source(m_mesh.halfedge(cut.steps().front().face))));
+      shift.fix(original(m_mesh.source(m_mesh.halfedge(steps.front().face))));
     else
       for(Vertex_index v : m_problem.surface().vertices())
         if(m_problem.is_on_boundary(v))
           shift.fix(original(v));
     shift.factorize(m_problem.order());
-    for(int i = 0; i < (std::is_same<FT, double>::value ? 1 : 2); ++i) {
-      Eigen::VectorXd wanted = Eigen::VectorXd::Zero(Eigen::Index(m_position.size()));
-      for_each_side(cut, unfolded, coordinate, [&](const Side& s) {
-        Least_squares_shift::add_to_right_side(wanted, s.from, s.to, s.weight, s.change, s.sign);
-      });
-      const Eigen::VectorXd by = shift.solve(wanted);
-      for(std::size_t v = 0; v < m_position.size(); ++v)
-        m_position[v].*coordinate += FT(by[Eigen::Index(v)]);
-    }
-  }
-
-  // Of a side of a face, `x[to] - sign * x[from]` should change by `change`, where x are the
-  // coordinates at the vertices of the disk.
-  struct Side
-  {
-    int from, to, sign;
-    double weight, change;
-  };
-
-  template <typename Function>
-  void for_each_side(const Cut_graph& cut, const Flat_layout<FT>& unfolded, FT Vector::*coordinate,
-                     const Function& function) const
-  {
-    for(const Cut_graph::Step& step : cut.steps())
-      for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh)) {
-        const Vertex_index v = m_mesh.source(h), w = m_mesh.target(h);
-        const int at_source = sign(v, coordinate), at_target = sign(w, coordinate);
-        const FT change = (turned(unfolded.side(h)) - (position(w) - position(v))).*coordinate;
-        function(Side{original(v), original(w), at_source * at_target,
-                      m_problem.part(step.face) * unfolded.weight(h),
-                      at_target * static_cast<double>(change)});
-      }
+    for(int i = 0; i < (std::is_same<FT, double>::value ? 1 : 2); ++i)
+      shift.shift(shift.right_side(for_each_side), m_position, coordinate);
   }
 
   int original(Vertex_index v) const { return static_cast<int>(m_problem.original(v).idx()); }

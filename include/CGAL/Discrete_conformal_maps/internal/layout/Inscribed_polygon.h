@@ -7,12 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
-#include <CGAL/Discrete_conformal_maps/Map_status.h>
-#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/spherical_log_scales.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
@@ -23,8 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -54,8 +49,7 @@ public:
                     Visitor& visitor)
     : m_problem(problem),
       m_at_infinity(start),
-      m_surface(problem.triangulation().mesh(), problem.triangulation().length_map()),
-      m_position(problem.size(), Point{Extended(0), Extended(0)})
+      m_surface(problem.triangulation().mesh(), problem.triangulation().length_map())
   {
     visitor.start(Flattening_stage::optimize);
     flip_to_boundary();
@@ -66,47 +60,42 @@ public:
     for(const Extended& chord : m_chord)
       m_u.push_back(-2 * log(chord));
     visitor.start(Flattening_stage::layout);
+    m_result.layout.exists = true;
+    clear_positions();
     try {
       lay_out(mass);
     } catch(const Intrinsic_triangulations::Numerical_error& e) {
-      m_cause = e.what();
+      m_result.cause = e.what();
       certify();
     }
-    m_log_scale =
-      spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
+    complete_result();
   }
 
-  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
-  // on a line in the plane, after centering
-  const std::vector<Point>& positions() const { return m_position; }
-  // the logarithmic scale factors of the polygon
-  const std::vector<double>& values() const { return m_log_scale; }
-  // from T^B to T^C
-  const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
-  const Convexity_certificate& certificate() const { return m_certificate; }
-  Minimization_result result() const { return {}; }
-  // Every vertex is a neighbor of infinity, so that no angle is prescribed.
-  double max_curvature_error() const { return 0; }
-  std::size_t bound_violations() const { return 0; }
-  bool is_extended() const { return true; }
+  const Unfolded_sphere& result() const { return m_result; }
 
   // whether a face of T^C is one of the polygon, not of its back
   bool is_original(Face_index f) const { return m_is_original[f.idx()]; }
 
-  // Scale factors need no search.
-  Map_status status() const { return Map_status::success; }
-  bool is_laid_out() const { return true; }
-  bool is_good() const
-  {
-    return m_certificate.is_convex() && m_cross_ratio_error <= tolerance::cross_ratio;
-  }
-  // the message of the error that has ended the layout; empty if none has
-  const std::string& cause() const { return m_cause; }
-  double cross_ratio_error() const { return m_cross_ratio_error; }
-
 private:
   const Delta_complex& mesh() const { return m_surface.mesh(); }
   const Extended& length(Halfedge_index h) const { return m_surface.length(Edge_index(h)); }
+
+  void clear_positions()
+  {
+    m_result.layout.in_plane.assign(m_problem.size(), Point{Extended(0), Extended(0)});
+  }
+
+  // Scale factors need no search: every vertex is a neighbor of infinity, so that no angle is
+  // prescribed.
+  void complete_result()
+  {
+    m_result.layout.at_infinity = m_at_infinity;
+    m_result.layout.is_extended = m_result.layout.is_flat = true;
+    m_result.angle_error = 0;
+    m_result.flips = m_surface.flips();
+    m_result.log_scale = spherical_log_scales(m_u, m_scale, m_result.layout.in_plane, m_at_infinity,
+                                              m_problem.surface());
+  }
 
   // Flips until the edges of the boundary are there, and notes which halfedges of T^C have the
   // boundary on their right.
@@ -213,16 +202,17 @@ private:
       std::size_t(std::find(sides.begin(), sides.end(), smallest_side()) - sides.begin());
     add_gaps(sides, end, Extended(0));
     if(!is_in_range(sides)) {
-      m_position.assign(m_position.size(), Point{Extended(0), Extended(0)});
+      clear_positions();
       certify();
       return;
     }
-    const Conformal_barycenter<Extended> center(m_position, mass, m_at_infinity.idx());
+    const Conformal_barycenter<Extended> center(m_result.layout.in_plane, mass,
+                                                m_at_infinity.idx());
     m_scale = center.height();
     const Extended base = center.base()[0];
     const std::size_t nearest = nearest_side(sides, base);
     place(sides, nearest, at(mesh().source(sides[nearest])) - base);
-    if(!is_good())
+    if(!m_result.is_good(tolerance::cross_ratio))
       place(sides, end, Extended(0));
   }
 
@@ -249,17 +239,12 @@ private:
   void place(const std::vector<Halfedge_index>& sides, std::size_t first, const Extended& x)
   {
     add_gaps(sides, first, x);
-    for(Point& p : m_position)
+    for(Point& p : m_result.layout.in_plane)
       p[0] = p[0] / m_scale;
     certify();
-    measure_cross_ratios();
-  }
-
-  void measure_cross_ratios()
-  {
-    m_cross_ratio_error = max_stereographic_cross_ratio_error(
-      mesh(), [this](Edge_index e) { return static_cast<double>(m_surface.length(e)); }, m_position,
-      m_at_infinity);
+    m_result.cross_ratio_error = max_stereographic_cross_ratio_error(
+      mesh(), [this](Edge_index e) { return static_cast<double>(m_surface.length(e)); },
+      m_result.layout.in_plane, m_at_infinity);
   }
 
   // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the
@@ -273,17 +258,17 @@ private:
       at(mesh().source(sides[s - 1])) = at(mesh().target(sides[s - 1])) - gap(sides[s - 1]);
   }
 
-  Extended& at(Vertex_index v) { return m_position[v.idx()][0]; }
-  const Extended& at(Vertex_index v) const { return m_position[v.idx()][0]; }
+  Extended& at(Vertex_index v) { return m_result.layout.in_plane[v.idx()][0]; }
+  const Extended& at(Vertex_index v) const { return m_result.layout.in_plane[v.idx()][0]; }
 
   // The corners of each face must be in cyclic order on the line through infinity. This decides
   // all: faces on both sides of an edge do not overlap then, and all edges lie in one plane.
   void certify()
   {
-    m_certificate = Convexity_certificate();
+    Convexity_certificate& certificate = m_result.layout.certificate = Convexity_certificate();
     for(Face_index f : mesh().faces())
-      m_certificate.flipped_triangles += is_original(f) && !is_in_order(f);
-    m_certificate.is_simple = m_certificate.flipped_triangles == 0;
+      certificate.flipped_triangles += is_original(f) && !is_in_order(f);
+    certificate.is_simple = certificate.flipped_triangles == 0;
   }
 
   bool is_in_order(Face_index f) const
@@ -312,12 +297,8 @@ private:
   std::vector<Halfedge_index> m_sides; // of the polygon, which is on their left
   std::vector<char> m_is_original;     // of faces
   std::vector<Extended> m_chord, m_u;
-  std::vector<Point> m_position;
   Extended m_scale = Extended(1);
-  std::vector<double> m_log_scale;
-  Convexity_certificate m_certificate;
-  double m_cross_ratio_error = std::numeric_limits<double>::infinity();
-  std::string m_cause;
+  Unfolded_sphere m_result;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -9,9 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Half_plane_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 
 #include <algorithm>
@@ -103,15 +102,15 @@ private:
         is_terminal[m_mesh.vertex(e, 0).idx()] = is_terminal[m_mesh.vertex(e, 1).idx()] = 1;
     }
     const Cut_graph cut = cut_to_pieces(m_mesh, rounded, is_cut_edge, is_used, is_terminal);
-    const bool is_whole = m_problem.has_no_copies();
-    const Flat_layout<FT> layout(m_mesh, m_length, cut, *m_problem.order(),
-                                 is_whole ? Layout::least_squares : Layout::incremental);
+    Unfolded_faces<FT> faces(m_mesh, m_length, cut);
+    if(m_problem.has_no_copies())
+      Least_squares_layout()(faces, *m_problem.order());
     for(Halfedge_index h : m_mesh.halfedges())
       if(!m_mesh.is_border(h) && is_used[m_mesh.face(h).idx()])
-        m_position[m_mesh.source(h).idx()] = layout.exact_position(h);
-    if(!is_whole) {
+        m_position[m_mesh.source(h).idx()] = faces.position(h);
+    if(!m_problem.has_no_copies()) {
       Half_plane_layout<FT> symmetric(m_mesh, m_problem, m_position);
-      symmetric.distribute_errors(cut, layout);
+      symmetric.distribute_errors(faces);
       store_layout(symmetric);
     }
   }

@@ -7,14 +7,17 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Cones.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
@@ -37,11 +40,8 @@ template <typename Visitor>
 class Flattening
 {
 public:
-  Flattening(Doubled_problem& problem, std::size_t number_of_original_faces, Visitor& visitor)
-    : m_problem(problem),
-      m_visitor(visitor),
-      m_scale(problem),
-      m_builder(problem, number_of_original_faces, m_map)
+  Flattening(Doubled_problem& problem, Visitor& visitor)
+    : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {}
 
   // by the vertices of the input
@@ -61,7 +61,6 @@ public:
       m_scale.minimize(m_scale.ending_beyond(bound, minimizer), tolerance::curvature, m_visitor);
     while(is_bounded && m_scale.status() != Map_status::not_converged &&
           m_scale.add_cone_if_beyond(bound));
-    m_map.m_cones = m_scale.cones();
   }
 
   // whether there are scale factors
@@ -80,48 +79,50 @@ public:
     return flat_boundary_lengths(m_problem, m_scale.values());
   }
 
-  // `shape` has what else is promised about the image of the boundary
-  template <typename Shape>
-  Planar_conformal_map finish(Layout layout, const Shape& shape)
+  // Lays the faces out by a model of a planar layout. `shape` has what else is promised about the
+  // image of the boundary.
+  template <typename Layout_model, typename Shape>
+  Planar_conformal_map finish(const Layout_model& layout, const Shape& shape)
   {
-    m_layout = layout;
-    m_map.m_has_layout = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
-    if(m_map.m_has_layout)
+    m_layout.exists = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
+    if(m_layout.exists)
       find_cut_edges();
-    lay_out();
-    std::vector<Map_promise> promises = m_errors.promises(m_map.m_has_layout);
+    lay_out_or_fail(layout);
+    std::vector<Map_promise> promises = m_errors.promises(m_layout.exists);
     if(m_problem.has_precise_lengths())
       promises.push_back({"rounded_curvature", m_rounded_error, tolerance::promised_rounded_angle,
                           Map_status::wrong_curvature});
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
-    if(m_map.m_has_layout) {
-      arrange_charts();
-      for(const auto& part : {planar_promises(m_map), shape.promises(m_map, whole_charts())})
+    auto map = m_builder.template map<Planar_conformal_map>(m_scale.cones(), std::move(m_layout));
+    if(map.is_laid_out()) {
+      arrange_charts(map);
+      for(const auto& part : {planar_promises(map), shape.promises(map, whole_charts(map))})
         promises.insert(promises.end(), part.begin(), part.end());
     }
-    m_builder.judge(greater_error(m_errors.greatest(), m_rounded_error), std::move(promises));
-    return std::move(m_map);
+    m_builder.judge(map, greater_error(m_errors.greatest(), m_rounded_error), std::move(promises));
+    return map;
   }
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
 
-  void lay_out()
+  template <typename Layout_model>
+  void lay_out_or_fail(const Layout_model& layout)
   {
     m_visitor.start(Flattening_stage::layout);
-    if(m_map.m_has_layout)
+    if(m_layout.exists)
       try {
-        lay_out_in_plane();
+        lay_out_in_plane(layout);
       } catch(const Intrinsic_triangulations::Numerical_error& e) {
         m_builder.set_cause(e.what());
-        m_map.m_has_layout = false;
+        m_layout.exists = false;
       }
     const auto is_finite = [](const std::complex<double>& z) {
       return std::isfinite(z.real()) && std::isfinite(z.imag());
     };
-    if(!m_map.m_has_layout ||
-       !std::all_of(m_map.m_position.begin(), m_map.m_position.end(), is_finite))
+    if(!m_layout.exists ||
+       !std::all_of(m_layout.position.begin(), m_layout.position.end(), is_finite))
       leave_out();
   }
 
@@ -130,19 +131,20 @@ private:
   void find_cut_edges()
   {
     m_is_cut_edge.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
-    m_map.m_is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
+    m_layout.is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
     if(m_problem.has_no_copies())
       return;
     m_builder.subdivide(m_visitor);
-    const auto& subdivision = m_map.subdivision();
+    const Map_data& data = m_builder.data();
+    const auto& subdivision = *data.subdivision;
     for(Edge_index e : subdivision.mesh().edges())
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
-        if(m_map.is_original(subdivision.mesh().halfedge(e)) &&
-           m_map.is_original(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
+        if(const Halfedge_index h = subdivision.mesh().halfedge(e);
+           data.is_original(h) && data.is_original(opposite(h)))
           m_is_cut_edge[c.idx()] = 0;
     for(Face_index f : subdivision.mesh().faces())
-      if(m_map.is_original(subdivision.parent_face(Layer::A, f)))
-        m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
+      if(data.is_original(subdivision.parent_face(Layer::A, f)))
+        m_layout.is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
   }
 
   // the vertices around which faces do not close up: those with prescribed values, and ends of
@@ -169,11 +171,11 @@ private:
   // what keeps the area of the component.
   std::vector<double> area_correction() const
   {
+    const auto& Delaunay = m_builder.data().ab;
     const std::vector<double> flat =
       m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length(h); });
-    const std::vector<double> curved =
-      m_problem.areas(m_map.Delaunay().mesh(),
-                      [&](Halfedge_index h) { return m_map.Delaunay().length(Edge_index(h)); });
+    const std::vector<double> curved = m_problem.areas(
+      Delaunay.mesh(), [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> result(m_problem.size(), 0);
     for(std::size_t v = 0; v < result.size(); ++v)
@@ -183,13 +185,13 @@ private:
   }
 
   // for each component, whether its chart is not cut, as it is by cones and handles
-  std::vector<char> whole_charts() const
+  std::vector<char> whole_charts(const Planar_conformal_map& map) const
   {
     std::vector<char> result(m_problem.components().size(), 1);
     for(Edge_index e : mesh().edges()) {
       const Halfedge_index h = mesh().halfedge(e);
-      if(m_map.is_seam(e) && !m_is_cut_edge[e.idx()] && m_map.is_laid_out(mesh().face(h)) &&
-         m_map.is_laid_out(mesh().face(mesh().opposite(h))))
+      if(map.is_seam(e) && !m_is_cut_edge[e.idx()] && map.is_laid_out(mesh().face(h)) &&
+         map.is_laid_out(mesh().face(mesh().opposite(h))))
         result[component(mesh().face(h))] = 0;
     }
     return result;
@@ -197,24 +199,25 @@ private:
 
   void leave_out()
   {
-    m_map.m_has_layout = false;
-    m_map.m_is_laid_out.assign(mesh().num_faces(), 0);
-    m_map.m_position.assign(mesh().num_halfedges(), 0);
-    m_map.m_is_seam.assign(mesh().num_edges(), 1);
+    m_layout.exists = false;
+    m_layout.is_laid_out.assign(mesh().num_faces(), 0);
+    m_layout.position.assign(mesh().num_halfedges(), 0);
+    m_layout.is_seam.assign(mesh().num_edges(), 1);
   }
 
   // In more digits, if those of `double` do not give the curvatures that are promised.
-  void lay_out_in_plane()
+  template <typename Layout_model>
+  void lay_out_in_plane(const Layout_model& layout)
   {
     const std::vector<double> correction = area_correction();
     m_builder.add_to_scale_factors(correction);
     if(m_scale.is_extended())
-      return lay_out(measured(m_scale.extended_values(), correction));
+      return lay_out(measured(m_scale.extended_values(), correction), layout);
     const std::vector<double> u(m_scale.values().begin(), m_scale.values().end());
     const std::vector<double> length = measured(u, correction);
     if(m_errors.greatest() <= tolerance::promised_angle)
-      return lay_out(length);
-    lay_out(measured(std::vector<Extended>(u.begin(), u.end()), correction));
+      return lay_out(length, layout);
+    lay_out(measured(std::vector<Extended>(u.begin(), u.end()), correction), layout);
   }
 
   // Returns the lengths of the edges of T^C, after their angles have been measured.
@@ -230,28 +233,29 @@ private:
     return result;
   }
 
-  template <typename FT>
-  void lay_out(const std::vector<FT>& exact)
+  template <typename FT, typename Layout_model>
+  void lay_out(const std::vector<FT>& exact, const Layout_model& layout)
   {
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
     const Cut_graph cut =
-      cut_to_pieces(mesh(), length, m_is_cut_edge, m_map.m_is_laid_out, terminals());
-    const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
-    m_map.m_position.reserve(mesh().num_halfedges());
+      cut_to_pieces(mesh(), length, m_is_cut_edge, m_layout.is_laid_out, terminals());
+    Unfolded_faces<FT> faces(mesh(), exact, cut);
+    layout(faces, *m_problem.expanded_order());
+    m_layout.position.reserve(mesh().num_halfedges());
     for(Halfedge_index h : mesh().halfedges())
-      m_map.m_position.push_back(layout.position(h));
-    m_map.m_is_seam.reserve(mesh().num_edges());
+      m_layout.position.push_back(to_complex(faces.position(h)));
+    m_layout.is_seam.reserve(mesh().num_edges());
     for(Edge_index e : mesh().edges())
-      m_map.m_is_seam.push_back(cut.is_seam(e));
+      m_layout.is_seam.push_back(cut.is_seam(e));
   }
 
   // Returns the greatest error of a curvature on the exact surface, with the scale factors as the
   // map has them, in `double`.
   double rounded_curvature_error() const
   {
-    const auto& u = m_builder.log_scale();
+    const auto& u = m_builder.data().log_scale;
     return defect_errors<Flat_triangle<Extended>>(
              m_problem, mesh(),
              m_builder.scaled_lengths(
@@ -259,35 +263,48 @@ private:
       .greatest();
   }
 
-  // The charts of different components side by side. What lies beyond the boundary does not count.
-  void arrange_charts()
+  // Puts the charts of different components side by side. What lies beyond the boundary does not
+  // count.
+  void arrange_charts(Planar_conformal_map& map) const
   {
-    const auto& subdivision = m_map.subdivision();
+    const auto& subdivision = map.subdivision();
     std::vector<Hull_points> points(m_problem.components().size());
-    for(Halfedge_index h : subdivision.mesh().halfedges()) {
-      if(!m_map.is_original(h))
-        continue;
-      const Face_index f = subdivision.mesh().face(h);
-      const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));
-      points[component(subdivision.parent_face(Layer::C, f))].add({z[0] / z[2], z[1] / z[2]});
-    }
+    for(Halfedge_index h : subdivision.mesh().halfedges())
+      if(map.is_original(h)) {
+        const Face_index f = subdivision.parent_face(Layer::C, subdivision.mesh().face(h));
+        points[component(f)].add(map.image(h));
+      }
     const Chart_packing packing(points);
-    for(Halfedge_index h : mesh().halfedges())
-      if(!mesh().is_border(h))
-        m_map.m_position[h.idx()] =
-          packing.motion(component(mesh().face(h)))(m_map.m_position[h.idx()]);
+    map.transform([&](Halfedge_index h, const std::complex<double>& z) {
+      return packing.motion(component(mesh().face(h)))(z);
+    });
   }
 
   Doubled_problem& m_problem;
   Visitor& m_visitor;
   Flat_scale_factors m_scale;
-  Planar_conformal_map m_map;
   Map_builder m_builder;
+  Planar_layout m_layout;
   bool m_has_placed_cones = false;
   std::vector<char> m_is_cut_edge;                  // edges of T^C that are not passed
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
-  Layout m_layout = Layout::least_squares;
+};
+
+// The layout that `kind` names.
+struct Named_layout
+{
+  template <typename FT>
+  void operator()(Unfolded_faces<FT>& faces, const Shared_order& order) const
+  {
+    switch(kind) {
+      case Layout::least_squares: return Least_squares_layout()(faces, order);
+      case Layout::spectral: return Spectral_layout()(faces, order);
+      case Layout::incremental: return Incremental_layout()(faces, order);
+    }
+  }
+
+  Layout kind;
 };
 
 // those to start from
@@ -323,12 +340,28 @@ struct Free_shape
   }
 };
 
+// Returns the bound of scale factors beyond which cones are placed; infinity for no cones.
+// `is_free` says whether nothing is prescribed.
+template <typename NamedParameters>
+double bound_without_cones(bool is_free, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  constexpr bool has_bound =
+    !is_default_parameter<NamedParameters, internal_np::maximum_log_scale_t>::value;
+  const Cones cones = choose_parameter(get_parameter(np, internal_np::cones), Cones::automatic);
+  if(cones == Cones::greedy || (cones == Cones::automatic && (is_free || has_bound)))
+    return double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), 5.));
+  return std::numeric_limits<double>::infinity();
+}
+
 // Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
-// Cones are placed if the bound of scale factors, `default_bound` if `np` has none, is finite.
+// `is_free` says whether nothing is prescribed.
 template <typename NamedParameters, typename Shape>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                const std::vector<Vertex_condition>& conditions,
-                               const std::vector<double>& log_scale, double default_bound,
+                               const std::vector<double>& log_scale, bool is_free,
                                const NamedParameters& np, Shape shape)
 {
   using CGAL::parameters::choose_parameter;
@@ -342,20 +375,22 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
     choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
   problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-  Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
-    problem, problem.surface().num_faces(), visitor);
+  Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
   flattening.start_from(log_scale);
   try {
     shape.solve(problem, flattening, [&] {
       flattening.find_scale_factors(
         choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
-        double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
+        bound_without_cones(is_free, np));
     });
   } catch(const Intrinsic_triangulations::Numerical_error& e) {
     flattening.stop(e);
   }
-  return flattening.finish(
-    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares), shape);
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
+                                                      internal_np::layout_t>::value)
+    return flattening.finish(Least_squares_layout(), shape);
+  else
+    return flattening.finish(Named_layout{get_parameter(np, internal_np::layout)}, shape);
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -9,9 +9,9 @@
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_faces.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -51,12 +51,11 @@ template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
-  Hyperbolic_uniformization(Doubled_problem& problem, std::size_t number_of_original_faces,
-                            Visitor& visitor)
+  Hyperbolic_uniformization(Doubled_problem& problem, Visitor& visitor)
     : m_problem(problem),
       m_visitor(visitor),
       m_scale(problem, hyperbolic_start(problem)),
-      m_builder(problem, number_of_original_faces, m_map)
+      m_builder(problem)
   {}
 
   template <typename Minimizer>
@@ -74,15 +73,15 @@ public:
   Hyperbolic_conformal_map finish()
   {
     m_problem.complete();
-    m_map.m_is_laid_out = m_builder.flip_if_in_range(m_scale);
+    m_layout.exists = m_builder.flip_if_in_range(m_scale);
     m_visitor.start(Flattening_stage::layout);
-    if(m_map.m_is_laid_out)
-      m_map.m_is_laid_out = lay_out_or_fail();
-    if(!m_map.m_is_laid_out)
+    if(!m_layout.exists || !lay_out_or_fail())
       leave_out();
+    std::vector<Map_promise> promises = this->promises();
     m_builder.subdivide(m_visitor);
-    m_builder.judge(m_errors.greatest(), promises());
-    return std::move(m_map);
+    auto map = m_builder.template map<Hyperbolic_conformal_map>(std::move(m_layout));
+    m_builder.judge(map, m_errors.greatest(), std::move(promises));
+    return map;
   }
 
 private:
@@ -101,25 +100,26 @@ private:
 
   void leave_out()
   {
-    m_map.m_component.assign(mesh().num_faces(), 0);
-    m_map.m_groups.clear();
-    m_map.m_position.assign(mesh().num_halfedges(), {0, 0, 1});
-    m_map.m_seam.assign(mesh().num_edges(), Hyperbolic_conformal_map::no_seam);
+    m_layout.exists = false;
+    m_layout.component.assign(mesh().num_faces(), 0);
+    m_layout.groups.clear();
+    m_layout.position.assign(mesh().num_halfedges(), {0, 0, 1});
+    m_layout.seam.assign(mesh().num_edges(), m_layout.no_seam);
   }
 
   // what was measured in the precision of the layout
   std::vector<Map_promise> promises() const
   {
-    std::vector<Map_promise> result = m_errors.promises(m_map.m_is_laid_out);
-    if(!m_map.m_is_laid_out)
+    std::vector<Map_promise> result = m_errors.promises(m_layout.exists);
+    if(!m_layout.exists)
       return result;
     double relation = 0;
-    for(const Fuchsian_group& group : m_map.m_groups)
+    for(const Fuchsian_group& group : m_layout.groups)
       relation =
         greater_error(relation, group.precise_generators.empty() ? group.relation_error
                                                                  : group.precise_relation_error);
     result.push_back(
-      {"closing", m_map.max_gluing_error(), tolerance::gluing, Map_status::not_glued});
+      {"closing", m_layout.max_gluing_error, tolerance::gluing, Map_status::not_glued});
     result.push_back({"generators", relation, tolerance::gluing, Map_status::not_glued});
     return result;
   }
@@ -150,27 +150,27 @@ private:
   template <typename FT>
   double lay_out_with_more_digits()
   {
-    const std::vector<FT> u = m_scale.template refine<FT>(m_map.Delaunay(), m_visitor);
+    const std::vector<FT> u = m_scale.template refine<FT>(m_builder.data().ab, m_visitor);
     m_builder.set_scale_factors(m_scale);
     return lay_out(m_builder.flip_again(u));
   }
 
   void set_components(const Tree_cotree& cut)
   {
-    m_map.m_component.clear();
+    m_layout.component.clear();
     for(Face_index f : mesh().faces())
-      m_map.m_component.push_back(cut.component(f));
-    m_map.m_groups.assign(cut.number_of_components(), Fuchsian_group());
-    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
-      m_map.m_groups[c].genus = cut.generators(c).size() / 2;
+      m_layout.component.push_back(cut.component(f));
+    m_layout.groups.assign(cut.number_of_components(), Fuchsian_group());
+    for(std::size_t c = 0; c < m_layout.groups.size(); ++c)
+      m_layout.groups[c].genus = cut.generators(c).size() / 2;
     const auto topology = m_problem.topology();
-    m_map.m_topology.resize(m_map.m_groups.size());
+    m_layout.topology.resize(m_layout.groups.size());
     for(Face_index f : mesh().faces())
-      m_map.m_topology[m_map.component(f)] =
+      m_layout.topology[m_layout.component[f.idx()]] =
         topology[m_problem.component(mesh().target(mesh().halfedge(f)))];
-    m_has_cone.assign(m_map.m_groups.size(), 0);
+    m_has_cone.assign(m_layout.groups.size(), 0);
     for(Halfedge_index h : mesh().halfedges())
-      m_has_cone[m_map.component(mesh().face(h))] |= m_is_cone[mesh().source(h).idx()];
+      m_has_cone[m_layout.component[mesh().face(h).idx()]] |= m_is_cone[mesh().source(h).idx()];
   }
 
   // Returns the error of what must be the identity. `length` has sinh(x/2) for all edges with
@@ -184,13 +184,13 @@ private:
     Tree_cotree cut(mesh(), crossing_lengths(mesh(), rounded_length));
     cut.close_ends(m_is_cone);
     set_components(cut);
-    const Hyperbolic_layout<FT> layout(mesh(), length, cut);
+    const Hyperbolic_faces<FT> layout(mesh(), length, cut);
     set_positions(layout, cut);
     set_gluings(layout, cut);
     set_areas(length);
     m_errors = defect_errors<Hyperbolic_triangle<FT>>(m_problem, mesh(), length);
-    double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
-    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
+    double error = m_layout.max_gluing_error = gluing_error(layout, cut);
+    for(std::size_t c = 0; c < m_layout.groups.size(); ++c)
       if(const double relation = set_group(layout, cut, c); !(relation <= error)) // keeps NaN
         error = relation;
     return error;
@@ -198,34 +198,16 @@ private:
 
   // Corners between which there is no seam are one point, up to rounding.
   template <typename FT>
-  void set_positions(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
+  void set_positions(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut)
   {
-    m_map.m_position.resize(mesh().num_halfedges());
-    for(Vertex_index v : mesh().vertices()) {
-      if(mesh().is_isolated(v))
-        continue;
-      const Halfedge_index first = first_corner(v, cut);
-      Halfedge_index h = first, corner = first;
-      do {
-        if(cut.is_seam(Edge_index(h)))
-          corner = h;
-        const auto p = layout.frame(corner).image_of_origin();
-        for(std::size_t i = 0; i < 3; ++i)
-          m_map.m_position[h.idx()][i] = static_cast<double>(p[i]);
-        h = Intrinsic_triangulations::next_around_source(h, mesh());
-      } while(h != first);
-    }
-  }
-
-  // one that starts at a seam, if there is any
-  Halfedge_index first_corner(Vertex_index v, const Tree_cotree& cut) const
-  {
-    Halfedge_index result = Intrinsic_triangulations::first_outgoing_halfedge(v, mesh());
-    Intrinsic_triangulations::for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
-      if(cut.is_seam(Edge_index(h)))
-        result = h;
-    });
-    return result;
+    m_layout.position.resize(mesh().num_halfedges());
+    for(Vertex_index v : mesh().vertices())
+      if(!mesh().is_isolated(v))
+        cut.for_each_corner(v, [&](Halfedge_index h, Halfedge_index first) {
+          const auto p = layout.frame(first).image_of_origin();
+          for(std::size_t i = 0; i < 3; ++i)
+            m_layout.position[h.idx()][i] = static_cast<double>(p[i]);
+        });
   }
 
   template <typename FT>
@@ -237,19 +219,19 @@ private:
   }
 
   template <typename FT>
-  void set_gluings(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
+  void set_gluings(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut)
   {
-    m_map.m_seam.assign(mesh().num_edges(), Hyperbolic_conformal_map::no_seam);
-    m_map.m_gluing.clear();
+    m_layout.seam.assign(mesh().num_edges(), m_layout.no_seam);
+    m_layout.gluing.clear();
     for(Edge_index e : mesh().edges())
       if(cut.is_seam(e)) {
-        m_map.m_seam[e.idx()] = m_map.m_gluing.size();
-        m_map.m_gluing.push_back(rounded(layout.gluing(mesh().halfedge(e))));
+        m_layout.seam[e.idx()] = m_layout.gluing.size();
+        m_layout.gluing.push_back(rounded(layout.gluing(mesh().halfedge(e))));
       }
   }
 
   template <typename FT>
-  double gluing_error(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut) const
+  double gluing_error(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut) const
   {
     std::vector<char> is_open(mesh().num_vertices(), 0);
     for(Edge_index e : mesh().edges())
@@ -272,16 +254,16 @@ private:
       const auto of = [&](std::size_t s) {
         return static_cast<double>(length[Edge_index(side[s]).idx()]);
       };
-      m_map.m_groups[m_map.component(f)].area +=
+      m_layout.groups[m_layout.component[f.idx()]].area +=
         2 * Hyperbolic_triangle<double>({of(0), of(1), of(2)}).half_defect();
     }
   }
 
   // Returns the error of the relation in the precision of the layout.
   template <typename FT>
-  double set_group(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut, std::size_t c)
+  double set_group(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut, std::size_t c)
   {
-    Fuchsian_group& group = m_map.m_groups[c];
+    Fuchsian_group& group = m_layout.groups[c];
     const std::vector<Edge_index>& edges = cut.generators(c);
     std::vector<Disk_motion<FT>> motion;
     for(Edge_index e : edges)
@@ -338,8 +320,8 @@ private:
   Doubled_problem& m_problem;
   Visitor& m_visitor;
   Scale_factors<Hyperbolic_triangle> m_scale;
-  Hyperbolic_conformal_map m_map;
   Map_builder m_builder;
+  Hyperbolic_layout m_layout;
   std::vector<char> m_is_cone;                      // for each vertex
   std::vector<char> m_has_cone;                     // for each component
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface

@@ -10,16 +10,14 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,11 +28,8 @@ template <typename Visitor>
 class Sphere_mapping
 {
 public:
-  Sphere_mapping(Doubled_problem& problem, std::size_t number_of_original_faces, Visitor& visitor)
-    : m_problem(problem),
-      m_visitor(visitor),
-      m_mass(vertex_areas()),
-      m_builder(problem, number_of_original_faces, m_map)
+  Sphere_mapping(Doubled_problem& problem, Visitor& visitor)
+    : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas()), m_builder(problem)
   {
     check();
   }
@@ -42,23 +37,25 @@ public:
   Spherical_conformal_map run()
   {
     if(has_vertices_inside()) {
-      const Unfolded_sphere sphere = unfold();
-      store_layout(sphere);
-      m_map.m_is_flat = sphere.is_laid_out() && m_problem.has_no_copies() && has_no_face_in_plane();
-      if(sphere.is_laid_out())
-        m_map.m_lost_in_output = m_map.is_flat() ? lost_in_flat_output() : lost_in_output();
+      store(unfold());
+      if(m_layout.exists)
+        find_lost_faces();
     } else {
       const Inscribed_polygon polygon(m_problem, m_mass, candidates().front(), m_visitor);
-      m_map.m_is_flat = true;
-      store_layout(polygon);
-      m_map.m_lost_in_output = lost_in_output(polygon);
+      store(polygon.result());
+      m_layout.lost_in_output = number_of_faces(
+        [&](Face_index f) { return polygon.is_original(f) && orientation(f, 0, 1) <= 0; });
     }
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
-    return std::move(m_map);
+    auto map = m_builder.template map<Spherical_conformal_map>(std::move(m_layout));
+    m_builder.judge(map, m_errors.greatest(), std::move(m_promises));
+    return map;
   }
 
 private:
+  typedef Spherical_conformal_map::Point Point;
+
   static constexpr std::size_t maximum_number_of_trials = 4;
 
   // \throws Invalid_input if the surface is not a sphere
@@ -125,62 +122,60 @@ private:
   Unfolded_sphere unfold()
   {
     const std::vector<Vertex_index> vertices = candidates();
+    const auto unfolded = [&](Vertex_index v) {
+      return Sphere_unfolding(m_problem, m_mass, v).run(m_visitor);
+    };
+    const auto is_good = [](const Unfolded_sphere& sphere) {
+      return sphere.is_good(tolerance::good_cross_ratio);
+    };
+    Unfolded_sphere best = unfolded(vertices.front());
+    if(!is_good(best) && m_problem.complete())
+      best = unfolded(vertices.front());
     // vertices far apart in the order of areas are most likely far apart on the surface
     const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
-    std::optional<Unfolded_sphere> best;
-    best.emplace(m_problem, m_mass, vertices.front(), m_visitor);
-    if(!best->is_good() && m_problem.complete())
-      best.emplace(m_problem, m_mass, vertices.front(), m_visitor);
     for(std::size_t i = stride;
-        !best->is_good() && i < vertices.size() && i < maximum_number_of_trials * stride;
-        i += stride)
-      if(Unfolded_sphere next(m_problem, m_mass, vertices[i], m_visitor); next < *best)
-        best.emplace(std::move(next));
-    return std::move(*best);
+        !is_good(best) && i < vertices.size() && i < maximum_number_of_trials * stride; i += stride)
+      if(Unfolded_sphere next = unfolded(vertices[i]); next < best)
+        best = std::move(next);
+    return best;
   }
 
-  template <typename Sphere>
-  void store_layout(const Sphere& sphere)
+  // Takes the result of the unfolding, and what is promised about it.
+  void store(Unfolded_sphere sphere)
   {
-    m_map.m_is_laid_out = sphere.is_laid_out();
-    m_builder.flip(sphere.is_laid_out() ? sphere.flips() : std::vector<Halfedge_index>());
-    m_builder.set_scale_factors(sphere);
-    if(!sphere.cause().empty() && !sphere.is_good())
-      m_builder.set_cause(sphere.cause());
-    m_map.m_at_infinity = sphere.vertex_at_infinity();
-    m_map.m_is_extended = sphere.is_extended();
-    const Defect_errors errors{sphere.max_curvature_error(), 0};
-    std::vector<Map_promise> promises =
-      errors.promises(sphere.is_laid_out(), tolerance::layout_angle);
-    if(sphere.is_laid_out())
-      take_positions(sphere, promises);
-    m_builder.judge(errors.greatest(), std::move(promises));
-  }
-
-  // Adds what is promised about them.
-  template <typename Sphere>
-  void take_positions(const Sphere& sphere, std::vector<Map_promise>& promises)
-  {
-    m_map.m_in_plane = sphere.positions();
-    m_map.m_certificate = sphere.certificate();
-    m_map.m_bound_violations = sphere.bound_violations();
-    for(Vertex_index v : m_map.ideal().mesh().vertices()) {
-      const auto p = m_map.precise_position(v);
-      m_map.m_position.push_back(
+    if(!sphere.is_good(tolerance::good_cross_ratio))
+      m_builder.set_cause(sphere.cause);
+    m_layout = std::move(sphere.layout);
+    m_layout.is_disk = !m_problem.has_no_copies();
+    m_errors = {sphere.angle_error, 0};
+    m_promises = m_errors.promises(m_layout.exists, tolerance::layout_angle);
+    m_builder.flip(m_layout.exists ? std::move(sphere.flips) : std::vector<Halfedge_index>());
+    m_builder.set_scale_factors(sphere.log_scale,
+                                m_layout.exists ? Map_status::success : Map_status::not_converged,
+                                sphere.minimization, sphere.angle_error);
+    if(!m_layout.exists)
+      return;
+    for(Vertex_index v : m_builder.mesh().vertices()) {
+      const auto p = m_layout.template position_in<Extended>(v);
+      m_layout.position.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
-    const Convexity_certificate& c = m_map.certificate();
+    add_promises(sphere.cross_ratio_error);
+  }
+
+  void add_promises(double cross_ratio_error)
+  {
+    const Convexity_certificate& c = m_layout.certificate;
     const auto add = [&](const char* name, double error, double bound, Map_status status) {
-      promises.push_back({name, error, bound, status});
+      m_promises.push_back({name, error, bound, status});
     };
     add("convexity", double(c.concave_edges + c.flipped_triangles + (c.is_simple ? 0u : 1u)), 0,
-        m_map.is_flat() ? Map_status::layout_collapsed : Map_status::not_convex);
-    add("bounds", double(m_map.bound_violations()), 0, Map_status::not_convex);
-    add("sphere", m_map.max_inscribed_error(), tolerance::inscribed, Map_status::not_inscribed);
-    if(!m_problem.has_no_copies())
+        m_layout.is_flat ? Map_status::layout_collapsed : Map_status::not_convex);
+    add("bounds", double(m_layout.bound_violations), 0, Map_status::not_convex);
+    add("sphere", m_layout.max_inscribed_error(), tolerance::inscribed, Map_status::not_inscribed);
+    if(m_layout.is_disk)
       add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
-    add("cross_ratio", sphere.cross_ratio_error(), tolerance::cross_ratio,
-        Map_status::not_conformal);
+    add("cross_ratio", cross_ratio_error, tolerance::cross_ratio, Map_status::not_conformal);
   }
 
   // the greatest distance from the equator of a vertex on the boundary, and of others below it
@@ -188,94 +183,92 @@ private:
   {
     double result = 0;
     for(Vertex_index v : m_problem.surface().vertices()) {
-      const double z = m_map.position(v)[2];
+      const double z = at(v)[2];
       result = greater_error(result, m_problem.is_on_boundary(v) ? std::abs(z) : -z);
     }
     return result;
   }
 
-  // Then the polyhedron is a flat polygon, seen from both sides.
-  bool has_no_face_in_plane() const
+  // ---- What rounding to `double` loses ----
+
+  // Without a face in the plane, a sphere is a flat polygon in the plane y = 0, seen from both
+  // sides.
+  void find_lost_faces()
   {
-    const Delta_complex& mesh = m_map.ideal().mesh();
-    const auto is_at_infinity = [&](Face_index f) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh);
-      return std::any_of(side.begin(), side.end(), [&](Halfedge_index h) {
-        return mesh.target(h) == m_map.vertex_at_infinity();
-      });
-    };
-    const auto faces = mesh.faces();
-    return std::all_of(faces.begin(), faces.end(), is_at_infinity);
+    m_layout.is_flat =
+      !m_layout.is_disk && number_of_faces([this](Face_index f) { return is_finite(f); }) == 0;
+    m_layout.lost_in_output = number_of_faces([this](Face_index f) {
+      return m_layout.is_flat ? orientation(f, 0, 2) == 0 : is_inside(f) && !is_convex(f);
+    });
   }
 
-  // of a sphere, whose polygon is in the plane y = 0
-  std::size_t lost_in_flat_output() const
+  // of T^C
+  template <typename Predicate>
+  std::size_t number_of_faces(const Predicate& predicate) const
   {
-    const Delta_complex& mesh = m_map.ideal().mesh();
-    const auto at = [&](Halfedge_index h) {
-      const Spherical_conformal_map::Point& p = m_map.position(mesh.source(h));
-      return Plane_predicates<double>::Point{p[0], p[2]};
-    };
-    std::size_t result = 0;
-    for(Face_index f : mesh.faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh);
-      result += Plane_predicates<double>().orientation(at(side[0]), at(side[1]), at(side[2])) == 0;
-    }
-    return result;
+    const auto faces = m_builder.mesh().faces();
+    return std::size_t(std::count_if(faces.begin(), faces.end(), predicate));
   }
 
-  std::size_t lost_in_output(const Inscribed_polygon& polygon) const
+  // whether the predicate is true of a corner of a face
+  template <typename Predicate>
+  bool has_corner(Face_index f, const Predicate& predicate) const
   {
-    const Delta_complex& mesh = m_map.ideal().mesh();
-    const auto at = [&](Halfedge_index h) {
-      const Spherical_conformal_map::Point& p = m_map.position(mesh.source(h));
-      return Plane_predicates<double>::Point{p[0], p[1]};
-    };
-    std::size_t result = 0;
-    for(Face_index f : mesh.faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh);
-      result += polygon.is_original(f) &&
-                Plane_predicates<double>().orientation(at(side[0]), at(side[1]), at(side[2])) <= 0;
-    }
-    return result;
+    const auto side = sides(f, m_builder.mesh());
+    return std::any_of(side.begin(), side.end(),
+                       [&](Halfedge_index h) { return predicate(m_builder.mesh().source(h)); });
   }
 
-  // The faces of a disk are those with a vertex inside; others are on its back.
-  std::size_t lost_in_output() const
+  bool is_finite(Face_index f) const
   {
-    typedef Spherical_conformal_map::Point Point;
-    const Delta_complex& mesh = m_map.ideal().mesh();
-    const auto at = [&](Vertex_index v) { return m_map.position(v); };
-    const Plane_predicates<double> predicates;
-    const Point center{0, 0, 0};
-    const auto is_inside = [&](Halfedge_index h) {
-      const Vertex_index v = mesh.source(h);
+    return !has_corner(f, [this](Vertex_index v) { return v == m_layout.at_infinity; });
+  }
+
+  // Faces of a disk are inside it if they have a vertex inside; others are on its back.
+  bool is_inside(Face_index f) const
+  {
+    return has_corner(f, [this](Vertex_index v) {
       return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
-    };
-    std::size_t result = 0;
-    for(Face_index f : mesh.faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh);
-      if(std::none_of(side.begin(), side.end(), is_inside))
-        continue;
-      const Point p = at(mesh.source(side[0])), q = at(mesh.source(side[1])),
-                  r = at(mesh.source(side[2]));
-      bool is_good = predicates.orientation(p, q, r, center) > 0;
-      for(Halfedge_index h : side) {
-        if(mesh.is_border(Edge_index(h)))
-          continue;
-        const Point beyond = at(mesh.target(mesh.next(mesh.opposite(h))));
-        is_good = is_good && predicates.orientation(p, q, r, beyond) >= 0;
-      }
-      result += !is_good;
-    }
-    return result;
+    });
   }
+
+  // whether a face is not flipped as seen from the center, and no face beside it is above it
+  bool is_convex(Face_index f) const
+  {
+    const Delta_complex& mesh = m_builder.mesh();
+    const auto side = sides(f, mesh);
+    const auto orientation_from = [&](const Point& p) {
+      return Plane_predicates<double>().orientation(
+        at(mesh.source(side[0])), at(mesh.source(side[1])), at(mesh.source(side[2])), p);
+    };
+    const auto is_under_neighbor = [&](Halfedge_index h) {
+      return !mesh.is_border(Edge_index(h)) &&
+             orientation_from(at(mesh.target(mesh.next(mesh.opposite(h))))) < 0;
+    };
+    return orientation_from({0, 0, 0}) > 0 &&
+           std::none_of(side.begin(), side.end(), is_under_neighbor);
+  }
+
+  // in the plane of two coordinates
+  int orientation(Face_index f, std::size_t x, std::size_t y) const
+  {
+    const auto side = sides(f, m_builder.mesh());
+    const auto point = [&](std::size_t s) {
+      const Point& p = at(m_builder.mesh().source(side[s]));
+      return Plane_predicates<double>::Point{p[x], p[y]};
+    };
+    return Plane_predicates<double>().orientation(point(0), point(1), point(2));
+  }
+
+  const Point& at(Vertex_index v) const { return m_layout.position[v.idx()]; }
 
   Doubled_problem& m_problem;
   Visitor& m_visitor;
   std::vector<double> m_mass;
-  Spherical_conformal_map m_map;
   Map_builder m_builder;
+  Spherical_layout m_layout;
+  Defect_errors m_errors;
+  std::vector<Map_promise> m_promises;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -73,15 +73,11 @@ inline std::vector<double> flat_boundary_lengths(const Planar_conformal_map& map
 {
   const auto& subdivision = map.subdivision();
   const auto& mesh = subdivision.mesh();
-  const auto position = [&](Halfedge_index h) {
-    const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, h));
-    return std::complex<double>(z[0], z[1]) / z[2];
-  };
   std::vector<double> result(map.Delaunay().input_mesh().num_edges(), 0);
   for(Halfedge_index h : mesh.halfedges())
     if(map.is_original(h) && !map.is_original(Intrinsic_triangulations::opposite(h)))
       result[subdivision.parent_edge(Layer::A, mesh.edge(h)).idx()] +=
-        std::abs(position(h) - position(mesh.prev(h)));
+        std::abs(map.image(h) - map.image(mesh.prev(h)));
   return result;
 }
 

@@ -39,8 +39,7 @@ public:
     for(Halfedge_index h : mesh.halfedges()) {
       if(!map.is_original(h) || map.is_original(Intrinsic_triangulations::opposite(h)))
         continue;
-      const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, mesh.prev(h)));
-      const Point p(z[0] / z[2], z[1] / z[2]);
+      const Point p = map.image(mesh.prev(h));
       if(const Vertex_index v = subdivision.parent_vertex(Layer::A, mesh.source(h)); v.is_valid())
         m_position[v.idx()] = p;
       else

@@ -2,19 +2,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_PLANAR_LAYOUTS_SPECTRAL_LAYOUT_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_PLANAR_LAYOUTS_SPECTRAL_LAYOUT_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Unfolded_faces.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -25,7 +25,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The spectral conformal layout of one chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector
+// The spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector
 // of L z = lambda B z with the least eigenvalue beside the constants, where z^* L z is the
 // conformal energy, Dirichlet's energy less the area, and z^* B z the mean square on the boundary.
 //
@@ -36,7 +36,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // is solved for is the correction of a layout, and r comes from differences. On a flat chart L has
 // one more vector in its kernel, the layout; its scale is left as it is.
 template <typename FT>
-class Spectral_layout
+class Spectral_chart
 {
 public:
   typedef Plane_vector<FT> Vector;
@@ -238,6 +238,60 @@ private:
   std::vector<Boundary_edge> m_boundary;
 };
 
+// Moves the points of each chart to its spectral layout.
+struct Spectral_layout
+{
+  template <typename FT>
+  void operator()(Unfolded_faces<FT>& faces, const Shared_order& order) const
+  {
+    std::vector<std::size_t> number(faces.positions.size(), none); // of each point in its chart
+    const auto& steps = faces.cut().steps();
+    for(auto root = steps.begin(); root != steps.end();) {
+      const auto end = std::find_if(
+        root + 1, steps.end(), [](const Cut_graph::Step& step) { return !step.entry.is_valid(); });
+      improve_chart(root, end, faces, order, number);
+      root = end;
+    }
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  template <typename Iterator, typename FT>
+  static void improve_chart(Iterator begin, Iterator end, Unfolded_faces<FT>& faces,
+                            const Shared_order& order, std::vector<std::size_t>& number)
+  {
+    Spectral_chart<FT> chart;
+    std::vector<std::size_t> points;
+    const auto number_of = [&](Halfedge_index h) {
+      std::size_t& result = number[faces.point(h)];
+      if(result == none) {
+        result = points.size();
+        points.push_back(faces.point(h));
+      }
+      return result;
+    };
+    for(Iterator step = begin; step != end; ++step) {
+      const auto h = sides(step->face, faces.mesh());
+      const std::array<std::size_t, 3> point{number_of(h[0]), number_of(h[1]), number_of(h[2])};
+      chart.add_face(point, {faces.side(h[0]), faces.side(h[1]), faces.side(h[2])});
+      for(std::size_t s = 0; s < 3; ++s)
+        if(faces.cut().is_seam(Edge_index(h[s])))
+          chart.add_boundary_edge(point[s], point[(s + 1) % 3],
+                                  static_cast<double>(faces.length(h[s])));
+    }
+    std::vector<Plane_vector<FT>> position;
+    std::vector<Vertex_index> vertex;
+    for(std::size_t i : points) {
+      position.push_back(faces.positions[i]);
+      vertex.push_back(faces.vertices[i]);
+    }
+    chart.improve(position, *order.refined(vertex));
+    for(std::size_t k = 0; k < points.size(); ++k)
+      faces.positions[points[k]] = position[k];
+  }
+};
+
 } // namespace CGAL::Discrete_conformal_maps::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_PLANAR_LAYOUTS_SPECTRAL_LAYOUT_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_LAYOUT_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_LAYOUT_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_FACES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_FACES_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
@@ -18,6 +18,8 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+using Intrinsic_triangulations::Cut_graph;
 
 // For each edge, a distance of its faces: in each, a third of the median. Lengths are sinh(x/2).
 inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
@@ -43,19 +45,18 @@ inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
 // Each corner of a face has a frame: the motion that takes the origin there, and the direction of
 // the real axis to that of the halfedge that starts there.
 template <typename FT>
-class Hyperbolic_layout
+class Hyperbolic_faces
 {
 public:
   typedef Disk_motion<FT> Motion;
 
   // `length` has sinh(x/2) for all edges with lengths x
-  Hyperbolic_layout(const Delta_complex& mesh, const std::vector<FT>& length,
-                    const Intrinsic_triangulations::Cut_graph& cut)
+  Hyperbolic_faces(const Delta_complex& mesh, const std::vector<FT>& length, const Cut_graph& cut)
     : m_mesh(mesh), m_cut(cut), m_frame(mesh.num_halfedges()), m_along(mesh.num_edges())
   {
     for(Edge_index e : mesh.edges())
       m_along[e.idx()] = Motion::translation(length[e.idx()]);
-    for(const Intrinsic_triangulations::Cut_graph::Step& step : cut.steps())
+    for(const Cut_graph::Step& step : cut.steps())
       place(step, length);
   }
 
@@ -90,7 +91,7 @@ private:
     return m_frame[h.idx()] * m_along[Edge_index(h).idx()] * Motion::rotation(FT(0), FT(1));
   }
 
-  void place(const Intrinsic_triangulations::Cut_graph::Step& step, const std::vector<FT>& length)
+  void place(const Cut_graph::Step& step, const std::vector<FT>& length)
   {
     const bool is_entry = step.entry.is_valid();
     const Halfedge_index h = is_entry ? step.entry : m_mesh.halfedge(step.face);
@@ -136,11 +137,11 @@ private:
   }
 
   const Delta_complex& m_mesh;
-  const Intrinsic_triangulations::Cut_graph& m_cut;
+  const Cut_graph& m_cut;
   std::vector<Motion> m_frame; // at the source of each halfedge
   std::vector<Motion> m_along; // the translation by the length of each edge
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_LAYOUT_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_FACES_H

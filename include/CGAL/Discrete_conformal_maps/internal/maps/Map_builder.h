@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_MAP_BUILDER_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_MAP_BUILDER_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_MAP_BUILDER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_MAP_BUILDER_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
@@ -34,45 +34,59 @@ class Map_builder
   }
 
 public:
-  // `map` is what is built
-  Map_builder(Doubled_problem& problem, std::size_t number_of_original_faces,
-              Discrete_conformal_map& map)
-    : m_problem(problem), m_data(*map.m_data)
+  explicit Map_builder(Doubled_problem& problem) : m_problem(problem)
   {
-    m_data.number_of_original_faces = number_of_original_faces;
+    m_data.number_of_original_faces = problem.surface().num_faces();
     m_data.counts = problem.order()->counts();
   }
 
-  // `scale` has the scale factors, and how they were found
+  // Notes scale factors at the vertices of the surface itself, and how they were found.
+  template <typename Values>
+  void set_scale_factors(const Values& u, Map_status search, const Minimization_result& result,
+                         double max_curvature_error)
+  {
+    m_outcome.status = search;
+    m_outcome.minimization = result;
+    m_outcome.max_curvature_error = max_curvature_error;
+    const auto all = m_problem.expanded(u);
+    m_data.log_scale.assign(all.data(), all.data() + all.size());
+  }
   template <typename Scale_factors>
   void set_scale_factors(const Scale_factors& scale)
   {
-    m_search = scale.status();
-    m_data.minimization = scale.result();
-    m_data.max_curvature_error = scale.max_curvature_error();
-    const auto all = m_problem.expanded(scale.values());
-    m_data.log_scale.assign(all.data(), all.data() + all.size());
+    set_scale_factors(scale.values(), scale.status(), scale.result(), scale.max_curvature_error());
   }
 
   // Notes that a numerical error has ended the search or the layout.
   void set_cause(const std::string& message)
   {
-    if(m_data.cause.empty())
-      m_data.cause = message;
+    if(m_outcome.cause.empty())
+      m_outcome.cause = message;
+  }
+
+  // what the map consists of
+  const Map_data& data() const { return m_data; }
+
+  // Returns the map that consists of the data and of other parts. To be called once.
+  template <typename Map, typename... Parts>
+  Map map(Parts&&... parts)
+  {
+    return Map(std::move(m_owner), std::forward<Parts>(parts)...);
   }
 
   // Decides about the map, by what was measured on it. `curvature_error` is that of all vertices.
-  void judge(double curvature_error, std::vector<Map_promise> promises)
+  void judge(Discrete_conformal_map& map, double curvature_error, std::vector<Map_promise> promises)
   {
-    m_data.max_curvature_error = greater_error(m_data.max_curvature_error, curvature_error);
-    m_data.promises = std::move(promises);
-    m_data.status = status_of(m_data.promises, m_search);
+    m_outcome.max_curvature_error = greater_error(m_outcome.max_curvature_error, curvature_error);
+    m_outcome.status = status_of(promises, m_outcome.status);
+    m_outcome.promises = std::move(promises);
+    map.set_outcome(m_outcome);
   }
 
   // by the vertices of the surface itself
   void add_to_scale_factors(const std::vector<double>& correction)
   {
-    for(std::size_t v = 0; v < log_scale().size(); ++v)
+    for(std::size_t v = 0; v < m_data.log_scale.size(); ++v)
       m_data.log_scale[v] += correction[m_data.input_vertex[v].idx()];
   }
 
@@ -148,8 +162,6 @@ public:
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
   }
 
-  const std::vector<double>& log_scale() const { return m_data.log_scale; }
-
   // T^C
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
 
@@ -216,11 +228,12 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Discrete_conformal_map::Data& m_data;
+  std::unique_ptr<Map_data> m_owner = std::make_unique<Map_data>();
+  Map_data& m_data = *m_owner; // stays where it is when the map gets it
+  Map_outcome m_outcome;
   std::vector<Halfedge_index> m_flips; // from T^B to T^C
-  Map_status m_search = Map_status::success;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_MAP_BUILDER_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_MAP_BUILDER_H

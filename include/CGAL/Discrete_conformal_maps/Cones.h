@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_CONES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_CONES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+namespace CGAL::Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// whether cones without scaling are placed inside a surface that becomes flat, beside those that
+/// are prescribed.
+enum class Cones
+{
+  automatic, ///< they are placed if nothing is prescribed or a `maximum_log_scale` is given; for
+             ///< `flatten_to_disk()` and `flatten_to_rectangle()`, only if the latter is given
+  greedy,    ///< they are placed one by one, until scale factors are within the bound
+  none       ///< they are not placed
+};
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_CONES_H

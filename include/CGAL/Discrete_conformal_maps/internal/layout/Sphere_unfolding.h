@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_UNFOLDING_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_UNFOLDING_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Stereographic_triangulation.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Unfolds a sphere from one of its vertices, with more and more digits until the result is good.
+class Sphere_unfolding
+{
+public:
+  // `mass` has the mass of each vertex of the surface itself.
+  Sphere_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
+                   Vertex_index at_infinity)
+    : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
+  {
+    m_result.layout.at_infinity = at_infinity;
+    m_result.log_scale.assign(problem.size(), 0.);
+  }
+
+  template <typename Visitor>
+  Unfolded_sphere run(Visitor& visitor)
+  {
+    try {
+      unfold(visitor);
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_result.cause = e.what(); // what was found before stays
+    }
+    if(m_number_of_edges != m_problem.triangulation().mesh().num_edges()) {
+      m_result.layout = Spherical_layout(); // that of a copy that has been extended since
+      m_result.layout.at_infinity = m_at_infinity;
+    }
+    return std::move(m_result);
+  }
+
+private:
+  // Rounding alone stays far below that.
+  bool is_good() const { return m_result.is_good(tolerance::good_cross_ratio); }
+
+  template <typename Visitor>
+  void unfold(Visitor& visitor)
+  {
+    visitor.start(Flattening_stage::optimize);
+    Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
+    rounded.minimize(tolerance::gradient, visitor);
+    visitor.start(Flattening_stage::layout);
+    store_scale_factors(rounded);
+    if(is_good())
+      return;
+    visitor.start(Flattening_stage::optimize);
+    Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
+    if(rounded.result().status != Minimization_status::not_finite)
+      precise.set_start(rounded);
+    precise.minimize(tolerance::extended_gradient, visitor);
+    visitor.start(Flattening_stage::layout);
+    store_scale_factors(precise);
+  }
+
+  template <typename FT>
+  void store_scale_factors(const Spherical_scale_factors<FT>& scale)
+  {
+    const bool is_enough = scale.angle_error() <= tolerance::layout_angle &&
+                           scale.result().gradient_error <= tolerance::layout_angle;
+    if(is_enough || !m_result.layout.exists) {
+      m_result.minimization = scale.result();
+      m_result.angle_error = scale.angle_error();
+    }
+    while(is_enough) {
+      Partially_decorated_surface<FT> surface(
+        m_problem.triangulation().mesh(), m_problem.triangulation().length_map(), m_at_infinity);
+      surface.scale(m_problem.expanded(scale.values()));
+      if(!m_problem.has_exceeded(surface.flips()))
+        return lay_out(surface, scale);
+      m_problem.extend(surface.flips());
+    }
+  }
+
+  // in `double` if that is enough
+  template <typename FT>
+  void lay_out(const Partially_decorated_surface<FT>& surface,
+               const Spherical_scale_factors<FT>& scale)
+  {
+    if(std::is_same<FT, double>::value) {
+      lay_out_in<double>(surface, scale);
+      if(is_good())
+        return;
+    }
+    lay_out_in<Extended>(surface, scale);
+  }
+
+  // Lays the vertices out in the plane such that the inverse of the stereographic projection has
+  // their center of mass in the center of the sphere, in the triangulation that is convex there.
+  template <typename Position_FT, typename FT>
+  void lay_out_in(const Partially_decorated_surface<FT>& surface,
+                  const Spherical_scale_factors<FT>& scale)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    std::vector<Position_FT> length;
+    for(Edge_index e : mesh.edges())
+      length.push_back(Position_FT(surface.scaled_length(e)));
+    auto position = Plane_layout<Position_FT>(mesh, length, m_at_infinity, m_problem).positions();
+    const Position_FT plane_scale = center(position);
+    for(Vertex_index v : mesh.vertices())
+      if(mesh.is_isolated(v))
+        position[v.idx()] = {Position_FT(0), Position_FT(0)};
+    Stereographic_triangulation<Position_FT> triangulation(mesh, position, m_at_infinity);
+    const std::vector<Halfedge_index> to_convex = triangulation.make_convex();
+    Spherical_layout& layout = m_result.layout;
+    layout.exists = true;
+    layout.is_extended = !std::is_same<Position_FT, double>::value;
+    layout.certificate = triangulation.certificate();
+    layout.in_plane.clear();
+    for(const auto& p : position)
+      layout.in_plane.push_back({Extended(p[0]), Extended(p[1])});
+    m_number_of_edges = mesh.num_edges();
+    m_result.flips = surface.flips();
+    m_result.flips.insert(m_result.flips.end(), to_convex.begin(), to_convex.end());
+    m_result.log_scale = spherical_log_scales(scale.values(), Extended(plane_scale),
+                                              layout.in_plane, m_at_infinity, m_problem.surface());
+    compare(position, scale);
+  }
+
+  // Moves the center of mass of all vertices to that of the sphere, and returns by how much the
+  // plane is scaled down. The mirror images of the vertices of a disk have mass, too: its axis
+  // stays the real line.
+  template <typename Point>
+  auto center(std::vector<Point>& points) const
+  {
+    std::vector<double> mass = m_mass;
+    std::vector<Point> position(points.begin(), points.begin() + std::ptrdiff_t(mass.size()));
+    for(Vertex_index v : m_problem.surface().vertices())
+      if(m_problem.number_of_copies(v.idx()) > 1) {
+        position.push_back({points[v.idx()][0], -points[v.idx()][1]});
+        mass.push_back(mass[v.idx()]);
+      }
+    typedef typename Point::value_type FT;
+    const Conformal_barycenter<FT> center(position, mass, m_at_infinity.idx());
+    for(Point& p : points)
+      p = {(p[0] - center.base()[0]) / center.height(),
+           (m_problem.has_no_copies() ? FT(p[1] - center.base()[1]) : p[1]) / center.height()};
+    return center.height();
+  }
+
+  // Compares the result with the ideal polyhedron and the bounds.
+  template <typename Point, typename FT>
+  void compare(const std::vector<Point>& position, const Spherical_scale_factors<FT>& scale)
+  {
+    Ptolemy_surface<double> ideal(m_problem.triangulation().mesh(),
+                                  m_problem.triangulation().length_map());
+    ideal.replay(m_result.flips);
+    const Delta_complex& mesh = ideal.mesh();
+    m_result.cross_ratio_error = max_stereographic_cross_ratio_error(
+      mesh, [&](Edge_index e) { return ideal.length(e); }, position, m_at_infinity);
+    std::vector<char> is_wrong(m_problem.size(), 0);
+    for(std::size_t v = 0; v < is_wrong.size(); ++v)
+      is_wrong[v] = !(scale.values()[v] >= scale.bounds()[v]);
+    for(Halfedge_index h : mesh.halfedges())
+      if(const std::size_t v = m_problem.original(mesh.target(h)).idx();
+         mesh.source(h) == m_at_infinity)
+        is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > tolerance::bound;
+    m_result.layout.bound_violations = std::size_t(std::count(is_wrong.begin(), is_wrong.end(), 1));
+  }
+
+  Doubled_problem& m_problem;
+  const std::vector<double>& m_mass;
+  Vertex_index m_at_infinity;
+  std::size_t m_number_of_edges = 0; // of the triangulation that was laid out
+  Unfolded_sphere m_result;
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_UNFOLDING_H
