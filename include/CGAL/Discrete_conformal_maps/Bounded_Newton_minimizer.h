@@ -9,7 +9,6 @@
 
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_direction.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>

@@ -9,8 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 
@@ -173,7 +173,7 @@ FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_we
              (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
              this->scale_factors()[v.idx()];
   for(Face_index f : mesh().faces()) {
-    const auto side = Intrinsic_triangulations::sides(f, mesh());
+    const auto side = sides(f, mesh());
     const Triangle face = Base::triangle(side);
     FT part = Lobachevsky_function(face.half_defect());
     for(std::size_t s = 0; s < 3; ++s) {

@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Disk_motion.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <algorithm>
@@ -212,7 +212,7 @@ public:
   {
     const Delta_complex& mesh = ideal().mesh();
     std::array<double, 3> result{0, 0, 0};
-    const auto side = Intrinsic_triangulations::sides(on_C.first, mesh);
+    const auto side = sides(on_C.first, mesh);
     for(std::size_t s = 0; s < 3; ++s) {
       const double w = on_C.second[s] * std::exp(-log_scale(mesh.source(side[s])));
       for(std::size_t i = 0; i < 3; ++i)

@@ -9,7 +9,6 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>

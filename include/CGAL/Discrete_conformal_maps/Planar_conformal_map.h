@@ -84,7 +84,7 @@ public:
   {
     const Delta_complex& mesh = ideal().mesh();
     std::array<double, 3> result{0, 0, 0};
-    const auto side = Intrinsic_triangulations::sides(on_C.first, mesh);
+    const auto side = sides(on_C.first, mesh);
     for(std::size_t s = 0; s < 3; ++s) {
       const double w = on_C.second[s] * std::exp(-log_scale(mesh.source(side[s])));
       const std::complex<double> z = position(side[s]);

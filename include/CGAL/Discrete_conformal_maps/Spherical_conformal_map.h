@@ -183,7 +183,7 @@ public:
   std::array<double, 4> homogeneous_coordinates(const Face_location& on_C) const
   {
     const Delta_complex& mesh = ideal().mesh();
-    const auto side = Intrinsic_triangulations::sides(on_C.first, mesh);
+    const auto side = sides(on_C.first, mesh);
     std::array<double, 4> result{0, 0, 0, 0};
     for(std::size_t s = 0; s < 3; ++s) {
       const Vertex_index v = mesh.source(side[s]);

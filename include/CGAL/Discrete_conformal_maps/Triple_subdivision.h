@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Marked_edges.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -24,13 +24,8 @@
 namespace CGAL::Discrete_conformal_maps {
 
 using Intrinsic_triangulations::Correspondence;
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_place;
-using Intrinsic_triangulations::Vertex_index;
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// names one of the three triangulations of a surface (Figure 4.1).

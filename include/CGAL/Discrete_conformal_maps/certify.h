@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/certify_order_of_ends.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
 
 #include <vector>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
 
 #include <array>
 #include <cmath>
@@ -32,17 +32,10 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
     return std::abs(map.position(mesh.next(h)) - map.position(h));
   };
   const auto ideal = [&](Halfedge_index h) { return map.ideal().length(mesh.edge(h)); };
-  double result = 0;
-  for(Edge_index e : mesh.edges()) {
-    const Halfedge_index h = mesh.halfedge(e);
-    if(!map.is_laid_out(mesh.face(h)) || !map.is_laid_out(mesh.face(mesh.opposite(h))))
-      continue;
-    const double error = std::abs(internal::length_cross_ratio(h, mesh, in_plane) /
-                                    internal::length_cross_ratio(h, mesh, ideal) -
-                                  1);
-    result = error <= result ? result : error; // keeps NaN
-  }
-  return result;
+  const auto counts = [&](Halfedge_index h) {
+    return map.is_laid_out(mesh.face(h)) && map.is_laid_out(mesh.face(mesh.opposite(h)));
+  };
+  return internal::greatest_cross_ratio_error(mesh, counts, in_plane, ideal);
 }
 
 /// \ingroup PkgDiscreteConformalMapsSphere

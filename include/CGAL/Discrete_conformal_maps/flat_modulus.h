@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -58,7 +58,7 @@ inline double flat_area(const Planar_conformal_map& map)
   };
   double result = 0;
   for(Face_index f : mesh.faces()) {
-    const auto h = Intrinsic_triangulations::sides(f, mesh);
+    const auto h = sides(f, mesh);
     result +=
       Intrinsic_triangulations::quadrupled_area(length(h[0]), length(h[1]), length(h[2])) / 4;
   }

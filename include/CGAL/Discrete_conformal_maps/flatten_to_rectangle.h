@@ -9,96 +9,16 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/Corner_choice.h>
-#include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Rectangular_boundary.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <limits>
-#include <string>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
-
-namespace internal {
-
-inline std::vector<Boundary_loop> rectangle_boundaries(const Delta_complex& mesh)
-{
-  return single_boundary_loops(mesh, 4, "the corners of a rectangle");
-}
-
-// Boundaries that are rectangles.
-class Rectangular_boundary : public Free_shape
-{
-public:
-  // \throws Invalid_input if the boundary of a component has not four vertices for which
-  //   `is_corner` is true
-  Rectangular_boundary(const Delta_complex& mesh, const std::vector<char>& is_corner)
-    : m_mesh(Intrinsic_triangulations::internal::without_maps(mesh))
-  {
-    for(Boundary_loop& loop : rectangle_boundaries(m_mesh)) {
-      const auto at_corner = [&](Halfedge_index h) {
-        return is_corner[m_mesh.source(h).idx()] != 0;
-      };
-      const auto corners = std::count_if(loop.begin(), loop.end(), at_corner);
-      if(corners != 4)
-        throw Intrinsic_triangulations::Invalid_input(
-          "a rectangle has four corners, but a boundary has " + std::to_string(corners));
-      std::rotate(loop.begin(), std::find_if(loop.begin(), loop.end(), at_corner), loop.end());
-      m_rectangles.emplace_back();
-      for(Halfedge_index h : loop) {
-        if(at_corner(h))
-          m_rectangles.back().emplace_back();
-        m_rectangles.back().back().push_back(h);
-      }
-    }
-  }
-
-  // Makes corners right angles, and the rest straight.
-  void prescribe(std::vector<Vertex_condition>& conditions) const
-  {
-    constexpr double right_angle = boost::math::constants::half_pi<double>();
-    for(const Rectangle& sides : m_rectangles)
-      for(const Boundary_loop& side : sides)
-        for(Halfedge_index h : side)
-          conditions[m_mesh.source(h).idx()] =
-            Vertex_condition::curvature(h == side.front() ? right_angle : 0);
-  }
-
-  std::vector<Map_promise> promises(const Planar_conformal_map& map,
-                                    const std::vector<char>& is_whole) const
-  {
-    const Boundary_image image(map);
-    const Intrinsic_triangulations::Mesh_components components(m_mesh);
-    double straightness = 0, cosine = 0;
-    for(const Rectangle& sides : m_rectangles) {
-      if(!is_whole[components[corner(sides[0]).idx()]])
-        continue;
-      for(std::size_t s = 0; s < 4; ++s) {
-        straightness = greater_error(straightness, image.straightness_error(sides[s], m_mesh));
-        cosine = greater_error(cosine, image.cosine(corner(sides[s]), corner(sides[(s + 1) % 4]),
-                                                    corner(sides[(s + 2) % 4])));
-      }
-    }
-    return {
-      {"straight_sides", straightness, tolerance::promised_length, Map_status::not_rectangular},
-      {"right_angles", cosine, tolerance::promised_length, Map_status::not_rectangular}};
-  }
-
-private:
-  typedef std::vector<Boundary_loop> Rectangle; // its sides
-
-  Vertex_index corner(const Boundary_loop& side) const { return m_mesh.source(side.front()); }
-
-  Delta_complex m_mesh;
-  std::vector<Rectangle> m_rectangles;
-};
-
-} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// returns four vertices on the boundary of each component that suit the corners of a rectangle:

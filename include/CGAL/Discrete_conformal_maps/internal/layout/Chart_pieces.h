@@ -109,7 +109,7 @@ private:
   Convex_polygon whole(Face_index f) const
   {
     Convex_polygon result;
-    for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_map.ideal().mesh()))
+    for(Halfedge_index h : sides(f, m_map.ideal().mesh()))
       result.push_back(m_map.position(h));
     return result;
   }

@@ -58,13 +58,12 @@ private:
         m_origin[v.idx()] = v;
       }
     for(Vertex_index v = m_search.next(); v.is_valid(); v = m_search.next())
-      Intrinsic_triangulations::for_each_outgoing_halfedge(
-        v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
-          const double length = m_length[Edge_index(h).idx()];
-          if(!m_is_cut_edge[Edge_index(h).idx()] &&
-             m_search.reach(m_mesh.target(h), distance + length, h))
-            m_origin[m_mesh.target(h).idx()] = m_origin[v.idx()];
-        });
+      for_each_outgoing_halfedge(v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
+        const double length = m_length[Edge_index(h).idx()];
+        if(!m_is_cut_edge[Edge_index(h).idx()] &&
+           m_search.reach(m_mesh.target(h), distance + length, h))
+          m_origin[m_mesh.target(h).idx()] = m_origin[v.idx()];
+      });
   }
 
   // Kruskal's algorithm on the edges between the regions of terminals
@@ -135,7 +134,7 @@ inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<doub
   const auto reach = [&](Face_index f, Halfedge_index entry) {
     is_reached[f.idx()] = 1;
     result.join(entry, f);
-    for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh))
+    for(Halfedge_index h : sides(f, mesh))
       if(!is_cut_edge[Edge_index(h).idx()] && !tree.contains(Edge_index(h)))
         queue.emplace(length[Edge_index(h).idx()], mesh.opposite(h).idx());
   };

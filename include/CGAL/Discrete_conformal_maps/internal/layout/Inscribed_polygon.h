@@ -10,10 +10,10 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
 
 #include <algorithm>
@@ -132,7 +132,7 @@ private:
       waiting.pop_back();
       if(std::exchange(m_is_original[mesh().face(h).idx()], 1))
         continue;
-      for(Halfedge_index side : Intrinsic_triangulations::sides(mesh().face(h), mesh()))
+      for(Halfedge_index side : sides(mesh().face(h), mesh()))
         if(!m_is_on_boundary[Edge_index(side).idx()])
           waiting.push_back(mesh().opposite(side));
     }
@@ -274,7 +274,7 @@ private:
   bool is_in_order(Face_index f) const
   {
     int ascents = 0, descents = 0;
-    for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh())) {
+    for(Halfedge_index h : sides(f, mesh())) {
       const int order = order_of(mesh().source(h), mesh().target(h));
       ascents += order > 0;
       descents += order < 0;

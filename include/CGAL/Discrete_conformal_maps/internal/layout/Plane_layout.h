@@ -78,7 +78,7 @@ private:
     while(!waiting.empty()) {
       const Face_index f = waiting.back();
       waiting.pop_back();
-      for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh))
+      for(Halfedge_index h : sides(f, m_mesh))
         if(const Halfedge_index o = m_mesh.opposite(h); !m_mesh.is_border(o))
           reach(m_mesh.face(o));
     }
@@ -153,11 +153,10 @@ private:
   Halfedge_index after_on_path(Halfedge_index h) const
   {
     Halfedge_index result;
-    Intrinsic_triangulations::for_each_outgoing_halfedge(
-      m_mesh.target(h), m_mesh, [&](Halfedge_index x) {
-        if(is_on_path(x) && x != m_mesh.opposite(h))
-          result = x;
-      });
+    for_each_outgoing_halfedge(m_mesh.target(h), m_mesh, [&](Halfedge_index x) {
+      if(is_on_path(x) && x != m_mesh.opposite(h))
+        result = x;
+    });
     return result;
   }
 

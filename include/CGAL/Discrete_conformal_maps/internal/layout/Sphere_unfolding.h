@@ -12,11 +12,11 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Stereographic_triangulation.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -44,7 +44,7 @@ public:
 
   bool is_finite(Face_index f) const
   {
-    for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh))
+    for(Halfedge_index h : sides(f, m_mesh))
       if(m_mesh.target(h) == m_at_infinity)
         return false;
     return true;
@@ -58,7 +58,7 @@ public:
     Intrinsic_triangulations::Edge_stack stack(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       stack.push(e);
-    Intrinsic_triangulations::flip_waiting(
+    flip_waiting(
       m_mesh, stack, [this](Halfedge_index h) { return !is_concave(h); },
       [&](Halfedge_index h) {
         flip_edge(h, m_mesh);
@@ -76,7 +76,7 @@ public:
       result.concave_edges += is_concave(m_mesh.halfedge(e));
     std::size_t finite_faces = 0;
     for(Face_index f : m_mesh.faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, m_mesh);
+      const auto side = sides(f, m_mesh);
       if(!is_finite(f))
         continue;
       ++finite_faces;
@@ -122,15 +122,12 @@ private:
   std::size_t number_of_local_maxima() const
   {
     std::size_t result = 0;
-    Intrinsic_triangulations::for_each_outgoing_halfedge(
-      m_at_infinity, m_mesh, [&](Halfedge_index h) {
-        const Point &before = at(
-                      m_mesh.target(Intrinsic_triangulations::previous_around_source(h, m_mesh))),
-                    &here = at(m_mesh.target(h)),
-                    &after =
-                      at(m_mesh.target(Intrinsic_triangulations::next_around_source(h, m_mesh)));
-        result += is_below(before, here) && is_below(after, here);
-      });
+    for_each_outgoing_halfedge(m_at_infinity, m_mesh, [&](Halfedge_index h) {
+      const Point &before = at(m_mesh.target(previous_around_source(h, m_mesh))),
+                  &here = at(m_mesh.target(h)),
+                  &after = at(m_mesh.target(next_around_source(h, m_mesh)));
+      result += is_below(before, here) && is_below(after, here);
+    });
     return result;
   }
 

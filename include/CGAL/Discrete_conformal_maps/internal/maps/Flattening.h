@@ -18,7 +18,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/planar_errors.h>
@@ -66,18 +65,16 @@ public:
   // whether there are scale factors
   bool has_succeeded() const { return m_scale.status() == Map_status::success; }
 
-  // Notes that no more scale factors can be found.
-  void stop(const Intrinsic_triangulations::Numerical_error& error)
+  // Calls `search()`, which finds scale factors. A numerical error ends the search.
+  template <typename Search>
+  void attempt(const Search& search)
   {
-    m_scale.stop();
-    m_builder.set_cause(error.what());
+    if(!m_builder.attempt(search))
+      m_scale.stop();
   }
 
-  // the lengths in the plane of the edges on the boundary of the surface
-  std::vector<double> boundary_lengths()
-  {
-    return flat_boundary_lengths(m_problem, m_scale.values());
-  }
+  // at the vertices of the surface
+  const Eigen::VectorXd& log_scales() const { return m_scale.values(); }
 
   // Lays the faces out by a model of a planar layout. `shape` has what else is promised about the
   // image of the boundary.
@@ -112,12 +109,7 @@ private:
   {
     m_visitor.start(Flattening_stage::layout);
     if(m_layout.exists)
-      try {
-        lay_out_in_plane(layout);
-      } catch(const Intrinsic_triangulations::Numerical_error& e) {
-        m_builder.set_cause(e.what());
-        m_layout.exists = false;
-      }
+      m_layout.exists = m_builder.attempt([&] { lay_out_in_plane(layout); });
     const auto is_finite = [](const std::complex<double>& z) {
       return std::isfinite(z.real()) && std::isfinite(z.imag());
     };
@@ -147,15 +139,13 @@ private:
         m_layout.is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
   }
 
-  // the vertices around which faces do not close up: those with prescribed values, and ends of
-  // cut edges
+  // the vertices around which faces do not close up: cones and ends of cut edges
   std::vector<char> terminals() const
   {
-    std::vector<char> result = m_problem.expanded(m_problem.is_fixed());
-    const auto target = m_problem.expanded(m_problem.target_defect());
+    std::vector<char> result = m_problem.cones();
     for(Vertex_index v : mesh().vertices())
-      result[v.idx()] =
-        !mesh().is_isolated(v) && (result[v.idx()] || target[Eigen::Index(v.idx())] != 0);
+      if(mesh().is_isolated(v))
+        result[v.idx()] = 0;
     for(Edge_index e : mesh().edges())
       if(m_is_cut_edge[e.idx()])
         result[mesh().vertex(e, 0).idx()] = result[mesh().vertex(e, 1).idx()] = 1;
@@ -377,15 +367,13 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
   problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
   flattening.start_from(log_scale);
-  try {
+  flattening.attempt([&] {
     shape.solve(problem, flattening, [&] {
       flattening.find_scale_factors(
         choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
         bound_without_cones(is_free, np));
     });
-  } catch(const Intrinsic_triangulations::Numerical_error& e) {
-    flattening.stop(e);
-  }
+  });
   if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
                                                       internal_np::layout_t>::value)
     return flattening.finish(Least_squares_layout(), shape);

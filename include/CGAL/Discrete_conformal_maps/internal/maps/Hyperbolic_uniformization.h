@@ -62,12 +62,8 @@ public:
   void find_scale_factors(const Minimizer& minimizer)
   {
     m_visitor.start(Flattening_stage::optimize);
-    try {
-      m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
-    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+    if(!m_builder.attempt([&] { m_scale.minimize(minimizer, tolerance::curvature, m_visitor); }))
       m_scale.stop();
-      m_builder.set_cause(e.what());
-    }
   }
 
   Hyperbolic_conformal_map finish()
@@ -75,7 +71,7 @@ public:
     m_problem.complete();
     m_layout.exists = m_builder.flip_if_in_range(m_scale);
     m_visitor.start(Flattening_stage::layout);
-    if(!m_layout.exists || !lay_out_or_fail())
+    if(!m_layout.exists || !m_builder.attempt([this] { lay_out(); }))
       leave_out();
     std::vector<Map_promise> promises = this->promises();
     m_builder.subdivide(m_visitor);
@@ -86,17 +82,6 @@ public:
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
-
-  bool lay_out_or_fail()
-  {
-    try {
-      lay_out();
-      return true;
-    } catch(const Intrinsic_triangulations::Numerical_error& e) {
-      m_builder.set_cause(e.what());
-      return false;
-    }
-  }
 
   void leave_out()
   {
@@ -127,7 +112,7 @@ private:
   // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
   void lay_out()
   {
-    note_cones();
+    m_is_cone = m_problem.cones();
     double error = 1;
     if(!m_scale.is_extended())
       error = lay_out(m_builder.scaled_lengths(
@@ -136,14 +121,6 @@ private:
       error = lay_out_with_more_digits<Extended>();
     if(!(error <= tolerance::gluing))
       lay_out_with_more_digits<More_extended>();
-  }
-
-  void note_cones()
-  {
-    m_is_cone = m_problem.expanded(m_problem.is_fixed());
-    const auto target = m_problem.expanded(m_problem.target_defect());
-    for(std::size_t v = 0; v < m_is_cone.size(); ++v)
-      m_is_cone[v] |= target[Eigen::Index(v)] != 0;
   }
 
   // What is Delaunay with rounded scale factors has another metric with precise ones.
@@ -250,7 +227,7 @@ private:
   void set_areas(const std::vector<FT>& length)
   {
     for(Face_index f : mesh().faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh());
+      const auto side = sides(f, mesh());
       const auto of = [&](std::size_t s) {
         return static_cast<double>(length[Edge_index(side[s]).idx()]);
       };

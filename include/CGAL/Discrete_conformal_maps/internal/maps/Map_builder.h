@@ -13,7 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -64,6 +63,19 @@ public:
       m_outcome.cause = message;
   }
 
+  // Calls `function()`. A numerical error that ends it is noted. Returns whether there was none.
+  template <typename Function>
+  bool attempt(const Function& function)
+  {
+    try {
+      function();
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      set_cause(e.what());
+      return false;
+    }
+  }
+
   // what the map consists of
   const Map_data& data() const { return m_data; }
 
@@ -106,15 +118,11 @@ public:
   template <typename Scale_factors>
   bool flip_if_in_range(const Scale_factors& scale)
   {
-    try {
-      flip(scale);
+    if(attempt([&] { flip(scale); }))
       return true;
-    } catch(const Intrinsic_triangulations::Numerical_error& e) {
-      set_cause(e.what());
-      flip(std::vector<Halfedge_index>());
-      set_scale_factors(scale);
-      return false;
-    }
+    flip(std::vector<Halfedge_index>());
+    set_scale_factors(scale);
+    return false;
   }
 
   // Takes the triangulation of the problem, and makes these flips.

@@ -78,7 +78,7 @@ private:
     const Delta_complex& mesh = m_problem.surface();
     std::vector<double> result(mesh.num_vertices(), 0);
     for(Face_index f : mesh.faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh);
+      const auto side = sides(f, mesh);
       const auto length = [&](std::size_t s) {
         return triangulation.input_length(mesh.edge(side[s]));
       };

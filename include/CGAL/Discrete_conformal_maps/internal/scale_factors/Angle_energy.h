@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -97,7 +96,7 @@ public:
     if(mesh().is_isolated(v))
       return;
     double diagonal = 0;
-    Intrinsic_triangulations::for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
+    for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
       if(!derived().is_remaining(Edge_index(h)))
         return;
       const Vertex_index w = mesh().target(h);
@@ -147,17 +146,17 @@ private:
 
   void measure_faces()
   {
-    Intrinsic_triangulations::for_each_in_chunks<Face_index>(
-      m_concurrency, mesh(), [this](Face_index f) {
-        const auto side = Intrinsic_triangulations::sides(f, mesh());
-        m_error[f.idx()] = 0;
-        m_is_flat[f.idx()] = 0;
-        if(derived().is_remaining(f))
-          measure(f, side);
-        else
-          for(Halfedge_index h : side)
-            m_cotangent[h.idx()] = 0;
-      });
+    Intrinsic_triangulations::for_each_in_chunks<Face_index>(m_concurrency, mesh(),
+                                                             [this](Face_index f) {
+                                                               const auto side = sides(f, mesh());
+                                                               m_error[f.idx()] = 0;
+                                                               m_is_flat[f.idx()] = 0;
+                                                               if(derived().is_remaining(f))
+                                                                 measure(f, side);
+                                                               else
+                                                                 for(Halfedge_index h : side)
+                                                                   m_cotangent[h.idx()] = 0;
+                                                             });
   }
 
   void measure(Face_index f, const std::array<Halfedge_index, 3>& side)
@@ -181,7 +180,7 @@ private:
     m_flat_faces = 0;
     for(Face_index f : mesh().faces()) {
       m_flat_faces += m_is_flat[f.idx()] ? 1u : 0u;
-      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh()))
+      for(Halfedge_index h : sides(f, mesh()))
         error[mesh().source(h).idx()] += m_error[f.idx()];
     }
     for(Vertex_index v : mesh().vertices())

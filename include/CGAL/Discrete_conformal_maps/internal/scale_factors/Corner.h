@@ -9,6 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -69,6 +71,78 @@ FT straight_angle()
 {
   return Corner<FT>{FT(-1), FT(0)}.angle();
 }
+
+// What a full turn exceeds an angle and those that are subtracted from it, with as many digits as
+// double has also where that is little.
+template <typename FT>
+class Angle_difference
+{
+public:
+  explicit Angle_difference(double angle) : m_rest(2 * pi() - angle), m_turned{FT(1), FT(0)}
+  {
+    using std::cos;
+    using std::sin;
+    if(angle != 0)
+      m_turned = {cos(FT(angle)), sin(FT(angle))};
+  }
+
+  // returns what is needed of a corner besides itself
+  static double rounded_angle(const Corner<FT>& corner) { return corner.rounded_angle(); }
+
+  // Complex numbers are multiplied: that takes much less time than an inverse tangent of high
+  // precision.
+  void subtract(const Corner<FT>& corner, double rounded_angle)
+  {
+    m_rest -= rounded_angle;
+    m_turned = (m_turned * corner).scaled();
+  }
+
+  void subtract_half_turn()
+  {
+    m_rest -= pi();
+    m_turned = {-m_turned.cosine, -m_turned.sine};
+  }
+
+  // adds what half a turn exceeds the angle
+  void add_supplement(const Corner<FT>& corner, double rounded_angle)
+  {
+    m_rest += pi() - rounded_angle;
+    m_turned = (m_turned * Corner<FT>{-corner.cosine, -corner.sine}).scaled();
+  }
+
+  double value() const
+  {
+    const double rest = -m_turned.rounded_angle();
+    return rest + 2 * pi() * std::round((m_rest - rest) / (2 * pi()));
+  }
+
+private:
+  static double pi() { return boost::math::constants::pi<double>(); }
+
+  double m_rest;       // the difference with few digits
+  Corner<FT> m_turned; // the sum of all angles, up to full turns
+};
+
+// Hardware has inverse tangents.
+template <>
+class Angle_difference<double>
+{
+public:
+  explicit Angle_difference(double angle) : m_angle(angle), m_rest(2 * pi()) {}
+
+  static double rounded_angle(const Corner<double>& corner) { return corner.angle(); }
+
+  void subtract(const Corner<double>& /* corner */, double angle) { m_rest -= angle; }
+  void subtract_half_turn() { m_rest -= pi(); }
+  void add_supplement(const Corner<double>& /* corner */, double angle) { m_rest += pi() - angle; }
+
+  double value() const { return m_rest - m_angle; }
+
+private:
+  static constexpr double pi() { return boost::math::constants::pi<double>(); }
+
+  double m_angle, m_rest;
+};
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

@@ -159,6 +159,17 @@ public:
     return result;
   }
 
+  // For each vertex of the triangulation, whether faces need not close up there: a scale factor is
+  // prescribed, or a curvature other than zero.
+  std::vector<char> cones() const
+  {
+    std::vector<char> result = expanded(is_fixed());
+    const Vector target = expanded(target_defect());
+    for(std::size_t v = 0; v < result.size(); ++v)
+      result[v] |= target[Eigen::Index(v)] != 0;
+    return result;
+  }
+
   // Returns whether the second copy is not deep enough for these flips, from T^B on: beyond a seam,
   // the triangulation is the mirror image of that of the surface. As seams and their mirror images
   // bound a symmetric region, it is enough that no seam has to be flipped.
@@ -227,7 +238,7 @@ public:
   {
     std::vector<double> result(components().size(), 0);
     for(Face_index f : complex.faces()) {
-      const auto h = Intrinsic_triangulations::sides(f, complex);
+      const auto h = sides(f, complex);
       const std::size_t c = component(complex.target(h[0]));
       const double quadrupled = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
         length(h[0]), length(h[1]), length(h[2])));
@@ -260,7 +271,7 @@ private:
     for(std::size_t ring = 0; ring <= width; ++ring) {
       std::vector<Vertex_index> next;
       for(Vertex_index v : front)
-        Intrinsic_triangulations::for_each_outgoing_halfedge(v, m_half, [&](Halfedge_index h) {
+        for_each_outgoing_halfedge(v, m_half, [&](Halfedge_index h) {
           if(!m_half.is_border(h))
             m_has_copy[m_half.face(h).idx()] = 1;
           add(m_half.target(h), next);

@@ -188,7 +188,7 @@ private:
       --filled[component(surface.halfedge(e))];
     for(Face_index f : surface.faces())
       ++filled[component(surface.halfedge(f))];
-    for(Halfedge_index h : Intrinsic_triangulations::boundary_loops(surface)) {
+    for(Halfedge_index h : boundary_loops(surface)) {
       ++m_topology[component(h)].boundary_loops;
       ++filled[component(h)];
     }

@@ -10,9 +10,26 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// The factor by which logarithmic scale factors that sum up to `u` multiply lengths.
+template <typename FT>
+FT length_factor(const FT& u)
+{
+  using std::exp;
+  return exp(u / 2);
+}
+
+// Equation 4.1: the length of an edge ij after scaling, multiplied by the factors of i and j, which
+// are computed once for each vertex, or with less rounding by that of u_i + u_j.
+template <typename FT, typename... Factor>
+FT scaled_length(const FT& length, const Factor&... factor)
+{
+  return (length * ... * factor);
+}
 
 // A closed ideal polyhedron with Penner lengths. Its edges turn by Ptolemy's relation (Equation
 // 4.4), and the flips are recorded.

@@ -251,7 +251,7 @@ private:
         add(m_problem.part(v) * (2 * pi - target[i]) * direction[i]);
     for(Face_index f : mesh.faces()) {
       double least = std::numeric_limits<double>::infinity();
-      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh))
+      for(Halfedge_index h : sides(f, mesh))
         least =
           (std::min)(least, direction[Eigen::Index(m_problem.original(mesh.source(h)).idx())]);
       add(-m_problem.part(f) * pi * least);

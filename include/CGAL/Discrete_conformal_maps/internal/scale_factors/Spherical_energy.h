@@ -8,8 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
 

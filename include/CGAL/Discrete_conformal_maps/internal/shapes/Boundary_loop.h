@@ -36,7 +36,7 @@ inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mes
   const Intrinsic_triangulations::Mesh_components components(mesh);
   std::vector<char> has_loop(components.size(), 0);
   std::vector<Boundary_loop> result;
-  for(Halfedge_index border : Intrinsic_triangulations::boundary_loops(mesh)) {
+  for(Halfedge_index border : boundary_loops(mesh)) {
     char& is_known = has_loop[components[mesh.source(border).idx()]];
     if(is_known)
       throw Invalid_input(
@@ -60,7 +60,7 @@ double exterior_angle(Vertex_index v, const Delta_complex& mesh, const EdgeLengt
 {
   const auto length_of = [&](Halfedge_index h) { return get(length, mesh.edge(h)); };
   double result = boost::math::constants::pi<double>();
-  Intrinsic_triangulations::for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
+  for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
     if(!mesh.is_border(h))
       result -= Intrinsic_triangulations::corner_angle(length_of(mesh.next(h)), length_of(h),
                                                        length_of(mesh.prev(h)));

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
@@ -19,20 +20,14 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Correspondence;
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Edge_marks;
 using Intrinsic_triangulations::edge_point;
-using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Face_location;
 using Intrinsic_triangulations::first_halfedge;
-using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::is_first_halfedge;
-using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::oriented_like;
 using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_place;
-using Intrinsic_triangulations::Vertex_index;
 
 // whether two meshes have the same connectivity, with the same numbers
 inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
@@ -51,7 +46,7 @@ template <typename FT>
 Surface_place<FT> place_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
                                 const Delta_complex& mesh)
 {
-  const std::size_t s = Intrinsic_triangulations::side_number(h, mesh);
+  const std::size_t s = side_number(h, mesh);
   Surface_place<FT> result{h, {mesh.face(h), {FT(0), FT(0), FT(0)}}};
   result.location.second[s] = weight[0];
   result.location.second[(s + 1) % 3] = weight[1];

@@ -89,7 +89,7 @@ private:
       const Size inside = std::exchange(m_first[f], size);
       size = {size.vertices + inside.vertices, size.edges + inside.edges,
               size.faces + inside.faces};
-      for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_b))
+      for(Halfedge_index h : sides(f, m_b))
         m_last_face[m_b.source(h)] = f;
     }
     check_number_of_edges(size.edges);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Map_promise.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
@@ -48,7 +48,7 @@ Defect_errors defect_errors(const Doubled_problem& problem, const Delta_complex&
   const Eigen::VectorXd target = problem.target_defect();
   std::vector<Angle_difference<FT>> defect(target.data(), target.data() + target.size());
   for(Face_index f : mesh.faces()) {
-    const auto side = Intrinsic_triangulations::sides(f, mesh);
+    const auto side = sides(f, mesh);
     const auto of = [&](std::size_t s) { return length[Edge_index(side[s]).idx()]; };
     const Triangle face({of(0), of(1), of(2)});
     for(std::size_t s = 0; s < 3; ++s)

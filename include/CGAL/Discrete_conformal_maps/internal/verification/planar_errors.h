@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ inline std::size_t number_of_collapsed_faces(const Planar_conformal_map& map)
   };
   const Delta_complex& mesh = map.ideal().mesh();
   const auto has_collapsed = [&](Face_index f) {
-    const auto side = Intrinsic_triangulations::sides(f, mesh);
+    const auto side = sides(f, mesh);
     return map.is_laid_out(f) && Plane_predicates<double>().orientation(
                                    point(side[0]), point(side[1]), point(side[2])) <= 0;
   };

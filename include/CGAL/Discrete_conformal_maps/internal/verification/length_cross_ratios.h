@@ -2,12 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_VERIFICATION_LENGTH_CROSS_RATIOS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_VERIFICATION_LENGTH_CROSS_RATIOS_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 
 #include <array>
 #include <cmath>
@@ -25,9 +26,23 @@ double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Len
          (length(mesh.next(o)) / length(mesh.prev(o)));
 }
 
-// The greatest relative error of a length cross ratio of points in the plane, and one at infinity,
-// whose distances are all the same. `length` gives what the length of an edge should be, up to
-// scale factors. An edge of a border has none.
+// The greatest relative error of a length cross ratio, of the edges of halfedges that count, between
+// the lengths of halfedges in an image and those that they should be, up to scale factors.
+template <typename Counts, typename In_image, typename Ideal>
+double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& counts,
+                                  const In_image& in_image, const Ideal& ideal)
+{
+  double result = 0;
+  for(Edge_index e : mesh.edges())
+    if(const Halfedge_index h = mesh.halfedge(e); counts(h))
+      result = greater_error(
+        result,
+        std::abs(length_cross_ratio(h, mesh, in_image) / length_cross_ratio(h, mesh, ideal) - 1));
+  return result;
+}
+
+// That of points in the plane, and one at infinity, whose distances are all the same. `length` gives
+// what the length of an edge should be. An edge of a border does not count.
 template <typename FT, typename Length>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
                                            const std::vector<std::array<FT, 2>>& position,
@@ -43,20 +58,12 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
     const FT x = p[0] - q[0], y = p[1] - q[1], square = x * x + y * y;
     distance[e.idx()] = static_cast<double>(FT(sqrt(square)));
   }
-  double result = 0;
-  for(Edge_index e : mesh.edges()) {
-    if(mesh.is_border(e))
-      continue;
-    const Halfedge_index h = mesh.halfedge(e);
-    const auto in_plane = [&](Halfedge_index x) { return distance[Edge_index(x).idx()]; };
-    const auto ideal = [&](Halfedge_index x) { return length(Edge_index(x)); };
-    const double error =
-      std::abs(length_cross_ratio(h, mesh, in_plane) / length_cross_ratio(h, mesh, ideal) - 1);
-    result = error <= result ? result : error; // keeps NaN
-  }
-  return result;
+  return greatest_cross_ratio_error(
+    mesh, [&](Halfedge_index h) { return !mesh.is_border(Edge_index(h)); },
+    [&](Halfedge_index h) { return distance[Edge_index(h).idx()]; },
+    [&](Halfedge_index h) { return length(Edge_index(h)); });
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_VERIFICATION_LENGTH_CROSS_RATIOS_H

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCULAR_BOUNDARY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCULAR_BOUNDARY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Fixed_point_acceleration.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
+
+#include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns the exterior angles of the polygon in a circle whose edges have these lengths: at the
+// start of each edge. Half the angle under which the center sees an edge of length l, in a circle
+// with the diameter 1 / x, is asin(l x); if the center is outside, this is pi less that for the
+// longest. Precondition: no length is zero, none is greater than the others together.
+inline std::vector<double> circle_angles(const std::vector<double>& length)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const std::size_t n = length.size();
+  const auto longest =
+    static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  const auto half_arcs = [&](double x, bool is_center_outside) {
+    std::vector<double> result(n);
+    std::transform(length.begin(), length.end(), result.begin(),
+                   [&](double l) { return std::asin((std::min)(l * x, 1.)); });
+    if(is_center_outside)
+      result[longest] = pi - result[longest];
+    return result;
+  };
+  const auto excess = [&](const std::vector<double>& arcs) {
+    return std::accumulate(arcs.begin(), arcs.end(), -pi);
+  };
+  double low = 0, high = 1 / length[longest];
+  const bool is_outside = excess(half_arcs(high, false)) < 0;
+  for(double x; x = (low + high) / 2, low < x && x < high;)
+    ((excess(half_arcs(x, is_outside)) > 0) != is_outside ? high : low) = x;
+  std::vector<double> arcs = half_arcs(high, is_outside);
+  arcs[longest] -= excess(arcs); // if that is near a diameter, its arc has half of the digits
+  std::vector<double> result(n);
+  for(std::size_t i = 0; i < n; ++i)
+    result[i] = arcs[i] + arcs[(i + n - 1) % n];
+  return result;
+}
+
+// The exterior angles of a boundary whose components are circles, found by repetition: those that a
+// circle has depend on the lengths in the plane.
+class Circular_boundary : public Free_shape
+{
+  typedef Eigen::VectorXd Vector;
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
+
+public:
+  // The angles of circles with the lengths that the boundary has on the surface come first.
+  // `rounds` is how many times they may be changed.
+  Circular_boundary(const Surface& surface, std::size_t rounds)
+    : m_components(surface.mesh()), m_rounds(rounds)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    for(const Boundary_loop& loop : single_boundary_loops(mesh, 3, "a circle")) {
+      m_circles.emplace_back();
+      for(Halfedge_index h : loop)
+        m_circles.back().push_back({mesh.source(h), mesh.edge(h)});
+    }
+    m_angle = angles([&](Edge_index e) { return surface.length(e); });
+  }
+
+  // Calls `set(v, condition)` with what the angles prescribe at each vertex of the boundary.
+  template <typename Set>
+  void prescribe(const Set& set) const
+  {
+    Eigen::Index i = 0;
+    for(const Circle& circle : m_circles)
+      for(const Side& side : circle)
+        set(side.source, Vertex_condition::curvature(m_angle[i++]));
+  }
+
+  // Finds scale factors until the angles are those of circles, or have been changed often enough.
+  template <typename Flattening, typename Find>
+  void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
+  {
+    for(std::size_t i = 0; i < m_rounds; ++i) {
+      find();
+      if(!flattening.has_succeeded())
+        return;
+      m_change = update(flat_boundary_lengths(problem, flattening.log_scales()));
+      if(m_change <= tolerance::circle_angle)
+        return;
+      if(i + 1 < m_rounds) // otherwise the angles stay those of the map
+        prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
+    }
+  }
+
+  // Angles have changed by little in the end, and vertices have the same distance from the center
+  // if the disk is not cut.
+  std::vector<Map_promise> promises(const Planar_conformal_map& map,
+                                    const std::vector<char>& is_whole) const
+  {
+    const Boundary_image image(map);
+    double radius = 0;
+    for(const Circle& circle : m_circles) {
+      Boundary_image::Vertices vertices;
+      for(const Side& side : circle)
+        vertices.push_back(side.source);
+      if(is_whole[m_components[vertices.front().idx()]])
+        radius = greater_error(radius, image.radius_error(vertices));
+    }
+    return {{"circle_angle", m_change, tolerance::circle_angle, Map_status::not_circular},
+            {"equal_radii", radius, tolerance::promised_length, Map_status::not_circular}};
+  }
+
+private:
+  struct Side
+  {
+    Vertex_index source;
+    Edge_index edge;
+  };
+  typedef std::vector<Side> Circle;
+
+  // Moves the angles towards those of circles with the lengths of the image, and returns the
+  // greatest difference of both before.
+  double update(const std::vector<double>& length)
+  {
+    const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
+    const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
+    const Vector next = closed(m_acceleration.next(m_angle, image));
+    // pi and above are too great for a boundary
+    m_angle = (next.array() < boost::math::constants::pi<double>()).all() ? next : image;
+    return change;
+  }
+
+  template <typename Length>
+  Vector angles(const Length& length) const
+  {
+    std::vector<double> result;
+    for(const Circle& circle : m_circles) {
+      std::vector<double> lengths;
+      for(const Side& side : circle)
+        lengths.push_back(length(side.edge));
+      const std::vector<double> angle = circle_angles(lengths);
+      result.insert(result.end(), angle.begin(), angle.end());
+    }
+    return Eigen::Map<const Vector>(result.data(), Eigen::Index(result.size()));
+  }
+
+  // Scales the angles of each circle so that they sum up to a whole turn: combinations of many of
+  // them lose digits.
+  Vector closed(Vector angle) const
+  {
+    Eigen::Index begin = 0;
+    for(const Circle& circle : m_circles) {
+      auto own = angle.segment(begin, Eigen::Index(circle.size()));
+      own *= boost::math::constants::two_pi<double>() / own.sum();
+      begin += own.size();
+    }
+    return angle;
+  }
+
+  Intrinsic_triangulations::Mesh_components m_components;
+  std::size_t m_rounds;
+  std::vector<Circle> m_circles;
+  Vector m_angle;                                            // at the source of each side
+  double m_change = std::numeric_limits<double>::infinity(); // of the angles, in the last round
+  Fixed_point_acceleration m_acceleration;
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCULAR_BOUNDARY_H
