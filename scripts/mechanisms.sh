@@ -45,6 +45,7 @@ mechanism assembly assemble $headers/sparse_assembly.h
 mechanism factors Factorization $headers/Factorization.h
 mechanism tree-cotree Tree_cotree $headers/Tree_cotree.h
 mechanism 'cut graph' Cut_graph $headers/Cut_graph.h
+mechanism layout Unfolded_faces include/CGAL/Discrete_conformal_maps/internal/planar_layouts/Unfolded_faces.h
 mechanism converter add_edges_and_polygons demo/writing/subdivision_elements.h
 mechanism canvas Canvas demo/pictures/Canvas.h
 exit $status

@@ -293,6 +293,41 @@ TEST(Cut_graph, ends_are_closed)
   }
 }
 
+// Each seam begins a corner, which reaches to the next seam around its vertex.
+TEST(Cut_graph, corners_lie_between_seams)
+{
+  for(const Named_complex& c : complexes()) {
+    SCOPED_TRACE(c.name);
+    IT::Tree_cotree trees(c.mesh);
+    trees.close_ends(std::vector<char>(c.mesh.num_vertices(), 0));
+    std::map<Halfedge_index, Halfedge_index> first;
+    std::set<Vertex_index> without_seam;
+    for(Vertex_index v : c.mesh.vertices())
+      if(!c.mesh.is_isolated(v)) {
+        without_seam.insert(v);
+        trees.for_each_corner(v, [&](Halfedge_index h, Halfedge_index corner) {
+          EXPECT_EQ(c.mesh.source(h), v);
+          EXPECT_TRUE(first.emplace(h, corner).second);
+          if(trees.is_seam(Edge_index(h)))
+            without_seam.erase(v);
+        });
+      }
+    EXPECT_EQ(first.size(), c.mesh.num_halfedges());
+    std::size_t corners = 0;
+    for(const auto& [h, corner] : first) {
+      corners += h == corner;
+      if(trees.is_seam(Edge_index(h)))
+        EXPECT_EQ(corner, h);
+      else
+        EXPECT_EQ(corner, first.at(IT::previous_around_source(h, c.mesh)));
+    }
+    std::size_t ends_of_seams = 0;
+    for(Halfedge_index h : c.mesh.halfedges())
+      ends_of_seams += trees.is_seam(Edge_index(h));
+    EXPECT_EQ(corners, ends_of_seams + without_seam.size());
+  }
+}
+
 // ---- Bases ----
 
 TEST(Homology_basis, all_surfaces)
