@@ -10,7 +10,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Sqrt_extension.h>
 #include <CGAL/boost/graph/copy_face_graph.h>

@@ -9,9 +9,10 @@
 
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
 
 #include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/enum.h>
@@ -58,16 +59,11 @@ class Order_certifier
 {
   typedef Delta_complex::size_type size_type;
   typedef Correspondence<Ideal_traits> Ideal_correspondence;
-  typedef typename Ideal_correspondence::Triangulation Ideal_triangulation;
 
 public:
   Order_certifier(const Subdivision& subdivision, const Correspondence<>& ab,
                   const Ideal_correspondence& bc)
-    : m_subdivision(subdivision),
-      m_ab(ab),
-      m_bc(bc),
-      m_development(bc.triangulation(), bc.courses()),
-      m_decisions(ab.triangulation(), ab.courses())
+    : m_subdivision(subdivision), m_ab(ab), m_bc(bc), m_decisions(ab.triangulation(), ab.courses())
   {}
 
   Order_certificate operator()()
@@ -122,12 +118,12 @@ private:
   }
 
   // of crossing `m` on the first halfedge of the edge `e` of C
-  template <typename Strip>
-  auto place_of_C(const Strip& strip, Edge_index e, size_type m) const
+  auto place_of_C(Edge_index e, size_type m)
   {
     const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);
-    return Intrinsic_triangulations::edge_point(m_bc.courses()(h)[m], strip.crossing(m).along_edge)
-      .t;
+    const auto course = m_bc.courses()(h);
+    m_bc.triangulation().lay_out(m_strip, h, course);
+    return Intrinsic_triangulations::edge_point(course[m], m_strip.crossing(m).along_edge).t;
   }
 
   void decide(const Neighbors& pair)
@@ -136,8 +132,7 @@ private:
     const Edge_index e(c.across.halfedge);
     const size_type m = c.id - m_bc.crossings_on_intrinsic().before(e);
     try {
-      const Sign order = m_decisions.compare_place(pair.ends.along, pair.p,
-                                                   place_of_C(m_development.strip(e), e, m));
+      const Sign order = m_decisions.compare_place(pair.ends.along, pair.p, place_of_C(e, m));
       if(order == ZERO)
         m_result.ties.push_back(pair.ends);
       else if((order == NEGATIVE) != pair.A_is_first)
@@ -150,9 +145,8 @@ private:
   const Subdivision& m_subdivision;
   const Correspondence<>& m_ab;
   const Ideal_correspondence& m_bc;
-  Intrinsic_triangulations::internal::Ideal_development<
-    Lazy_exact_nt<Intrinsic_triangulations::Exact_field>, Ideal_triangulation>
-    m_development;
+  Intrinsic_triangulations::Ideal_strip<Lazy_exact_nt<Intrinsic_triangulations::Exact_field>>
+    m_strip;
   Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits>
     m_decisions;
   std::vector<Neighbors> m_pairs;

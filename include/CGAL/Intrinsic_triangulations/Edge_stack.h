@@ -83,13 +83,70 @@ inline std::size_t default_flip_limit(std::size_t number_of_edges)
   return 100000000 + 1000 * number_of_edges;
 }
 
+namespace internal {
+
+inline void check_flip_limit(bool is_exceeded)
+{
+  if(is_exceeded)
+    throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+}
+
+// What a run of flips has come to: its limit, or a doubt that rounding leaves, unless all edges are
+// Delaunay.
+struct Flipping_result
+{
+  enum class End
+  {
+    Delaunay,
+    limit,
+    doubt
+  };
+
+  std::size_t flips = 0;
+  End end = End::Delaunay;
+  bool is_restarted = false; // whether flipping has restarted from T1
+
+  bool is_Delaunay() const { return end == End::Delaunay; }
+
+  // Adds a run that follows this one.
+  Flipping_result& operator+=(const Flipping_result& next)
+  {
+    return *this = {flips + next.flips, next.end, is_restarted || next.is_restarted};
+  }
+};
+
+// Flips edges, first those that wait in `stack`, then those around flipped ones, until none waits.
+// An edge stays if `is_good(e)`. It need not wait if `is_certain(e)`, which should be branch-free.
+// `flip(h)` returns whether the edge of `h` could be flipped.
+template <typename Is_certain, typename Is_good, typename Flip>
+Flipping_result flip_waiting(const Delta_complex& mesh, Edge_stack& stack, std::size_t limit,
+                             const Is_certain& is_certain, const Is_good& is_good, const Flip& flip)
+{
+  std::size_t flips = 0;
+  while(!stack.empty()) {
+    const Edge_index e = stack.pop();
+    if(is_good(e))
+      continue;
+    const Halfedge_index h = mesh.halfedge(e);
+    if(flips == limit)
+      return {flips, Flipping_result::End::limit};
+    if(!flip(h))
+      return {flips, Flipping_result::End::doubt};
+    ++flips;
+    for(Edge_index side : edges_around(h, mesh))
+      stack.push_if(!is_certain(side), side);
+  }
+  return {flips};
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// checks a number of flips.
 /// \throws Flip_limit_exceeded if no further flip is allowed
 inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
 {
-  if(flips >= default_flip_limit(number_of_edges))
-    throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+  internal::check_flip_limit(flips >= default_flip_limit(number_of_edges));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
@@ -100,15 +157,15 @@ template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
                   const Flip& flip)
 {
-  for(std::size_t flips = 0; !stack.empty();) {
-    const Halfedge_index h = mesh.halfedge(stack.pop());
-    if(is_good(h) || flip_status(h, mesh) != Operation_status::possible)
-      continue;
-    check_flip_limit(flips++, mesh.num_edges());
-    flip(h);
-    for(Edge_index e : edges_around(h, mesh))
-      stack.push(e);
-  }
+  const auto never = [](Edge_index) { return false; };
+  const auto stays = [&](Edge_index e) {
+    const Halfedge_index h = mesh.halfedge(e);
+    return is_good(h) || flip_status(h, mesh) != Operation_status::possible;
+  };
+  const auto flipped = [&](Halfedge_index h) { return flip(h), true; };
+  const auto result = internal::flip_waiting(mesh, stack, default_flip_limit(mesh.num_edges()),
+                                             never, stays, flipped);
+  internal::check_flip_limit(!result.is_Delaunay());
 }
 
 } // namespace CGAL::Intrinsic_triangulations

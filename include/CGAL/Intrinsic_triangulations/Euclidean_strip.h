@@ -33,15 +33,23 @@ namespace CGAL::Intrinsic_triangulations {
 template <typename FT>
 class Euclidean_strip
 {
+protected:
   struct Vector
   {
     FT x, y;
 
     friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
     friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
+    friend Vector operator-(const Vector& v) { return {-v.x, -v.y}; }
     friend Vector operator*(const FT& s, const Vector& v) { return {s * v.x, s * v.y}; }
     friend FT dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
     friend FT cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
+
+    // as complex numbers
+    friend Vector operator*(const Vector& v, const Vector& w)
+    {
+      return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
+    }
 
     // turned counterclockwise by the angle with this cosine and sine
     Vector turned(const FT& cos, const FT& sin) const
@@ -53,6 +61,12 @@ class Euclidean_strip
   struct Segment
   {
     Vector source, target;
+  };
+
+  struct Corner
+  {
+    Vector place;
+    FT way; // the length of the way along edges on which it was placed
   };
 
 public:
@@ -68,12 +82,9 @@ public:
   /// starts a new strip in the triangle \f$aij\f$ that is left through \f$\overrightarrow{ij}\f$.
   void start(const FT& ai, const FT& ij, const FT& ja)
   {
-    m_edges.clear();
-    m_direction = Vector{-corner_cosine(ja, ai, ij), corner_sine(ja, ai, ij)};
-    m_edges.push_back(
-      {Vector{ai, FT(0)}, ja > 0 ? ja * Vector{corner_cosine(ij, ai, ja), corner_sine(ij, ai, ja)}
-                                 : Vector{FT(0), FT(0)}});
-    set_first_ways(ai, ja);
+    const Vector j =
+      ja > 0 ? ja * Vector{corner_cosine(ij, ai, ja), corner_sine(ij, ai, ja)} : Vector{};
+    start({{ai, FT(0)}, ai}, {j, ja}, {-corner_cosine(ja, ai, ij), corner_sine(ja, ai, ij)});
   }
 
   /// starts with a line from a point of this triangle: at the point with barycentric coordinates
@@ -84,49 +95,41 @@ public:
     start(ai, ij, ja);
     const Segment from_a = m_edges.back();
     const Vector edge = ij * m_direction;
-    m_edges.back() = {p[0] * from_a.source - p[2] * edge, p[0] * from_a.target + p[1] * edge};
-    set_first_ways(p[0] * ai + p[2] * ij, p[0] * ja + p[1] * ij);
+    start({p[0] * from_a.source - p[2] * edge, p[0] * ai + p[2] * ij},
+          {p[0] * from_a.target + p[1] * edge, p[0] * ja + p[1] * ij}, m_direction);
   }
 
   /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
   /// leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
-    const Vector i = m_edges.back().source, l = apex(ij, jl, li);
-    m_direction = direction_at_source(ij, jl, li);
-    m_way_to_target = noted(way_to_apex(jl, li));
-    m_edges.push_back({i, l});
+    turn_around_source(apex(ij, jl, li), direction_at_source(ij, jl, li));
   }
 
   /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
   /// leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
-    const Vector j = m_edges.back().target, l = apex(ij, jl, li);
-    m_direction = direction_to_target(ij, jl, li);
-    m_way_to_source = noted(way_to_apex(jl, li));
-    m_edges.push_back({l, j});
+    turn_around_target(apex(ij, jl, li), direction_to_target(ij, jl, li));
   }
 
   /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
   /// \f$\overrightarrow{ij}\f$.
-  void finish(const FT& ij, const FT& jl, const FT& li)
-  {
-    set_end(apex(ij, jl, li), way_to_apex(jl, li));
-  }
+  void finish(const FT& ij, const FT& jl, const FT& li) { set_end(apex(ij, jl, li)); }
 
   /// ends with a line to a point of this triangle: the point with barycentric coordinates `q`,
   /// which belong to \f$l\f$, \f$j\f$, \f$i\f$.
   void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)
   {
     const Segment& edge = m_edges.back();
-    const FT to_target = q[2] * ij + q[0] * jl, to_source = q[1] * ij + q[0] * li;
-    if(is_nearer_to_source(to_target, to_source))
-      set_end(edge.source + q[1] * ij * m_direction + q[0] * li * direction_at_source(ij, jl, li),
-              m_way_to_source + to_source);
-    else
-      set_end(edge.target - q[2] * ij * m_direction - q[0] * jl * direction_to_target(ij, jl, li),
-              m_way_to_target + to_target);
+    set_end(placed(
+      q[2] * ij + q[0] * jl, q[1] * ij + q[0] * li,
+      [&] {
+        return edge.source + q[1] * ij * m_direction + q[0] * li * direction_at_source(ij, jl, li);
+      },
+      [&] {
+        return edge.target - q[2] * ij * m_direction - q[0] * jl * direction_to_target(ij, jl, li);
+      }));
   }
 
   /// returns the number of inner edges.
@@ -141,11 +144,8 @@ public:
   /// times the way along edges on which it was placed. \pre `finish()` has been called
   bool is_certain(const FT& error, const FT& tolerance) const
   {
-    const FT displacement = m_longest_way * error, margin = 4 * displacement * m_longest_way;
-    return displacement <= tolerance * length() &&
-           std::all_of(m_edges.begin(), m_edges.end(), [&](const Segment& edge) {
-             return cross(m_end, edge.target) > margin && cross(m_end, edge.source) < -margin;
-           });
+    const FT displacement = m_longest_way * error;
+    return displacement <= tolerance * length() && is_straight(displacement);
   }
 
   /// returns the angle at the start of the line from the direction to the first \f$i\f$
@@ -188,6 +188,65 @@ public:
     return clamped(projected(m_edges[m], along_edge));
   }
 
+protected:
+  // Returns whether the line passes between the ends of all inner edges, if no corner is displaced
+  // by more than `displacement`.
+  bool is_straight(const FT& displacement) const
+  {
+    const FT margin = 4 * displacement * m_longest_way;
+    return std::all_of(m_edges.begin(), m_edges.end(), [&](const Segment& edge) {
+      return cross(m_end, edge.target) > margin && cross(m_end, edge.source) < -margin;
+    });
+  }
+
+  // Starts a strip whose first edge is in this direction.
+  void start(const Corner& i, const Corner& j, const Vector& direction)
+  {
+    m_edges.clear();
+    m_edges.push_back({i.place, j.place});
+    m_direction = direction;
+    m_way_to_source = i.way;
+    m_way_to_target = j.way;
+    m_longest_way = (std::max)(i.way, j.way);
+  }
+
+  // These go on through the triangle jil, and through an edge at `l` in this direction.
+  void turn_around_source(const Corner& l, const Vector& direction)
+  {
+    m_direction = direction;
+    m_way_to_target = noted(l.way);
+    m_edges.push_back({m_edges.back().source, l.place});
+  }
+  void turn_around_target(const Corner& l, const Vector& direction)
+  {
+    m_direction = direction;
+    m_way_to_source = noted(l.way);
+    m_edges.push_back({l.place, m_edges.back().target});
+  }
+
+  void set_end(const Corner& end)
+  {
+    noted(end.way);
+    m_end = end.place;
+    m_squared_length = dot(m_end, m_end);
+  }
+
+  // Returns a point with these distances from the ends of the last edge. One of the functions
+  // places it, that for the end on the shorter way.
+  template <typename From_source, typename From_target>
+  Corner placed(const FT& to_target, const FT& to_source, const From_source& from_source,
+                const From_target& from_target) const
+  {
+    const FT by_source = m_way_to_source + to_source, by_target = m_way_to_target + to_target;
+    if(!internal::is_rounded<FT>() || by_source <= by_target) // otherwise all ways are the same
+      return {from_source(), by_source};
+    return {from_target(), by_target};
+  }
+
+  const Segment& last_edge() const { return m_edges.back(); }
+  const Vector& direction() const { return m_direction; }
+  const FT& longest_way() const { return m_longest_way; }
+
 private:
   // of i->l in the triangle jil
   Vector direction_at_source(const FT& ij, const FT& jl, const FT& li) const
@@ -201,28 +260,14 @@ private:
     return m_direction.turned(corner_cosine(li, ij, jl), corner_sine(li, ij, jl));
   }
 
-  // of a point with these distances from the ends of the last edge
-  bool is_nearer_to_source([[maybe_unused]] const FT& to_target,
-                           [[maybe_unused]] const FT& to_source) const
-  {
-    if constexpr(internal::is_rounded<FT>())
-      return m_way_to_source + to_source <= m_way_to_target + to_target;
-    else
-      return true; // all ways are the same
-  }
-
-  FT way_to_apex(const FT& jl, const FT& li) const
-  {
-    return is_nearer_to_source(jl, li) ? m_way_to_source + li : m_way_to_target + jl;
-  }
-
-  // the place of l in the triangle jil
-  Vector apex(const FT& ij, const FT& jl, const FT& li) const
+  // l in the triangle jil
+  Corner apex(const FT& ij, const FT& jl, const FT& li) const
   {
     const Segment& edge = m_edges.back();
-    if(is_nearer_to_source(jl, li))
-      return li > 0 ? edge.source + li * direction_at_source(ij, jl, li) : edge.source;
-    return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target;
+    return placed(
+      jl, li,
+      [&] { return li > 0 ? edge.source + li * direction_at_source(ij, jl, li) : edge.source; },
+      [&] { return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target; });
   }
 
   // the place on the line, or beyond its ends, of the point at `t` on an edge; the start of a line
@@ -234,24 +279,10 @@ private:
              : FT(0);
   }
 
-  void set_first_ways(const FT& to_source, const FT& to_target)
-  {
-    m_way_to_source = to_source;
-    m_way_to_target = to_target;
-    m_longest_way = (std::max)(to_source, to_target);
-  }
-
   const FT& noted(const FT& way)
   {
     m_longest_way = (std::max)(m_longest_way, way);
     return way;
-  }
-
-  void set_end(const Vector& end, const FT& way)
-  {
-    noted(way);
-    m_end = end;
-    m_squared_length = dot(end, end);
   }
 
   static FT clamped(const FT& s) { return s < 0 ? FT(0) : s > 1 ? FT(1) : s; }

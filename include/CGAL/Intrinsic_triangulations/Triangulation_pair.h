@@ -226,13 +226,14 @@ public:
   }
 
   /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
-  /// \param strip the strip to be laid out
+  /// \param strip the strip to be laid out: `Traits::Geodesic_strip`, or one with another number
+  ///        type, to which lengths are converted
   /// \param h the halfedge
   /// \param exits the halfedges of \f$T_1\f$ through which `h` leaves faces, at least one: an
   ///        `Edge_course`, or another random access range
   /// \returns the length of `h`
-  template <typename Exits>
-  FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exits& exits) const
+  template <typename Strip, typename Exits>
+  auto lay_out(Strip& strip, Halfedge_index h, const Exits& exits) const
   {
     if constexpr(internal::Has_distance<Traits>::value)
       internal::lay_out_strip(

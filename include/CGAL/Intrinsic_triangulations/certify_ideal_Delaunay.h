@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact_numbers.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <CGAL/Interval_nt.h>
@@ -46,6 +46,20 @@ struct Ideal_Delaunay_certificate
 };
 
 namespace internal {
+
+// Intervals that are only used where a Protect_FPU_rounding<true> lives.
+typedef Interval_nt<false> Filter_interval;
+
+// Returns the length of the edge `e` of T2 in the strip of ideal triangles of T1 that it passes.
+// The lengths of T1 are taken as exact.
+template <typename FT, typename Traits>
+FT length_in_strip(Ideal_strip<FT>& strip, Edge_index e, const Triangulation_pair<Traits>& pair,
+                   const Edge_courses<Traits>& courses)
+{
+  const Halfedge_index h = first_halfedge(e);
+  return pair.coordinates().is_shared(e) ? FT(pair.shared_length(h))
+                                         : pair.lay_out(strip, h, courses(h));
+}
 
 // Decides Equation 4.5 for the edges of a mesh. `interval_length` and `exact_length` return the
 // scaled lengths of edges; the former is called while intervals are rounded upwards.
@@ -179,15 +193,15 @@ Ideal_Delaunay_certificate
 certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>>& tri,
                        const std::vector<double>& factor)
 {
-  typedef Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>> Triangulation;
   CGAL_precondition(tri.number_of_inserted_vertices() == 0 && !tri.mesh().has_garbage());
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
-  const internal::Edge_courses<typename Triangulation::Traits> courses(tri, Concurrency());
-  internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, courses);
-  internal::Ideal_development<Exact_field, Triangulation> exact(tri, courses);
+  const internal::Edge_courses<Ideal_geometry_traits<double, Integer>> courses(tri, Concurrency());
+  Ideal_strip<internal::Filter_interval> in_intervals;
+  Ideal_strip<Exact_field> exact;
   return internal::certify_ideal_Delaunay(
-    tri.mesh(), factor, [&](Edge_index e) { return intervals.length(e); },
-    [&](Edge_index e) { return exact.length(e); },
+    tri.mesh(), factor,
+    [&](Edge_index e) { return internal::length_in_strip(in_intervals, e, tri, courses); },
+    [&](Edge_index e) { return internal::length_in_strip(exact, e, tri, courses); },
     [&](Edge_index e) { return tri.is_constrained(e); });
 }
 

@@ -91,13 +91,6 @@ private:
   bool m_has_failed = false;
 };
 
-// What a run of flips has come to.
-struct Flipping_result
-{
-  std::size_t flips;
-  bool is_Delaunay; // otherwise it has come to the limit, or to an edge that cannot be flipped
-};
-
 // Returns the edges that lengths leave in doubt.
 template <typename Flipping>
 Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
@@ -118,25 +111,21 @@ Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
   return stack;
 }
 
+// Flips as the decisions of `flipping` demand.
 template <typename Flipping, typename Visitor>
 Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
                                  Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   Edge_stack stack = doubtful_edges(mesh, flipping, concurrency);
-  std::size_t flips = 0;
-  while(!stack.empty()) {
-    const Edge_index e = stack.pop();
-    if(flipping.is_Delaunay(e))
-      continue;
-    const Halfedge_index h = mesh.halfedge(e);
-    if(flips == limit || !flipping.flip(h))
-      return {flips, false};
-    ++flips;
-    for(Edge_index side : edges_around(h, mesh))
-      stack.push_if(!flipping.is_certainly_Delaunay(side), side);
-    visitor.after_flip(h);
-  }
-  return {flips, true};
+  return flip_waiting(
+    mesh, stack, limit, [&](Edge_index e) { return flipping.is_certainly_Delaunay(e); },
+    [&](Edge_index e) { return flipping.is_Delaunay(e); },
+    [&](Halfedge_index h) {
+      const bool is_flipped = flipping.flip(h);
+      if(is_flipped)
+        visitor.after_flip(h);
+      return is_flipped;
+    });
 }
 
 // Computes lengths afresh, and returns whether that was possible.
@@ -160,20 +149,21 @@ template <typename Traits, typename Visitor>
 Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
                                 Visitor& visitor, Concurrency concurrency = Concurrency())
 {
-  Flipping_result result{0, true};
-  for(int round = 0; round < rounds && result.is_Delaunay; ++round) {
+  typedef Flipping_result::End End;
+  Flipping_result result;
+  for(int round = 0; round < rounds && result.is_Delaunay(); ++round) {
     Flipping_by_lengths<Traits> flipping(tri);
-    const std::size_t before = result.flips;
-    result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor, concurrency);
+    const Flipping_result flips =
+      flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor, concurrency);
     const bool is_good = !is_rounded<typename Traits::FT>() ||
-                         (result.flips <= tri.mesh().number_of_edges() && !flipping.has_failed());
-    result.flips += before;
-    if(result.is_Delaunay && is_good)
+                         (flips.flips <= tri.mesh().number_of_edges() && !flipping.has_failed());
+    result += flips;
+    if(result.is_Delaunay() && is_good)
       return result;
-    if(result.is_Delaunay)
-      result.is_Delaunay = has_recomputed_lengths(tri);
+    if(result.is_Delaunay() && !has_recomputed_lengths(tri))
+      result.end = End::doubt;
   }
-  return {result.flips, false};
+  return {result.flips, result.flips == limit ? End::limit : End::doubt};
 }
 
 // Whether exact decisions are asked for, which is an error where they are not possible.
@@ -191,59 +181,29 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
     CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
 }
 
-inline void check_flip_limit(bool is_exceeded)
-{
-  if(is_exceeded)
-    throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
-}
-
-// What flips with decisions about the surface of T1 have come to.
-struct Filtered_flips
-{
-  enum class End
-  {
-    Delaunay,
-    limit,
-    bent,
-    too_long
-  };
-
-  std::size_t number;
-  End end;
-};
-
-// Flips to Delaunay with at most `effort` steps on strips of triangles, and then once more with a
-// hundred times as many.
+// Flips with decisions about the surface of T1, with at most `effort` steps on strips of triangles,
+// and then once more with a hundred times as many.
 template <typename Traits, typename Visitor>
-Filtered_flips flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit, double effort,
-                             Visitor& visitor, Concurrency concurrency)
+Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                              double effort, Visitor& visitor, Concurrency concurrency)
 {
-  typedef Filtered_flips::End End;
-  std::size_t flips = 0;
+  typedef Flipping_result::End End;
+  Flipping_result result;
   for(double factor : {1, 100}) {
     Exact_flipping<Traits> flipping(tri, factor * effort);
-    if(flipping.has_unknown_lengths() && flipping.has_too_many_crossings())
+    if(flipping.has_unknown_lengths() &&
+       (flipping.has_too_many_crossings() || !flipping.find_lengths()))
       break;
-    if(flipping.has_unknown_lengths() && !flipping.find_lengths())
-      return {flips, End::bent};
-    const Flipping_result result =
-      flip_to_Delaunay(tri.mesh(), flipping, limit - flips, visitor, concurrency);
-    flips += result.flips;
-    if(flips == limit && !result.is_Delaunay)
-      return {flips, End::limit};
+    result += flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor, concurrency);
+    if(result.end == End::limit)
+      return result;
     if(!flipping.has_unknown_lengths()) {
       flipping.sharpen_lengths();
-      return {flips, End::Delaunay};
+      return result;
     }
   }
-  return {flips, End::too_long};
+  return {result.flips, End::doubt};
 }
-
-struct Delaunay_flips
-{
-  std::size_t number;
-  bool are_restarted; // whether flipping has restarted from T1
-};
 
 // The number of flips beyond which lengths of type `double` are not relied on.
 inline std::size_t flips_by_lengths(std::size_t number_of_edges)
@@ -271,42 +231,42 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 
 // Decides exactly which edges are Delaunay, and restarts from T1 where edges are bent.
 template <typename Traits, typename Visitor>
-Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                            Visitor& visitor, Concurrency concurrency)
+Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                             Visitor& visitor, Concurrency concurrency)
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  const Filtered_flips first = flip_filtered(tri, limit, no_limit, visitor, concurrency);
-  check_flip_limit(first.end == Filtered_flips::End::limit);
-  if(first.end == Filtered_flips::End::Delaunay)
-    return {first.number, false};
-  if(!can_be_reset(tri))
-    throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
-  restart_from_input(tri, visitor);
-  const Filtered_flips second =
-    flip_filtered(tri, limit - first.number, no_limit, visitor, concurrency);
-  check_flip_limit(second.end == Filtered_flips::End::limit);
-  return {first.number + second.number, true};
+  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
+  if(result.end == Flipping_result::End::doubt) {
+    if(!can_be_reset(tri))
+      throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
+    restart_from_input(tri, visitor);
+    result.is_restarted = true;
+    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);
+  }
+  check_flip_limit(result.end == Flipping_result::End::limit);
+  return result;
 }
 
 // Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these:
 // after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of
 // T2 may be bent.
 template <typename Traits, typename Visitor>
-Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor, Concurrency concurrency = Concurrency())
+Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                              Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
-  const auto [flips, is_Delaunay] = flip_by_lengths(
+  Flipping_result result = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, carried) : limit,
     can_be_exact ? rounds_before_exact_flips() : rounds_of_flips(), visitor, concurrency);
-  if(is_Delaunay)
-    return {flips, false};
-  check_flip_limit(flips == limit);
+  if(result.is_Delaunay())
+    return result;
+  check_flip_limit(result.flips == limit);
   if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact) {
       restart_from_input(tri, visitor);
-      return {flips + flip_exactly(tri, limit - flips, visitor, concurrency).number, true};
+      result.is_restarted = true;
+      return result += flip_exactly(tri, limit - result.flips, visitor, concurrency);
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
@@ -392,8 +352,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   [[maybe_unused]] const bool are_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>())
     if(internal::Is_exact<Traits>::value || are_exact)
-      return internal::flip_exactly(tri, limit, visitor, concurrency).number;
-  return internal::make_Delaunay(tri, limit, visitor, concurrency).number;
+      return internal::flip_exactly(tri, limit, visitor, concurrency).flips;
+  return internal::make_Delaunay(tri, limit, visitor, concurrency).flips;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

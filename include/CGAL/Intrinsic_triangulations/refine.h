@@ -183,21 +183,13 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
 
 // Flips to Delaunay with certainty, or else with lengths that are computed afresh.
 template <typename Traits, typename Visitor>
-Filtered_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                                Visitor& visitor, Refinement_result& result)
+Flipping_result flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                            Visitor& visitor)
 {
-  typedef Filtered_flips::End End;
-  if constexpr(has_exact_decisions<Traits>()) {
-    const Filtered_flips flips =
-      flip_filtered(tri, limit, refinement_effort(), visitor, Concurrency());
-    result.flips += flips.number;
-    return flips.end;
-  } else {
-    tri.recompute_lengths();
-    const Flipping_result flips = flip_by_lengths(tri, limit, rounds_of_flips(), visitor);
-    result.flips += flips.flips;
-    return flips.is_Delaunay ? End::Delaunay : flips.flips == limit ? End::limit : End::bent;
-  }
+  if constexpr(has_exact_decisions<Traits>())
+    return flip_filtered(tri, limit, refinement_effort(), visitor, Concurrency());
+  tri.recompute_lengths();
+  return flip_by_lengths(tri, limit, rounds_of_flips(), visitor);
 }
 
 // Lengths that come from many roundings are computed afresh; edges and faces that turn out to
@@ -213,11 +205,12 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
     if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_if_filter_fails, result) &&
        stops_if_filter_fails)
       return false;
-    const Filtered_flips::End end = flip_afresh(tri, limits.flips, visitor, result);
-    if(end != Filtered_flips::End::Delaunay) {
+    const Flipping_result flips = flip_afresh(tri, limits.flips, visitor);
+    result.flips += flips.flips;
+    if(!flips.is_Delaunay()) {
       if(stops_if_filter_fails)
         return false;
-      check_flip_limit(end == Filtered_flips::End::limit);
+      check_flip_limit(flips.end == Flipping_result::End::limit);
       throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
     }
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||
@@ -235,7 +228,7 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
 {
   result.is_exact = true;
   result.status = Refinement_status::bounds_met;
-  result.flips += flip_exactly(tri, limits.flips, visitor, Concurrency()).number;
+  result.flips += flip_exactly(tri, limits.flips, visitor, Concurrency()).flips;
   insert_vertices<true>(tri, bounds, limits, visitor, false, result);
   note_remaining(tri, bounds, result);
   return result;
@@ -244,8 +237,8 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
 // Flips to Delaunay before refinement. Around inserted vertices, faces could overlap later although
 // all edges are straight, if these are bent now.
 template <typename Traits, typename Visitor>
-Delaunay_flips flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                                      Visitor& visitor)
+Flipping_result flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                                       Visitor& visitor)
 {
   if constexpr(has_exact_decisions<Traits>())
     if(tri.number_of_inserted_vertices() > 0)
@@ -262,11 +255,11 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 {
   [[maybe_unused]] const std::size_t given = tri.number_of_inserted_vertices();
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
-  const Delaunay_flips flips = flip_before_refinement(tri, limits.flips, visitor);
+  const Flipping_result flips = flip_before_refinement(tri, limits.flips, visitor);
   Refinement_result result;
-  result.flips = flips.number;
+  result.flips = flips.flips;
   if constexpr(has_exact_decisions<Traits>())
-    if(flips.are_restarted)
+    if(flips.is_restarted)
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -22,6 +23,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -41,6 +43,9 @@ protected:
   using Rounded = Rounded_corners<N, Metric, Input>;
 
 public:
+  Certain_measures(const Certain_measures&) = delete;
+  Certain_measures& operator=(const Certain_measures&) = delete;
+
   // whether the edge of `h` is a whole edge of T1
   bool is_input_edge(Halfedge_index h) const
   {
@@ -136,11 +141,12 @@ public:
   Rounded<Double_double>& extended_corners() const { return m_extended; }
 
 protected:
-  Certain_measures(const Pair& pair, const Edge_courses<Traits>& courses)
+  // Without `courses`, these are computed when they are read.
+  explicit Certain_measures(const Pair& pair, const Edge_courses<Traits>* courses = nullptr)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_metric(pair.input_metric()),
-      m_courses(courses),
+      m_courses(courses != nullptr ? *courses : m_own_courses.emplace(pair)),
       m_strip(pair),
       m_double(m_metric, pair.input()),
       m_extended(m_metric, pair.input()),
@@ -187,6 +193,7 @@ protected:
   const Pair& m_pair;
   const Delta_complex& m_mesh;
   const Metric& m_metric;
+  std::optional<Edge_courses<Traits>> m_own_courses;
   const Edge_courses<Traits>& m_courses;
 
 private:

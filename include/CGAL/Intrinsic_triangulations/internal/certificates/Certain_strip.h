@@ -8,15 +8,14 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Edge_course.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -27,7 +26,8 @@ struct Straight_edge
   double length;   // NaN if it is not known up to the error that is allowed
 };
 
-// The strip of triangles of T1 that an edge of T2 crosses, laid out in `double` from its source.
+// The strip of triangles of T1 that an edge of T2 crosses, laid out in `double` from its source by
+// the corners of these triangles, not by lengths.
 //
 // A side comes from the side before by a factor with a relative error of at most 20 u, and the
 // product adds less than 3 u, for the rounding unit u: so a side has at most 24 u for each
@@ -35,46 +35,12 @@ struct Straight_edge
 // a u of that way. Hence no corner is displaced by more than 32 u times the number of triangles
 // times the longest of these ways.
 template <typename Traits>
-class Certain_strip
+class Certain_strip : Euclidean_strip<double>
 {
+  typedef Euclidean_strip<double> Base;
   typedef Triangulation_pair<Traits> Pair;
-
-  struct Vector
-  {
-    double x, y;
-
-    friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
-    friend Vector operator-(const Vector& v) { return {-v.x, -v.y}; }
-    // product of complex numbers
-    friend Vector operator*(const Vector& v, const Vector& w)
-    {
-      return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
-    }
-    friend double cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
-  };
-
-  struct Corner
-  {
-    Vector position;
-    double way; // from the source of the strip, along sides
-
-    Corner moved(const Vector& v, double length) const { return {position + v, way + length}; }
-  };
-
-  // a side of a triangle that lies on its left
-  struct Side
-  {
-    Halfedge_index halfedge;
-    Vector vector;
-    Corner source, target;
-  };
-
-  // the third corner of this triangle
-  struct Apex
-  {
-    Vector from_source, from_target;
-    Corner corner;
-  };
+  using typename Base::Corner;
+  using typename Base::Vector;
 
 public:
   explicit Certain_strip(const Pair& pair) : m_pair(pair), m_input(pair.input_mesh()) {}
@@ -88,11 +54,11 @@ public:
     if(course.size() == 1)
       return across(opposite(course[0]), error);
     lay_out(course);
-    const double triangles = static_cast<double>(m_left.size() + m_right.size());
-    const double displacement = 32 * Rounding<double>::unit() * triangles * m_longest_way;
-    const double length = std::sqrt(m_end.x * m_end.x + m_end.y * m_end.y);
-    return {is_straight(4 * displacement * m_longest_way),
-            displacement <= error / 2 * length ? length : std::numeric_limits<double>::quiet_NaN()};
+    const double triangles = static_cast<double>(course.size() + 1);
+    const double displacement = 32 * Rounding<double>::unit() * triangles * longest_way();
+    return {is_straight(displacement), displacement <= error / 2 * length()
+                                         ? length()
+                                         : std::numeric_limits<double>::quiet_NaN()};
   }
 
 private:
@@ -121,57 +87,52 @@ private:
 
   void lay_out(const Edge_course& course)
   {
-    const Halfedge_index exit = course[0], first = m_input.prev(exit);
-    const double length = side_length(first);
-    m_left.clear();
-    m_right.assign(1, {length, 0});
-    m_longest_way = length;
-    Side side = passed({first, {length, 0}, {{0, 0}, 0}, {{length, 0}, length}}, exit);
+    const Halfedge_index ai = m_input.prev(course[0]);
+    const Vector side{side_length(ai), 0};
+    const Apex j = apex(ai);
+    start({side, side.x}, {side * j.from_source, side_length(m_input.prev(ai))},
+          side * j.from_target);
     for(std::size_t m = 1; m < course.size(); ++m)
-      side = passed(side, course[m]);
-    m_end = apex(side).corner.position;
+      pass(opposite(course[m - 1]), course[m]);
+    const Halfedge_index last = opposite(course[course.size() - 1]);
+    set_end(corner(last, apex(last)));
   }
 
-  // returns the side by which the strip enters the next triangle through `exit`
-  Side passed(const Side& side, Halfedge_index exit)
+  // Enters a triangle through the side `ji`, and leaves it through the side `exit`.
+  void pass(Halfedge_index ji, Halfedge_index exit)
   {
-    const Apex a = apex(side);
-    if(exit == m_input.next(side.halfedge)) {
-      m_left.push_back(a.corner.position);
-      return {opposite(exit), -a.from_target, a.corner, side.target};
-    }
-    m_right.push_back(a.corner.position);
-    return {opposite(exit), a.from_source, side.source, a.corner};
+    const Apex l = apex(ji);
+    if(exit == m_input.next(ji))
+      turn_around_source(corner(ji, l), -(direction() * l.from_target));
+    else
+      turn_around_target(corner(ji, l), direction() * l.from_source);
   }
 
-  Apex apex(const Side& side)
+  // the third corner of a triangle from the ends of a side, as parts of this
+  struct Apex
   {
-    const Halfedge_index h = side.halfedge;
+    Vector from_source, from_target;
+  };
+
+  Apex apex(Halfedge_index h) const
+  {
     const auto ratios = apex_ratios<double>(h, m_pair.input_metric(), m_pair.input());
-    const Vector from_source = side.vector * Vector{ratios.from_source, ratios.across},
-                 from_target = side.vector * Vector{ratios.from_target, ratios.across};
-    const Corner by_source = side.source.moved(from_source, side_length(m_input.prev(h))),
-                 by_target = side.target.moved(from_target, side_length(m_input.next(h)));
-    const Corner& corner = by_source.way <= by_target.way ? by_source : by_target;
-    m_longest_way = (std::max)(m_longest_way, corner.way);
-    return {from_source, from_target, corner};
+    return {{ratios.from_source, ratios.across}, {ratios.from_target, ratios.across}};
+  }
+
+  // Returns the third corner of the triangle of `ji`.
+  Corner corner(Halfedge_index ji, const Apex& l) const
+  {
+    return placed(
+      side_length(m_input.prev(ji)), side_length(m_input.next(ji)),
+      [&] { return last_edge().source - direction() * l.from_target; },
+      [&] { return last_edge().target - direction() * l.from_source; });
   }
 
   double side_length(Halfedge_index h) const { return m_pair.input_length(m_input.edge(h)); }
 
-  bool is_straight(double margin) const
-  {
-    const auto is_on_left = [&](const Vector& v) { return cross(m_end, v) > margin; };
-    const auto is_on_right = [&](const Vector& v) { return cross(m_end, v) < -margin; };
-    return std::all_of(m_left.begin(), m_left.end(), is_on_left) &&
-           std::all_of(m_right.begin(), m_right.end(), is_on_right);
-  }
-
   const Pair& m_pair;
   const Delta_complex& m_input;
-  std::vector<Vector> m_left, m_right; // corners of the strip
-  Vector m_end{};
-  double m_longest_way = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

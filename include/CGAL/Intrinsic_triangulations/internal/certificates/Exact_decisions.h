@@ -76,8 +76,11 @@ public:
   using Base::is_input_edge;
   using Base::rounded_angle;
 
+  // The courses of edges are computed when they are read.
+  explicit Exact_decisions(const Pair& pair) : Base(pair), m_is_flat(m_metric, pair.input_mesh()) {}
+
   Exact_decisions(const Pair& pair, const Edge_courses<Traits>& courses)
-    : Base(pair, courses), m_is_flat(m_metric, pair.input_mesh())
+    : Base(pair, &courses), m_is_flat(m_metric, pair.input_mesh())
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
@@ -238,8 +241,6 @@ public:
     if(!is_certain(sign))
       sign = sign_by_roots<Exact>(predicate, many_roots);
     if(!is_certain(sign))
-      sign = sign_with_most_digits(predicate);
-    if(!is_certain(sign))
       throw Numerical_error("an exact decision involves more than " + std::to_string(many_roots) +
                             " independent square roots");
     return get_certain(sign);
@@ -315,15 +316,6 @@ private:
   }
 
   // ---- Stages ----
-
-  template <typename Predicate>
-  Uncertain<Sign> sign_with_most_digits(const Predicate& predicate)
-  {
-    Rounded<Long_float> corners(m_metric, m_pair.input());
-    const Uncertain<Sign> sign = predicate(development(corners));
-    m_count.multiprecision += is_certain(sign);
-    return sign;
-  }
 
   template <typename Exact, typename Predicate>
   Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
@@ -433,6 +425,12 @@ private:
   Flat_edges<Metric> m_is_flat;
   Decision_count m_count;
 };
+
+template <typename Traits>
+Exact_decisions<Traits> exact_decisions(const Triangulation_pair<Traits>& pair)
+{
+  return Exact_decisions<Traits>(pair);
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -16,9 +16,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Delaunay_flips
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
 make_Delaunay(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
-CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Delaunay_flips
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
 flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
