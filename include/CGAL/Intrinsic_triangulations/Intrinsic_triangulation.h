@@ -161,7 +161,7 @@ public:
     if(!defect.empty())
       throw Invalid_input(defect);
     if constexpr(internal::has_metric<Traits>())
-      internal::check_exact_triangles(m_input_metric, this->input());
+      internal::check_exact_triangles(internal::exact_input(*this));
   }
 
   /// @}
@@ -489,9 +489,9 @@ Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const N
   internal::mollify_lengths(np, input(), m_input_metric);
   internal::check_copied_lengths(np, input(), m_traits);
   if constexpr(internal::Is_exact<Traits>::value)
-    internal::check_exact_triangles(m_input_metric, input());
+    internal::check_exact_triangles(internal::exact_input(*this));
   else if constexpr(internal::has_metric<Traits>())
-    internal::make_triangles_exact(m_input_metric, input());
+    internal::make_triangles_exact(internal::exact_input(*this), m_input_metric);
   m_mesh = m_input;
   attach();
   m_outgoing_halfedges = Outgoing_halfedges(m_input, m_coordinates.roundabout_map());

@@ -29,13 +29,12 @@ class Precise_lengths
 {
   typedef Triangulation_pair<Traits> Pair;
   template <typename N>
-  using Corners =
-    internal::Rounded_corners<N, typename Pair::Metric, decltype(std::declval<Pair>().input())>;
+  using Corners = internal::Rounded_corners<N, typename Pair::Metric::Number>;
 
 public:
   /// prepares for the lengths of `pair`, which is referred to.
   explicit Precise_lengths(const Pair& pair)
-    : m_pair(pair), m_courses(pair, Concurrency()), m_corners(pair.input_metric(), pair.input())
+    : m_pair(pair), m_courses(pair, Concurrency()), m_corners(internal::exact_input(pair))
   {}
 
   /// returns the length of the edge of `h` with a relative error of at most \f$2^{-90}\f$.
@@ -44,7 +43,7 @@ public:
   {
     std::optional<Double_double> result = length(h, m_corners);
     if(!result) {
-      Corners<internal::Long_float> corners(m_pair.input_metric(), m_pair.input());
+      Corners<internal::Long_float> corners(internal::exact_input(m_pair));
       result = length(h, corners);
     }
     if(!result)

@@ -36,11 +36,10 @@ class Certain_measures
 {
   typedef Triangulation_pair<Traits> Pair;
   typedef Input_metric_of<Traits> Metric;
-  typedef decltype(std::declval<Pair>().input()) Input;
 
 protected:
   template <typename N>
-  using Rounded = Rounded_corners<N, Metric, Input>;
+  using Rounded = Rounded_corners<N, typename Metric::Number>;
 
 public:
   Certain_measures(const Certain_measures&) = delete;
@@ -147,10 +146,10 @@ protected:
       m_mesh(pair.mesh()),
       m_metric(pair.input_metric()),
       m_courses(courses != nullptr ? *courses : m_own_courses.emplace(pair)),
-      m_strip(pair),
-      m_double(m_metric, pair.input()),
-      m_extended(m_metric, pair.input()),
-      m_long(m_metric, pair.input())
+      m_strip(exact_input(pair)),
+      m_double(exact_input(pair)),
+      m_extended(exact_input(pair)),
+      m_long(exact_input(pair))
   {}
 
   bool has_inserted_end(Halfedge_index h) const
@@ -245,7 +244,7 @@ private:
                                                  : std::numeric_limits<double>::quiet_NaN();
   }
 
-  mutable Certain_strip<Traits> m_strip;
+  mutable Certain_strip<typename Metric::Number> m_strip;
   mutable Rounded<double> m_double;
   mutable Rounded<Double_double> m_extended;
   mutable Rounded<Long_float> m_long;

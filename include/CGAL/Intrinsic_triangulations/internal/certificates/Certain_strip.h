@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_course.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
-#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -34,16 +33,15 @@ struct Straight_edge
 // triangle. A corner is placed by adding up sides on the shorter way from the source; each sum adds
 // a u of that way. Hence no corner is displaced by more than 32 u times the number of triangles
 // times the longest of these ways.
-template <typename Traits>
+template <typename Number>
 class Certain_strip : Euclidean_strip<double>
 {
   typedef Euclidean_strip<double> Base;
-  typedef Triangulation_pair<Traits> Pair;
   using typename Base::Corner;
   using typename Base::Vector;
 
 public:
-  explicit Certain_strip(const Pair& pair) : m_pair(pair), m_input(pair.input_mesh()) {}
+  explicit Certain_strip(const Exact_surface<Number>& input) : m_input(input) {}
 
   // Returns the length of an edge with this course, unless it may have a relative error of more
   // than `error`, and whether it certainly passes between the ends of the edges of T1 that it
@@ -68,8 +66,8 @@ private:
   // Products of sides are bounded by half of the sum of their squares.
   Straight_edge across(Halfedge_index x, double error) const
   {
-    const auto apex = apex_products<double>(x, m_pair.input_metric(), m_pair.input()),
-               other = apex_products<double>(opposite(x), m_pair.input_metric(), m_pair.input());
+    const auto apex = apex_products<double>(x, m_input),
+               other = apex_products<double>(opposite(x), m_input);
     constexpr double unit = 64 * Rounding<double>::unit();
     const double inverse = 2 / (apex.square_pq + other.square_pq); // NaN if one is
     const double at_source = apex.square_pr + other.square_qr,
@@ -85,27 +83,28 @@ private:
                            : std::numeric_limits<double>::quiet_NaN()};
   }
 
+  // The plane is seen from behind: a side with its triangle on the left has it on the right.
   void lay_out(const Edge_course& course)
   {
-    const Halfedge_index ai = m_input.prev(course[0]);
-    const Vector side{side_length(ai), 0};
+    const Halfedge_index ai = m_input.mesh().prev(course[0]);
+    const Vector side{edge_length(ai, m_input), 0};
     const Apex j = apex(ai);
-    start({side, side.x}, {side * j.from_source, side_length(m_input.prev(ai))},
-          side * j.from_target);
+    start({side * j.from_source, edge_length(m_input.mesh().prev(ai), m_input)}, {side, side.x},
+          -(side * j.from_target));
     for(std::size_t m = 1; m < course.size(); ++m)
       pass(opposite(course[m - 1]), course[m]);
     const Halfedge_index last = opposite(course[course.size() - 1]);
     set_end(corner(last, apex(last)));
   }
 
-  // Enters a triangle through the side `ji`, and leaves it through the side `exit`.
-  void pass(Halfedge_index ji, Halfedge_index exit)
+  // Enters a triangle through its side `h`, and leaves it through `exit`.
+  void pass(Halfedge_index h, Halfedge_index exit)
   {
-    const Apex l = apex(ji);
-    if(exit == m_input.next(ji))
-      turn_around_source(corner(ji, l), -(direction() * l.from_target));
+    const Apex l = apex(h);
+    if(exit == m_input.mesh().next(h))
+      turn_around_target(corner(h, l), -(direction() * l.from_target));
     else
-      turn_around_target(corner(ji, l), direction() * l.from_source);
+      turn_around_source(corner(h, l), direction() * l.from_source);
   }
 
   // the third corner of a triangle from the ends of a side, as parts of this
@@ -116,23 +115,20 @@ private:
 
   Apex apex(Halfedge_index h) const
   {
-    const auto ratios = apex_ratios<double>(h, m_pair.input_metric(), m_pair.input());
-    return {{ratios.from_source, ratios.across}, {ratios.from_target, ratios.across}};
+    const auto ratios = apex_ratios<double>(h, m_input);
+    return {{ratios.from_source, -ratios.across}, {ratios.from_target, -ratios.across}};
   }
 
-  // Returns the third corner of the triangle of `ji`.
-  Corner corner(Halfedge_index ji, const Apex& l) const
+  // Returns the third corner of the triangle of `h`.
+  Corner corner(Halfedge_index h, const Apex& l) const
   {
     return placed(
-      side_length(m_input.prev(ji)), side_length(m_input.next(ji)),
-      [&] { return last_edge().source - direction() * l.from_target; },
-      [&] { return last_edge().target - direction() * l.from_source; });
+      edge_length(m_input.mesh().next(h), m_input), edge_length(m_input.mesh().prev(h), m_input),
+      [&] { return last_edge().source + direction() * l.from_source; },
+      [&] { return last_edge().target + direction() * l.from_target; });
   }
 
-  double side_length(Halfedge_index h) const { return m_pair.input_length(m_input.edge(h)); }
-
-  const Pair& m_pair;
-  const Delta_complex& m_input;
+  Exact_surface<Number> m_input;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -52,7 +52,7 @@ public:
 
   Delaunay_certificate run()
   {
-    check_exact_triangles(m_pair.input_metric(), m_pair.input());
+    check_exact_triangles(exact_input(m_pair));
     for_each<Edge_index>(
       [this](auto e, auto& decisions, auto& part) { check_straightness(e, decisions, part); });
     for_each<Edge_index>(

@@ -56,7 +56,7 @@ class Exact_decisions : public Certain_measures<Traits>
   typedef Triangulation_pair<Traits> Pair;
   typedef Input_metric_of<Traits> Metric;
   typedef typename Metric::Number Number;
-  typedef Exact_number_of<Number> K;
+  typedef Ring_of<Number> K;
   template <typename N>
   using Rounded = typename Base::template Rounded<N>;
   using Base::development;
@@ -77,10 +77,12 @@ public:
   using Base::rounded_angle;
 
   // The courses of edges are computed when they are read.
-  explicit Exact_decisions(const Pair& pair) : Base(pair), m_is_flat(m_metric, pair.input_mesh()) {}
+  explicit Exact_decisions(const Pair& pair)
+    : Base(pair), m_is_flat(m_metric.points, pair.input_mesh())
+  {}
 
   Exact_decisions(const Pair& pair, const Edge_courses<Traits>& courses)
-    : Base(pair, &courses), m_is_flat(m_metric, pair.input_mesh())
+    : Base(pair, &courses), m_is_flat(m_metric.points, pair.input_mesh())
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
@@ -328,8 +330,7 @@ private:
   template <typename R, typename Predicate>
   Uncertain<Sign> sign_by_roots_over(const Predicate& predicate, std::size_t maximum)
   {
-    Exact_corners<R, Metric, decltype(m_pair.input())> corners(m_metric, m_pair.input(), m_is_flat,
-                                                               maximum);
+    Exact_corners<R, Number> corners(exact_input(m_pair), m_is_flat, maximum);
     const Uncertain<Sign> sign = predicate(development(corners));
     if(corners.has_too_many_roots())
       return Uncertain<Sign>::indeterminate();
@@ -386,7 +387,7 @@ private:
   bool passes_triangle(Halfedge_index h, bool has_area) const
   {
     const auto is_one = [&](Halfedge_index side) {
-      return (area_sign(side, m_metric, m_pair.input()) != ZERO) == has_area;
+      return (area_sign(side, exact_input(m_pair)) != ZERO) == has_area;
     };
     const Halfedge_index outgoing = m_pair.input_outgoing_before(h);
     const Delta_complex& input = m_pair.input_mesh();
@@ -422,7 +423,7 @@ private:
   }
 
   Delaunay_by_lengths m_by_lengths;
-  Flat_edges<Metric> m_is_flat;
+  Flat_edges m_is_flat;
   Decision_count m_count;
 };
 

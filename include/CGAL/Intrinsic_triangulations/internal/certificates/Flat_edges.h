@@ -12,27 +12,29 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The edges of T1 whose two faces lie in one plane, side by side.
-template <typename Metric>
 class Flat_edges
 {
 public:
-  Flat_edges(const Metric& metric, const Delta_complex& mesh) : m_metric(metric), m_mesh(mesh) {}
+  Flat_edges(const std::vector<Position>& points, const Delta_complex& mesh)
+    : m_points(points), m_mesh(mesh)
+  {}
 
   // Returns whether the edge of `h`, which is not on the boundary, is one: not without positions.
   bool operator()(Halfedge_index h)
   {
-    return !m_metric.points.empty() && m_is_flat(std::size_t(Edge_index(h).idx()), [&] {
-      const auto [i, j, k, l] = corner_positions(h, m_metric.points, m_mesh);
+    return !m_points.empty() && m_is_flat(std::size_t(Edge_index(h).idx()), [&] {
+      const auto [i, j, k, l] = corner_positions(h, m_points, m_mesh);
       return is_flat_in_space(i, j, k, l);
     });
   }
 
 private:
-  const Metric& m_metric;
+  const std::vector<Position>& m_points;
   const Delta_complex& m_mesh;
   Direct_mapped_cache<bool> m_is_flat;
 };

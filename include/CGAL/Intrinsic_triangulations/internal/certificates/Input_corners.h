@@ -9,6 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
@@ -30,6 +32,13 @@
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+template <typename Traits>
+Exact_surface<typename Input_metric_of<Traits>::Number>
+exact_input(const Triangulation_pair<Traits>& pair)
+{
+  return {pair.input(), pair.input_metric()};
+}
 
 // A corner at p of a triangle pqr of T1, where pq is the side of a halfedge. As a complex number it
 // is (r - p) / (q - p), up to conjugation: its argument is the angle, its absolute value the ratio
@@ -53,9 +62,11 @@ inline Input_corner corner_at_target(Halfedge_index h, const Delta_complex& mesh
   return {c.q, c.p, c.r, c.pq, c.qr, c.pr};
 }
 
-// the field of exact squared lengths that are stored as numbers of another type
+// the ring and the field of exact squared lengths that are stored as numbers of another type
 template <typename Stored>
-using Exact_number_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_field, Stored>;
+using Ring_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_ring, Stored>;
+template <typename Stored>
+using Field_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_field, Stored>;
 
 // Twice the scalar product of the sides at a corner, and the square of four times the area, from
 // the squared lengths of pq, pr and qr. Nothing is divided.
@@ -71,12 +82,12 @@ struct Corner_products
 };
 
 // returns the positions of the corners of the triangle of `h`
-template <typename Metric>
-std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Metric& metric,
-                                            const Delta_complex& mesh)
+template <typename Number>
+std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Exact_surface<Number>& input)
 {
-  return {metric.points[mesh.source(h)], metric.points[mesh.target(h)],
-          metric.points[mesh.target(mesh.next(h))]};
+  const Delta_complex& mesh = input.mesh();
+  return {input.metric.points[mesh.source(h)], input.metric.points[mesh.target(h)],
+          input.metric.points[mesh.target(mesh.next(h))]};
 }
 
 // Returns the square of pq, or NaN if products of the squares of three sides may underflow or
@@ -136,16 +147,17 @@ BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const
           square_qr};
 }
 
-// Returns those of the triangle on the left of `h`. \pre `metric` has no squared lengths
-template <typename N, typename Metric, typename Surface>
-Apex_products<N> apex_products(Halfedge_index h, const Metric& metric, const Surface& input)
+// Returns those of the triangle on the left of `h`. \pre `input` has no squared lengths
+template <typename N, typename Number>
+Apex_products<N> apex_products(Halfedge_index h, const Exact_surface<Number>& input)
 {
   const Delta_complex& mesh = input.mesh();
-  if(!metric.points.empty())
-    return apex_products<N>(metric.points[mesh.source(h)], metric.points[mesh.target(h)],
-                            metric.points[mesh.target(mesh.next(h))]);
-  const auto length = [&](Halfedge_index x) { return N(input.length_map()[mesh.edge(x)]); };
-  return apex_products<N>(length(h), length(mesh.next(h)), length(mesh.prev(h)));
+  const auto& points = input.metric.points;
+  if(!points.empty())
+    return apex_products<N>(points[mesh.source(h)], points[mesh.target(h)],
+                            points[mesh.target(mesh.next(h))]);
+  const auto [a, b, c] = side_lengths(h, input);
+  return apex_products<N>(N(a), N(b), N(c));
 }
 
 // r from p and from q along pq, and across it, divided by the length of pq
@@ -156,11 +168,11 @@ struct Apex_ratios
 };
 
 // Returns those of the triangle on the left of `h`; NaN if products may leave the range of numbers.
-// \pre `metric` has no squared lengths
-template <typename N, typename Metric, typename Surface>
-Apex_ratios<N> apex_ratios(Halfedge_index h, const Metric& metric, const Surface& input)
+// \pre `input` has no squared lengths
+template <typename N, typename Number>
+Apex_ratios<N> apex_ratios(Halfedge_index h, const Exact_surface<Number>& input)
 {
-  const auto products = apex_products<N>(h, metric, input);
+  const auto products = apex_products<N>(h, input);
   const N inverse = N(1) / products.square_pq;
   return {N(products.with_pr * inverse), N(products.with_qr * inverse),
           N(products.across * inverse)};
@@ -168,16 +180,16 @@ Apex_ratios<N> apex_ratios(Halfedge_index h, const Metric& metric, const Surface
 
 // Corners up to an error that is a few units of roundoff of their absolute value, however thin the
 // triangle is.
-template <typename N, typename Metric, typename Surface>
+template <typename N, typename Number>
 class Rounded_corners
 {
-  typedef Exact_number_of<typename Metric::Number> K;
+  typedef Field_of<Number> K;
 
 public:
   typedef Ball<N> Complex;
   static constexpr bool is_rounded = true;
 
-  Rounded_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
+  explicit Rounded_corners(const Exact_surface<Number>& input) : m_input(input) {}
 
   static Complex number(int x) { return {N(x), N(0), 0}; }
 
@@ -211,9 +223,9 @@ public:
   Complex at_source(Halfedge_index h)
   {
     return m_corner(2 * std::size_t(h.idx()), [&] {
-      if(!m_metric.squared_lengths.empty())
+      if(!m_input.metric.squared_lengths.empty())
         return from_squared_lengths(corner_at_source(h, m_input.mesh()));
-      const auto ratios = apex_ratios<N>(h, m_metric, m_input);
+      const auto ratios = apex_ratios<N>(h, m_input);
       return corner(ratios.from_source, ratios.across);
     });
   }
@@ -224,9 +236,9 @@ public:
   Complex at_target(Halfedge_index h)
   {
     return m_corner(2 * std::size_t(h.idx()) + 1, [&] {
-      if(!m_metric.squared_lengths.empty())
+      if(!m_input.metric.squared_lengths.empty())
         return from_squared_lengths(corner_at_target(h, m_input.mesh()));
-      const auto ratios = apex_ratios<N>(h, m_metric, m_input);
+      const auto ratios = apex_ratios<N>(h, m_input);
       return corner(-ratios.from_target, ratios.across);
     });
   }
@@ -234,12 +246,12 @@ public:
   Complex length(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_input.mesh();
-    if(!m_metric.points.empty()) {
+    if(!m_input.metric.points.empty()) {
       const auto u = vector(mesh.source(h), mesh.target(h));
       return Complex{sqrt(dot(u, u)), N(0), 0}.with_error(6);
     }
-    if(!m_metric.squared_lengths.empty())
-      return root(to_ball<N>(K(m_metric.squared_lengths[mesh.edge(h)])));
+    if(!m_input.metric.squared_lengths.empty())
+      return root(to_ball<N>(K(m_input.metric.squared_lengths[mesh.edge(h)])));
     return {N(m_input.length_map()[mesh.edge(h)]), N(0), 0};
   }
 
@@ -253,12 +265,12 @@ private:
 
   std::array<N, 3> vector(Vertex_index v, Vertex_index w) const
   {
-    return vector_between<N>(m_metric.points[v], m_metric.points[w]);
+    return vector_between<N>(m_input.metric.points[v], m_input.metric.points[w]);
   }
 
   Complex from_squared_lengths(const Input_corner& c) const
   {
-    const auto& square = m_metric.squared_lengths;
+    const auto& square = m_input.metric.squared_lengths;
     const K pq(square[c.pq]);
     const Corner_products<K> exact({pq, K(square[c.pr]), K(square[c.qr])});
     const Complex along = to_ball<N>(K(exact.doubled_product / (K(2) * pq)));
@@ -267,24 +279,22 @@ private:
     return along + Complex{N(0), across.x, across.radius};
   }
 
-  const Metric& m_metric;
-  Surface m_input;
+  Exact_surface<Number> m_input;
   Direct_mapped_cache<Complex> m_corner;
 };
 
 // Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a
 // common factor: coordinates and lengths are made whole numbers, which need no common denominators.
-template <typename K, typename Metric, typename Surface>
-std::array<K, 3> squared_sides(Halfedge_index h, const Metric& metric, const Surface& input)
+template <typename K, typename Number>
+std::array<K, 3> squared_sides(Halfedge_index h, const Exact_surface<Number>& input)
 {
-  typedef typename Metric::Number Number;
   const Delta_complex& mesh = input.mesh();
   if constexpr(!std::is_same_v<K, Exact_ring> || std::is_same_v<Number, double>)
-    if(const auto& square = metric.squared_lengths; !square.empty())
+    if(const auto& square = input.metric.squared_lengths; !square.empty())
       return {K(square[mesh.edge(h)]), K(square[mesh.edge(mesh.next(h))]),
               K(square[mesh.edge(mesh.prev(h))])};
-  if(!metric.points.empty()) {
-    auto p = corners_of_triangle(h, metric, mesh);
+  if(!input.metric.points.empty()) {
+    auto p = corners_of_triangle(h, input);
     scale_to_integers(p);
     return {squared_distance<K>(p[0], p[1]), squared_distance<K>(p[1], p[2]),
             squared_distance<K>(p[2], p[0])};
@@ -297,17 +307,17 @@ std::array<K, 3> squared_sides(Halfedge_index h, const Metric& metric, const Sur
 
 // Returns the sign of the squared area of the triangle of `h`: NEGATIVE if the triangle inequality
 // fails.
-template <typename Metric, typename Surface>
-Sign area_sign(Halfedge_index h, const Metric& metric, const Surface& input)
+template <typename Number>
+Sign area_sign(Halfedge_index h, const Exact_surface<Number>& input)
 {
-  typedef Exact_number_of<typename Metric::Number> K;
-  return CGAL::sign(Corner_products<K>(squared_sides<K>(h, metric, input)).squared_quadrupled_area);
+  typedef Ring_of<Number> K;
+  return CGAL::sign(Corner_products<K>(squared_sides<K>(h, input)).squared_quadrupled_area);
 }
 
 // Corners of numbers with square roots, exactly, for one decision. They are not divided by the
 // squared length of their side: a position is one up to a positive factor. With positions, faces
 // side by side in one plane make one face, all vertices of which are placed at once.
-template <typename K, typename Metric, typename Surface>
+template <typename K, typename Number>
 class Exact_corners
 {
 public:
@@ -315,9 +325,8 @@ public:
   static constexpr bool is_rounded = false;
 
   // The decision is left open if it involves more than `maximum` independent roots.
-  Exact_corners(const Metric& metric, const Surface& input, Flat_edges<Metric>& is_flat,
-                std::size_t maximum)
-    : m_metric(metric), m_input(input), m_is_flat(is_flat), m_tower(maximum)
+  Exact_corners(const Exact_surface<Number>& input, Flat_edges& is_flat, std::size_t maximum)
+    : m_input(input), m_is_flat(is_flat), m_tower(maximum)
   {}
 
   Complex number(int x) const { return real(K(x)); }
@@ -349,7 +358,7 @@ public:
     if(other == m_input.mesh().next(h))
       return real(scale(h));
     const Face& f = face(h);
-    if(m_metric.points.empty())
+    if(m_input.metric.points.empty())
       return {&m_tower, Element{K((square(h, 0) + square(h, 2) - square(h, 1)) * f.factor)},
               f.root};
     const auto u = exact_vector<K>(source(h), target(h), f.unit),
@@ -383,7 +392,7 @@ private:
   K scale(Halfedge_index h)
   {
     const Face& f = face(h);
-    if(m_metric.points.empty())
+    if(m_input.metric.points.empty())
       return K(2) * square(h, 0) * f.factor;
     const auto u = exact_vector<K>(source(h), target(h), f.unit);
     return dot(u, u) * f.factor;
@@ -391,11 +400,11 @@ private:
 
   const Position& source(Halfedge_index h) const
   {
-    return m_metric.points[m_input.mesh().source(h)];
+    return m_input.metric.points[m_input.mesh().source(h)];
   }
   const Position& target(Halfedge_index h) const
   {
-    return m_metric.points[m_input.mesh().target(h)];
+    return m_input.metric.points[m_input.mesh().target(h)];
   }
 
   // returns that of side number `s` from `h` on
@@ -408,21 +417,21 @@ private:
   {
     const auto [place, is_new] = m_face.try_emplace(m_input.mesh().face(h));
     if(is_new)
-      m_metric.points.empty() ? set_sides(h, place->second) : set_plane(h, place->second);
+      m_input.metric.points.empty() ? set_sides(h, place->second) : set_plane(h, place->second);
     return place->second;
   }
 
   // Lengths that exceed the triangle inequality by rounding are those of a flat triangle.
   void set_sides(Halfedge_index h, Face& f)
   {
-    f.square = squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_metric, m_input);
+    f.square = squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_input);
     set_root((std::max)(Corner_products<K>(f.square).squared_quadrupled_area, K(0)), f);
   }
 
   // A vector product is the multiple of the normal that a coordinate tells.
   void set_plane(Halfedge_index h, Face& f)
   {
-    auto p = corners_of_triangle(h, m_metric, m_input.mesh());
+    auto p = corners_of_triangle(h, m_input);
     f.unit = scale_to_integers(p);
     const auto normal = cross(vector_between<K>(p[0], p[1]), vector_between<K>(p[0], p[2]));
     const auto is_zero = [&](std::size_t c) { return normal[c] == K(0); };
@@ -445,9 +454,8 @@ private:
     f.factor = multiple ? multiple->factor : K(1);
   }
 
-  const Metric& m_metric;
-  Surface m_input;
-  Flat_edges<Metric>& m_is_flat;
+  Exact_surface<Number> m_input;
+  Flat_edges& m_is_flat;
   Root_tower<K> m_tower;
   std::unordered_map<Face_index, Face> m_face;
   bool m_has_too_many_roots = false;

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 
 #include <array>
 #include <cstddef>
@@ -34,6 +35,13 @@ struct Input_metric
 };
 
 namespace internal {
+
+// The surface of T1 as exact decisions know it.
+template <typename K>
+struct Exact_surface : Surface_view<Delta_complex::Property_map<Edge_index, double>>
+{
+  const Input_metric<K>& metric;
+};
 
 // nothing, where the geometry is not Euclidean or the numbers of the traits are exact themselves
 struct No_metric

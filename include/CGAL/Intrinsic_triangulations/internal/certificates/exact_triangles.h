@@ -27,26 +27,26 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Returns a face in which the triangle inequality fails; null if there is none, as with positions.
 // Lengths that obey it by more than rounding need no second look.
-template <typename Metric, typename Surface>
-Face_index violated_triangle(const Metric& metric, const Surface& input)
+template <typename Number>
+Face_index violated_triangle(const Exact_surface<Number>& input)
 {
   const Delta_complex& mesh = input.mesh();
   const auto length = [&](Halfedge_index h) { return get(input.length_map(), mesh.edge(h)); };
-  if(metric.points.empty())
+  if(input.metric.points.empty())
     for(Face_index f : mesh.faces()) {
       const Halfedge_index h = mesh.halfedge(f);
       const double a = length(h), b = length(mesh.next(h)), c = length(mesh.prev(h));
       if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
-         area_sign(h, metric, input) == NEGATIVE)
+         area_sign(h, input) == NEGATIVE)
         return f;
     }
   return Delta_complex::null_face();
 }
 
-template <typename Metric, typename Surface>
-void check_exact_triangles(const Metric& metric, const Surface& input)
+template <typename Number>
+void check_exact_triangles(const Exact_surface<Number>& input)
 {
-  if(const Face_index f = violated_triangle(metric, input); f != Delta_complex::null_face())
+  if(const Face_index f = violated_triangle(input); f != Delta_complex::null_face())
     throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
                         " by less than rounding");
 }
@@ -105,11 +105,9 @@ void shorten_to_triangles(const Surface& surface)
 // Lengths of type `double` may exceed the triangle inequality by rounding. Made the metric of a
 // surface, exactly, they decide without contradictions: squared lengths that are not one are left
 // out, and the lengths themselves, which are exact then, are shortened.
-template <typename Surface>
-void make_triangles_exact(Input_metric<double>& metric, const Surface& input)
+inline void make_triangles_exact(const Exact_surface<double>& input, Input_metric<double>& metric)
 {
-  if(!metric.squared_lengths.empty() &&
-     violated_triangle(metric, input) != Delta_complex::null_face())
+  if(!metric.squared_lengths.empty() && violated_triangle(input) != Delta_complex::null_face())
     metric.squared_lengths.clear();
   if(metric.points.empty() && metric.squared_lengths.empty())
     shorten_to_triangles(input);

@@ -27,8 +27,7 @@ class Developed_face
 {
   typedef Triangulation_pair<Traits> Pair;
   typedef Double_double N;
-  typedef Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>
-    Corners;
+  typedef Rounded_corners<N, typename Pair::Metric::Number> Corners;
   typedef Development<Traits, Corners> Layout;
   typedef typename Layout::Placed_side Placed_side;
   typedef typename Layout::Complex Complex;

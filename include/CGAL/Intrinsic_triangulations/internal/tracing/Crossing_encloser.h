@@ -29,14 +29,13 @@ template <typename Traits, typename N>
 class Crossing_enclosure
 {
   typedef Triangulation_pair<Traits> Pair;
-  typedef Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>
-    Corners;
+  typedef Rounded_corners<N, typename Pair::Metric::Number> Corners;
   typedef Exact_decisions<Traits> Decisions;
   typedef Trace_point<Interval_nt<>> Place;
 
 public:
   Crossing_enclosure(const Pair& pair, const Edge_courses<Traits>& courses)
-    : m_corners(pair.input_metric(), pair.input()), m_development(pair, courses, m_corners)
+    : m_corners(exact_input(pair)), m_development(pair, courses, m_corners)
   {}
 
   // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge.
@@ -160,7 +159,7 @@ private:
     const Edge_course course = m_courses(h);
     for(std::size_t m = 0; m < course.size(); ++m)
       for(const Halfedge_index side : {course[m], opposite(course[m])})
-        if(!input.is_border(side) && area_sign(side, m_pair.input_metric(), m_pair.input()) == ZERO)
+        if(!input.is_border(side) && area_sign(side, exact_input(m_pair)) == ZERO)
           return true;
     return false;
   }
