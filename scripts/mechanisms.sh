@@ -27,8 +27,6 @@ mechanism strip Euclidean_strip $headers/Euclidean_strip.h
 mechanism strip Ideal_strip $headers/Ideal_strip.h
 mechanism strip Certain_strip $internal/certificates/Certain_strip.h
 mechanism strip Development $internal/certificates/Development.h
-mechanism strip Ideal_development $internal/certificates/Ideal_development.h
-mechanism strip Lengths_in_strips $internal/certificates/Lengths_in_strips.h
 mechanism strip Developed_face $internal/insertion/Developed_face.h
 mechanism strip Circumcenter_walk $internal/refinement/Circumcenter_walk.h
 mechanism point Surface_place $headers/Edge_point.h
@@ -37,8 +35,6 @@ mechanism locator Element_locator $internal/certificates/Element_locator.h
 mechanism insertion Vertex_inserter $headers/Vertex_inserter.h
 mechanism insertion Exact_insertion $internal/insertion/Exact_insertion.h
 mechanism flips flip_waiting $headers/Edge_stack.h
-mechanism flips Delaunay_matching $internal/flipping/Delaunay_matching.h
-mechanism flips Exact_flipping $internal/flipping/Exact_flipping.h
 mechanism Dijkstra Dijkstra_search $headers/Dijkstra_search.h
 mechanism union-find Mesh_components $headers/Mesh_components.h
 mechanism assembly assemble $headers/sparse_assembly.h

@@ -51,6 +51,20 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
+// Returns whether rounding lets an operation succeed. If it does not, exact decisions must follow.
+template <typename Traits, typename Operation>
+bool succeeds(const Operation& operation)
+{
+  try {
+    operation();
+  } catch(const Numerical_error&) {
+    if(!has_exact_decisions<Traits>())
+      throw;
+    return false;
+  }
+  return true;
+}
+
 // Decisions by the stored lengths.
 template <typename Traits>
 class Flipping_by_lengths
@@ -72,13 +86,8 @@ public:
   // Returns whether that was possible. The new edge is Delaunay, up to rounding of lengths.
   bool flip(Halfedge_index h)
   {
-    try {
-      m_tri.flip(h);
-    } catch(const Numerical_error&) {
-      if(!has_exact_decisions<Traits>())
-        throw;
+    if(!succeeds<Traits>([&] { m_tri.flip(h); }))
       return false;
-    }
     m_has_failed =
       m_has_failed || (is_rounded<typename Traits::FT>() && !is_Delaunay(m_tri.mesh().edge(h)));
     return true;
@@ -128,20 +137,6 @@ Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, 
     });
 }
 
-// Computes lengths afresh, and returns whether that was possible.
-template <typename Traits>
-bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
-{
-  try {
-    tri.recompute_lengths();
-  } catch(const Numerical_error&) {
-    if(!has_exact_decisions<Traits>())
-      throw;
-    return false;
-  }
-  return true;
-}
-
 // Where edges have been flipped more than once on average, rounding may have added up; where a
 // flip failed, it has. With lengths computed afresh a second round is enough as a rule, but
 // nothing guarantees it.
@@ -160,7 +155,7 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
     result += flips;
     if(result.is_Delaunay() && is_good)
       return result;
-    if(result.is_Delaunay() && !has_recomputed_lengths(tri))
+    if(result.is_Delaunay() && !succeeds<Traits>([&] { tri.recompute_lengths(); }))
       result.end = End::doubt;
   }
   return {result.flips, result.flips == limit ? End::limit : End::doubt};
