@@ -8,9 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Uncertain.h>
 
 #include <cstdint>
 
@@ -40,8 +41,26 @@ public:
   /// the number type of exact squared lengths.
   typedef ExactNumber_ Exact_number;
 
-  /// the predicate of the local Delaunay condition by lengths, which may be uncertain.
-  typedef internal::Delaunay_by_lengths Is_locally_Delaunay;
+  /// decides whether the edge \f$ij\f$ of a diamond is locally Delaunay, if all lengths within the
+  /// error of stored lengths agree on that.
+  class Is_locally_Delaunay
+  {
+  public:
+    /// returns whether the edge is Delaunay, or that this is uncertain.
+    Uncertain<bool> operator()(const Diamond<double>& length) const
+    {
+      if(is_certain(length))
+        return true;
+      return m_by_lengths(length) ? Uncertain<bool>::indeterminate() : Uncertain<bool>(false);
+    }
+
+    /// returns whether the edge certainly is Delaunay; branch-free.
+    bool is_certain(const Diamond<double>& length) const { return m_by_lengths.is_certain(length); }
+
+  private:
+    Euclidean_geometry_traits<double>::Is_locally_Delaunay m_by_lengths{
+      internal::certified_length_error()};
+  };
 
   /// returns the function object.
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }

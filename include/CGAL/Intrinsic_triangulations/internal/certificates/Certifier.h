@@ -8,10 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_certificate.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
@@ -198,7 +198,7 @@ private:
   Edge_courses<Traits> m_courses;
   std::vector<double> m_length;   // NaN if it is not known well enough
   std::vector<char> m_is_checked; // vertices, by `straight_length()`
-  Delaunay_by_lengths m_by_lengths;
+  Euclidean_geometry_traits<double>::Is_locally_Delaunay m_by_lengths{certified_length_error()};
   Delaunay_certificate m_certificate;
 };
 

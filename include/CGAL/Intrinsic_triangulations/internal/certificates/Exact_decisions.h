@@ -8,11 +8,11 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_measures.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
@@ -89,8 +89,10 @@ public:
   // lengths if they leave no doubt.
   bool is_Delaunay(Halfedge_index h)
   {
-    const Uncertain<bool> by_lengths = m_by_lengths(diamond(m_pair.length_map(), h, m_mesh));
-    return is_certain(by_lengths) ? get_certain(by_lengths) : is_exactly_Delaunay(h);
+    const Euclidean_geometry_traits<double>::Is_locally_Delaunay by_lengths{
+      certified_length_error()};
+    const Diamond<double> lengths = diamond(m_pair.length_map(), h, m_mesh);
+    return by_lengths.is_certain(lengths) || (by_lengths(lengths) && is_exactly_Delaunay(h));
   }
 
   // Returns this whatever the stored lengths are. An edge of which it is unknown counts as a tie,
@@ -422,7 +424,6 @@ private:
                                               square(m_mesh.prev(o))});
   }
 
-  Delaunay_by_lengths m_by_lengths;
   Flat_edges m_is_flat;
   Decision_count m_count;
 };
