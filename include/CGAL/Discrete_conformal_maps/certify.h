@@ -65,12 +65,12 @@ inline Map_certificate certify(const Discrete_conformal_map& map)
   for(Vertex_index v : mesh_B.vertices())
     factor.push_back(internal::length_factor(map.log_scale(v)));
   Map_certificate result;
-  result.on_B = Intrinsic_triangulations::internal::certify_ideal_Delaunay(
+  result.on_B = Intrinsic_triangulations::internal::Ideal_Delaunay_certifier(
     mesh_B, std::vector<double>(factor.size(), 1.),
     [&](Edge_index e) {
       return Intrinsic_triangulations::internal::Filter_interval(ideal.input_length(e));
     },
-    [&](Edge_index e) { return Intrinsic_triangulations::Exact_field(ideal.input_length(e)); },
+    [&](Edge_index e) { return Intrinsic_triangulations::Exact_field(ideal.input_length(e)); })(
     [](Edge_index) { return false; });
   result.on_C = Intrinsic_triangulations::certify_ideal_Delaunay(ideal, factor);
   result.order = certify_order_of_ends(map.subdivision(), map.Delaunay_correspondence(),

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -62,14 +61,18 @@ FT length_in_strip(Ideal_strip<FT>& strip, Edge_index e, const Triangulation_pai
 }
 
 // Decides Equation 4.5 for the edges of a mesh. `interval_length` and `exact_length` return the
-// scaled lengths of edges; the former is called while intervals are rounded upwards.
+// lengths of edges, which are multiplied by the factors of both ends; the former is called while
+// intervals are rounded upwards.
 template <typename Interval_length, typename Exact_length>
 class Ideal_Delaunay_certifier
 {
 public:
-  Ideal_Delaunay_certifier(const Delta_complex& mesh, const Interval_length& interval_length,
-                           const Exact_length& exact_length)
-    : m_mesh(mesh), m_interval_length(interval_length), m_exact_length(exact_length)
+  Ideal_Delaunay_certifier(const Delta_complex& mesh, const std::vector<double>& factor,
+                           const Interval_length& interval_length, const Exact_length& exact_length)
+    : m_mesh(mesh),
+      m_factor(factor),
+      m_interval_length(interval_length),
+      m_exact_length(exact_length)
   {}
 
   template <typename Is_fixed>
@@ -83,6 +86,13 @@ public:
   }
 
 private:
+  template <typename FT>
+  FT scaled(const FT& length, Edge_index e) const
+  {
+    const auto factor = [&](unsigned int i) { return FT(m_factor[m_mesh.vertex(e, i).idx()]); };
+    return FT(length * factor(0) * factor(1));
+  }
+
   template <typename Is_fixed>
   void decide_by_intervals(const Is_fixed& is_fixed)
   {
@@ -90,7 +100,7 @@ private:
     std::vector<Filter_interval> length;
     length.reserve(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
-      length.push_back(m_interval_length(e));
+      length.push_back(scaled(m_interval_length(e), e));
     const auto map =
       boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e.idx()]; });
     for(Edge_index e : m_mesh.edges()) {
@@ -126,7 +136,7 @@ private:
   {
     std::optional<Exact_field>& length = m_length[e.idx()];
     if(!length)
-      length = m_exact_length(e);
+      length = scaled(m_exact_length(e), e);
     return *length;
   }
 
@@ -137,29 +147,13 @@ private:
   }
 
   const Delta_complex& m_mesh;
+  const std::vector<double>& m_factor;
   const Interval_length& m_interval_length;
   const Exact_length& m_exact_length;
   std::vector<Edge_index> m_filter_failures;
   std::vector<std::optional<Exact_field>> m_length;
   Ideal_Delaunay_certificate m_result;
 };
-
-// With lengths that are multiplied by the factors of both ends.
-template <typename Interval_length, typename Exact_length, typename Is_fixed>
-Ideal_Delaunay_certificate
-certify_ideal_Delaunay(const Delta_complex& mesh, const std::vector<double>& factor,
-                       const Interval_length& interval_length, const Exact_length& exact_length,
-                       const Is_fixed& is_fixed)
-{
-  const auto scaled = [&](Edge_index e, const auto& length) {
-    typedef std::decay_t<decltype(length)> FT;
-    return FT(length * FT(factor[mesh.vertex(e, 0).idx()]) * FT(factor[mesh.vertex(e, 1).idx()]));
-  };
-  const auto interval = [&](Edge_index e) { return scaled(e, interval_length(e)); };
-  const auto exact = [&](Edge_index e) { return scaled(e, exact_length(e)); };
-  return Ideal_Delaunay_certifier<decltype(interval), decltype(exact)>(mesh, interval,
-                                                                       exact)(is_fixed);
-}
 
 } // namespace internal
 
@@ -198,10 +192,10 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
   const internal::Edge_courses<Ideal_geometry_traits<double, Integer>> courses(tri, Concurrency());
   Ideal_strip<internal::Filter_interval> in_intervals;
   Ideal_strip<Exact_field> exact;
-  return internal::certify_ideal_Delaunay(
+  return internal::Ideal_Delaunay_certifier(
     tri.mesh(), factor,
     [&](Edge_index e) { return internal::length_in_strip(in_intervals, e, tri, courses); },
-    [&](Edge_index e) { return internal::length_in_strip(exact, e, tri, courses); },
+    [&](Edge_index e) { return internal::length_in_strip(exact, e, tri, courses); })(
     [&](Edge_index e) { return tri.is_constrained(e); });
 }
 
