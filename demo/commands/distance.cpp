@@ -167,7 +167,7 @@ std::vector<Point> positions(const Triangulation& triangulation, const Input_mes
   std::vector<Point> result =
     input.covered ? input.covered->soup.points : std::vector<Point>(points.begin(), points.end());
   for(const auto& place : triangulation.inserted_vertices())
-    result.push_back(position(place.location, input.mesh));
+    result.push_back(position(IT::face_location(place, triangulation.input_mesh()), input.mesh));
   return result;
 }
 

@@ -72,39 +72,39 @@ Examples:
 constexpr const char* no_path_advice = "; choose points of one connected component";
 
 using Path = IT::Surface_path<double>;
-using Place = IT::Surface_place<double>;
+using Place = IT::Surface_point<double>;
 using Halfedge = IT::Halfedge_index;
 using Halfedges = std::vector<Halfedge>;
 
 // All are kept, for the statistics too.
 constexpr std::size_t greatest_number_of_crossings = 1000000;
 
-// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face. Its coordinates
-// decide which: a halfedge of a place need not start at it.
+// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face.
 Statistics description(const Place& p, const Input_mesh& input)
 {
   Statistics result;
   const Mesh& mesh = input.mesh;
-  const Place decoded = IT::internal::surface_place(p.location, mesh);
-  const Halfedge h = p.along.is_valid() ? p.along : decoded.along;
-  if(IT::internal::is_at_vertex(p))
-    result["vertex"] = mesh.source(decoded.along).idx();
+  const Halfedge h = IT::halfedge_of(p);
+  if(IT::is_at_vertex(p))
+    result["vertex"] = mesh.source(h).idx();
   else if(h.is_valid())
     result["edge"] = {mesh.source(h).idx(), mesh.target(h).idx()};
-  const auto [face, coordinates] = input.as_read(p.location);
+  const auto [face, coordinates] = input.as_read(IT::face_location(p, mesh));
   result["face"] = face.idx();
   result["barycentric"] = coordinates;
   return result;
 }
 
 // Moves a place to a vertex that it can be told from by rounding only.
-void snap_to_vertex(Place& p)
+void snap_to_vertex(Place& p, const Mesh& mesh)
 {
-  auto& weights = p.location.second;
+  Surface_location location = IT::face_location(p, mesh);
+  auto& weights = location.second;
   const auto greatest = std::max_element(weights.begin(), weights.end());
   if(*greatest < 1 && 1 - *greatest <= IT::rounding_unit<double>()) {
     weights = {0, 0, 0};
     *greatest = 1;
+    p = IT::surface_point(location, mesh);
   }
 }
 
@@ -121,7 +121,8 @@ Found_path found_path(Path path, const std::string& status, const Input_mesh& in
 {
   if(path.places.size() == 1) // a line has two ends, even if they are one point
     path.places.push_back(path.places.front());
-  std::for_each(path.places.begin() + 1, path.places.end() - 1, snap_to_vertex);
+  std::for_each(path.places.begin() + 1, path.places.end() - 1,
+                [&](Place& p) { snap_to_vertex(p, input.mesh); });
   Statistics s{{"status", status}, {"length", path.length}};
   s["crossings"] = number_of_crossings(path);
   s["places"] = Statistics::array();
@@ -309,9 +310,10 @@ private:
   Surface_location start_of_straightest(const IT::Delta_complex& mesh) const
   {
     Surface_location result = m_points.front();
-    if(!IT::internal::is_corner(result.second) || m_options.from.find(':') != std::string::npos)
+    const Place p = IT::surface_point(result, mesh);
+    if(!IT::is_at_vertex(p) || m_options.from.find(':') != std::string::npos)
       return result;
-    IT::for_each_outgoing_halfedge(IT::internal::vertex_at(result, mesh), mesh, [&](Halfedge h) {
+    IT::for_each_outgoing_halfedge(mesh.source(IT::halfedge_of(p)), mesh, [&](Halfedge h) {
       if(!mesh.is_border(h) && mesh.face(h) <= result.first)
         result = IT::face_location(IT::Edge_point<double>{h, 0}, mesh);
     });
@@ -325,9 +327,8 @@ private:
     const auto [degrees, length] = *m_options.straightest;
     const IT::Delta_complex& mesh = triangulation.input_mesh();
     const IT::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
-    const std::size_t side = IT::internal::is_corner(start.second)
-                               ? side_number(IT::internal::surface_place(start, mesh).along, mesh)
-                               : 0;
+    const Place p = IT::surface_point(start, mesh);
+    const std::size_t side = IT::is_at_vertex(p) ? IT::side_number(IT::halfedge_of(p), mesh) : 0;
     return face.direction(side) *
            std::polar(length, std::remainder(degrees, 360.) * std::acos(-1.) / 180);
   }
@@ -349,10 +350,10 @@ private:
                          IT::At_boundary::stop, boost::make_function_output_iterator(add));
     if(end.status == IT::Geodesic_status::stopped_at_boundary)
       check_length(end.length, start, triangulation);
-    Path path{end.length, {{Halfedge(), start}}};
+    Path path{end.length, {IT::surface_point(start, mesh)}};
     for(const auto& p : crossings)
-      path.places.push_back({p.halfedge, IT::face_location(p, mesh)});
-    path.places.push_back({Halfedge(), end.end});
+      path.places.push_back(IT::surface_point(IT::face_location(p, mesh), mesh));
+    path.places.push_back(IT::surface_point(end.end, mesh));
     return found_path(std::move(path),
                       end.status == IT::Geodesic_status::reached ? "straightest"
                                                                  : "stopped_at_boundary",
@@ -380,7 +381,8 @@ private:
     for(const Found_path& found : paths) {
       const auto first = static_cast<Polygons::Index>(result.points.size());
       for(const Place& p : found.path.places)
-        result.points.push_back(position(p.location, m_run.input().mesh));
+        result.points.push_back(
+          position(IT::face_location(p, m_run.input().mesh), m_run.input().mesh));
       const auto end = static_cast<Polygons::Index>(result.points.size());
       for(Polygons::Index i = first; i < end; ++i) {
         result.lines.add_corner(i);

@@ -492,9 +492,11 @@ private:
   void set_points(Coarse_subdivision& subdivision)
   {
     for(const Mesh::Vertex_index v : subdivision.mesh().vertices())
-      subdivision.mesh().point(v) = subdivision.is_vertex(IS::Level::fine, v)
-                                      ? m_points[v]
-                                      : point_at(subdivision.place(IS::Level::fine, v).location);
+      subdivision.mesh().point(v) =
+        subdivision.is_vertex(IS::Level::fine, v)
+          ? m_points[v]
+          : point_at(IT::face_location(subdivision.place(IS::Level::fine, v),
+                                       subdivision.mesh(IS::Level::fine)));
   }
 
   Point point_at(const IT::Face_location<double>& p) const

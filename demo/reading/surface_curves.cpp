@@ -166,11 +166,11 @@ private:
             Curves_on_surface& result) const
   {
     const auto surface = m_triangulation.input();
-    std::vector<Surface_location> points{p, q};
-    if(IT::internal::segment_between(surface, p, q).face == IT::Delta_complex::null_face()) {
-      points.clear();
-      for(const auto& place : IT::shortest_path(surface, p, q).places)
-        points.push_back(place.location);
+    std::vector<IT::Surface_point<double>> points{IT::surface_point(p, surface.mesh()),
+                                                  IT::surface_point(q, surface.mesh())};
+    if(IT::internal::segment_between(surface, points[0], points[1]).face ==
+       IT::Delta_complex::null_face()) {
+      points = IT::shortest_path(surface, p, q).places;
       if(points.empty())
         fail(i, "is not connected to the one before; cut the curve there");
     }

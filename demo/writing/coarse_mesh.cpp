@@ -44,8 +44,8 @@ Vertex_kind kind(const Coarse_subdivision& subdivision, std::size_t number_of_in
     return Vertex_kind::input;
   if(subdivision.is_vertex(IS::Level::fine, v) || subdivision.is_vertex(IS::Level::coarse, v))
     return Vertex_kind::inserted;
-  return subdivision.place(IS::Level::fine, v).along.is_valid() ? Vertex_kind::crossing
-                                                                : Vertex_kind::bend;
+  return IT::on_edge(subdivision.place(IS::Level::fine, v)) ? Vertex_kind::crossing
+                                                            : Vertex_kind::bend;
 }
 
 void add_colors(const Coarse_part& part, Output_mesh& result)

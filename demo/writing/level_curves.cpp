@@ -46,7 +46,8 @@ Output_mesh level_curves(const Triangulation& triangulation, const Mesh& input,
     for(const auto& path : IT::level_set(surface, values, level)) {
       const auto curve = IT::curve_across(correspondence, IT::Side::intrinsic,
                                           IT::curve_through(surface, path.places));
-      add_line(curve, path.places.front().along == path.places.back().along, input, result);
+      add_line(curve, IT::halfedge_of(path.places.front()) == IT::halfedge_of(path.places.back()),
+               input, result);
       of_lines.resize(result.lines.size(), level);
       of_edges.resize(result.edges.size(), level);
     }

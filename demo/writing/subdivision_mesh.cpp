@@ -27,13 +27,12 @@ Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
 IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Side side,
                                          IT::Vertex_index v)
 {
-  if(subdivision.is_vertex(side, v))
+  const IT::Surface_point<double> p = subdivision.place(side, v);
+  const auto* on_edge = IT::on_edge(p);
+  if(on_edge == nullptr)
     return {IT::Halfedge_index(), 0};
-  const IT::Surface_place<double> p = subdivision.place(side, v);
-  if(!p.along.is_valid())
-    return {IT::Halfedge_index(), 0};
-  return {IT::first_halfedge(IT::Edge_index(p.along)),
-          IT::place_on_first_halfedge(IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
+  return {IT::first_halfedge(IT::Edge_index(on_edge->halfedge)),
+          IT::place_on_first_halfedge(IT::edge_point(*on_edge))};
 }
 
 // Adds to points the edge of `side` inside which they are, -1 for none, and their places on that

@@ -21,6 +21,7 @@
 #include <iostream>
 
 namespace IS = CGAL::Intrinsic_simplification;
+namespace IT = CGAL::Intrinsic_triangulations;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
@@ -49,7 +50,9 @@ int main(int argc, char* argv[])
   IS::Surface_subdivision<Point> subdivision(map);
   Mesh& polygons = subdivision.mesh();
   for(Mesh::Vertex_index v : polygons.vertices())
-    polygons.point(v) = PMP::construct_point(subdivision.place(IS::Level::fine, v).location, mesh);
+    polygons.point(v) = PMP::construct_point(
+      IT::face_location(subdivision.place(IS::Level::fine, v), subdivision.mesh(IS::Level::fine)),
+      mesh);
   auto coarse_face = polygons.add_property_map<Mesh::Face_index, int>("f:coarse_face", 0).first;
   for(Mesh::Face_index f : polygons.faces())
     coarse_face[f] = static_cast<int>(subdivision.parent_face(IS::Level::coarse, f));

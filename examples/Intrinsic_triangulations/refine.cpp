@@ -36,7 +36,8 @@ int main(int argc, char* argv[])
   // the vertices of the mesh keep their indices, inserted ones come after them
   if(tri.number_of_inserted_vertices() > 0) {
     const IT::Vertex_index first(tri.input_mesh().number_of_vertices());
-    const auto& [face, coordinates] = tri.inserted_vertex(first).location;
+    const auto [face, coordinates] =
+      IT::face_location(tri.inserted_vertex(first), tri.input_mesh());
     std::cout << "the first lies in " << face << " of the mesh, at " << coordinates[0] << ", "
               << coordinates[1] << ", " << coordinates[2] << '\n';
   }

@@ -780,7 +780,7 @@ TEST(Ideal_geometry, inserted_vertices_are_refused)
 {
   const auto t = triangulation<Double_traits>(glue({{1, 2, 3}}), {1, 1, 1});
   EXPECT_NO_THROW(Double_triangulation(t.input_mesh(), t.mesh()));
-  const IT::Inserted_vertex<double> center{Halfedge_index(), {Face_index(0), {0.25, 0.25, 0.5}}};
+  const IT::Face_location<double> center(Face_index(0), {0.25, 0.25, 0.5});
   EXPECT_THROW(Double_triangulation(t.input_mesh(), t.mesh(), {center}), IT::Invalid_input);
 }
 

@@ -118,7 +118,8 @@ double area_on_A(const Planar_conformal_map& map, Face_index f)
   std::vector<Complex> corners;
   for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
     const Location p =
-      on_face(map, s.parent_face(Layer::A, f), s.place(Layer::A, s.mesh().target(h)).location);
+      on_face(map, s.parent_face(Layer::A, f),
+              IT::face_location(s.place(Layer::A, s.mesh().target(h)), s.mesh(Layer::A)));
     corners.emplace_back(p.second[1], p.second[2]);
   }
   return doubled_area(corners);
@@ -134,7 +135,8 @@ Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random&
   for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
     const double t = random.get_double(0.01, 1);
     const Location p =
-      on_face(map, result.on_A.first, s.place(Layer::A, s.mesh().target(h)).location);
+      on_face(map, result.on_A.first,
+              IT::face_location(s.place(Layer::A, s.mesh().target(h)), s.mesh(Layer::A)));
     const auto z = map.homogeneous_coordinates(s.location(Layer::C, h));
     for(std::size_t i = 0; i < 3; ++i)
       result.on_A.second[i] += t * p.second[i];

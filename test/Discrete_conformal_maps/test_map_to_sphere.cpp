@@ -622,7 +622,10 @@ TEST(Map_to_sphere, is_continuous_on_the_subdivision)
     if(subdivision.is_vertex(Layer::A, v)) {
       EXPECT_LT(distance(p, map.position(v)), 1e-15);
     }
-    EXPECT_LT(distance(map(subdivision.place(Layer::A, v).location), p), 1e-9);
+    EXPECT_LT(
+      distance(map(IT::face_location(subdivision.place(Layer::A, v), subdivision.mesh(Layer::A))),
+               p),
+      1e-9);
   }
   // faces cover the sphere without folds
   for(Face_index f : subdivision.mesh().faces()) {

@@ -222,9 +222,15 @@ void check_places(const Subdivision& s, const Flat_triangulation& ab, const Flat
   for(Halfedge_index h : s.mesh().halfedges())
     if(!s.mesh().is_border(h)) {
       const Vertex_index v = s.mesh().target(h);
-      const Complex b = on_B.place(s.place(Layer::B, v).location);
-      EXPECT_LT(on_B.distance(on_A.place(s.place(Layer::A, v).location), b), tolerance) << v;
-      EXPECT_LT(on_B.distance(on_C.place(s.place(Layer::C, v).location), b), tolerance) << v;
+      const Complex b = on_B.place(IT::face_location(s.place(Layer::B, v), s.mesh(Layer::B)));
+      EXPECT_LT(
+        on_B.distance(on_A.place(IT::face_location(s.place(Layer::A, v), s.mesh(Layer::A))), b),
+        tolerance)
+        << v;
+      EXPECT_LT(
+        on_B.distance(on_C.place(IT::face_location(s.place(Layer::C, v), s.mesh(Layer::C))), b),
+        tolerance)
+        << v;
       EXPECT_LT(on_B.distance(on_A.place(s.location(Layer::A, h)), b), tolerance) << v;
       EXPECT_LT(on_B.distance(on_B.place(s.location(Layer::B, h)), b), tolerance) << v;
       EXPECT_LT(on_B.distance(on_C.place(s.location(Layer::C, h)), b), tolerance) << v;
@@ -339,8 +345,10 @@ std::size_t check_ideal(const Subdivision& s, const Triangulation& ab,
       continue;
     std::vector<Barycentric> in_A, in_B, in_C;
     for(Halfedge_index h : sides_of(f, s)) {
-      in_A.push_back(in_face(f_a, s.place(Layer::A, s.mesh().target(h)).location, a));
-      in_B.push_back(in_face(f_b, s.place(Layer::B, s.mesh().target(h)).location, b));
+      in_A.push_back(in_face(
+        f_a, IT::face_location(s.place(Layer::A, s.mesh().target(h)), s.mesh(Layer::A)), a));
+      in_B.push_back(in_face(
+        f_b, IT::face_location(s.place(Layer::B, s.mesh().target(h)), s.mesh(Layer::B)), b));
       EXPECT_EQ(s.location(Layer::C, h).first, f_c);
       in_C.push_back(s.location(Layer::C, h).second);
     }

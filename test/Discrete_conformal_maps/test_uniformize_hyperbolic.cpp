@@ -565,8 +565,10 @@ TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
     std::array<double, 3> sum{0, 0, 0};
     Halfedge_index h = subdivision.mesh().halfedge(f);
     for(int i = 0; i < 3; ++i, h = subdivision.mesh().next(h)) {
-      const Location p = on_face(
-        map, middle.first, subdivision.place(DCM::Layer::A, subdivision.mesh().target(h)).location);
+      const Location p =
+        on_face(map, middle.first,
+                IT::face_location(subdivision.place(DCM::Layer::A, subdivision.mesh().target(h)),
+                                  subdivision.mesh(DCM::Layer::A)));
       const auto z = map.homogeneous_coordinates(subdivision.location(DCM::Layer::C, h));
       for(std::size_t k = 0; k < 3; ++k) {
         middle.second[k] += p.second[k] / 3;

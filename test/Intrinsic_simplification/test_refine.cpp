@@ -127,10 +127,11 @@ TEST(Refine, makes_what_integer_coordinates_make)
         continue;
       ++inserted;
       const Location p = IS::preimage_of_vertex(v, map);
-      EXPECT_TRUE(std::any_of(
-        tri.inserted_vertices().begin(), tri.inserted_vertices().end(), [&](const auto& m) {
-          return are_near(p, m.location) || meet_at_edge(p, m.location, s.coarse.mesh());
-        }));
+      EXPECT_TRUE(std::any_of(tri.inserted_vertices().begin(), tri.inserted_vertices().end(),
+                              [&](const auto& m) {
+                                const Location q = IT::face_location(m, tri.input_mesh());
+                                return are_near(p, q) || meet_at_edge(p, q, s.coarse.mesh());
+                              }));
     }
   });
   EXPECT_GT(inserted, 50u);
@@ -182,7 +183,8 @@ TEST(Refine, keeps_lengths_in_the_plane)
     const Surface_map map(r.surface, r.fine, r.coarse);
     const IS::Surface_subdivision<> subdivision(map);
     const auto point = [&](Vertex_index v) {
-      return place(subdivision.place(IS::Level::fine, v).location, r.fine, mesh);
+      return place(IT::face_location(subdivision.place(IS::Level::fine, v), r.fine.mesh()), r.fine,
+                   mesh);
     };
     for(Edge_index e : r.coarse.mesh().edges()) {
       double sum = 0;

@@ -250,10 +250,10 @@ TEST(Subdivision, of_a_flat_polygon)
     for(Vertex_index v : subdivision.mesh().vertices()) {
       const auto &fine = subdivision.place(Level::fine, v),
                  &coarse = subdivision.place(Level::coarse, v);
-      found +=
-        !subdivision.is_vertex(Level::fine, v) && fine.along.is_valid() && coarse.along.is_valid();
-      EXPECT_LT(std::sqrt(CGAL::squared_distance(place(fine.location, s.fine, mesh),
-                                                 place(coarse.location, s.coarse, mesh))),
+      found += IT::on_edge(fine) && IT::halfedge_of(coarse).is_valid();
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(
+                  place(IT::face_location(fine, s.fine.mesh()), s.fine, mesh),
+                  place(IT::face_location(coarse, s.coarse.mesh()), s.coarse, mesh))),
                 1e-8);
     }
     EXPECT_EQ(found, expected);

@@ -64,8 +64,9 @@ inline void expect_equal(const Triangulation& a, const Triangulation& b)
     EXPECT_EQ(a.input_length(e), b.input_length(e));
   for(Vertex_index v : a.mesh().vertices())
     if(a.is_inserted(v)) {
-      EXPECT_EQ(a.inserted_vertex(v).along, b.inserted_vertex(v).along);
-      EXPECT_EQ(a.inserted_vertex(v).location, b.inserted_vertex(v).location);
+      EXPECT_EQ(IT::halfedge_of(a.inserted_vertex(v)), IT::halfedge_of(b.inserted_vertex(v)));
+      EXPECT_EQ(IT::face_location(a.inserted_vertex(v), a.input_mesh()),
+                IT::face_location(b.inserted_vertex(v), b.input_mesh()));
     }
 }
 

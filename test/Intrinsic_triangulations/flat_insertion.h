@@ -59,11 +59,11 @@ inline std::vector<double> state(const Triangulation& t)
     note(t.outgoing_halfedges().degree(v));
     if(!t.is_inserted(v))
       continue;
-    const auto& place = t.inserted_vertex(v);
-    note(place.along.idx());
-    note(place.location.first.idx());
-    for(double b : place.location.second)
-      note(b);
+    note(IT::halfedge_of(t.inserted_vertex(v)).idx());
+    const auto [f, b] = IT::face_location(t.inserted_vertex(v), t.input_mesh());
+    note(f.idx());
+    for(double x : b)
+      note(x);
   }
   return result;
 }
@@ -470,7 +470,8 @@ private:
   {
     if(!m_tri.is_inserted(v))
       return;
-    const auto& [along, location] = m_tri.inserted_vertex(v);
+    const Halfedge_index along = IT::halfedge_of(m_tri.inserted_vertex(v));
+    const Location location = IT::face_location(m_tri.inserted_vertex(v), m_tri.input_mesh());
     const auto& [x, offset] = m_on[v];
     EXPECT_LT(double(flat_distance(location, m_surface.vector, m_surface.point, m_surface.mesh,
                                    m_point[v], m_surface)),

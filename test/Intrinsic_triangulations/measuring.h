@@ -251,17 +251,15 @@ std::vector<Location> places_in(Side side, Face_index parent, Vertex_index v, co
                                 const Flat_faces& faces)
 {
   const auto p = s.place(side, v);
-  if(!p.along.is_valid())
-    return p.location.first == parent ? std::vector<Location>{p.location} : std::vector<Location>();
+  if(const auto* inside = std::get_if<Location>(&p))
+    return inside->first == parent ? std::vector<Location>{*inside} : std::vector<Location>();
   std::vector<Location> result;
   for(Halfedge_index h : faces.sides(parent))
     if(s.is_vertex(side, v)) {
       if(faces.mesh().source(h) == v)
         result.push_back(faces.on(h, 0));
-    } else if(Edge_index(h) == Edge_index(p.along)) {
-      const double t = IT::edge_point(p.along, p.location, faces.mesh()).t;
-      result.push_back(faces.on(h, p.along == h ? t : 1 - t));
-    }
+    } else if(const auto* e = IT::on_edge(p); e && Edge_index(h) == Edge_index(e->halfedge))
+      result.push_back(faces.on(h, e->weight[e->halfedge == h ? 1 : 0]));
   return result;
 }
 

@@ -20,26 +20,31 @@
 namespace Test_surfaces {
 
 using Path = IT::Surface_path<double>;
-using Path_place = IT::Surface_place<double>;
+using Path_place = IT::Surface_point<double>;
 
-inline bool is_vertex(const Path_place& p) { return IT::internal::is_corner(p.location.second); }
+inline Halfedge_index along(const Path_place& p) { return IT::halfedge_of(p); }
+
+inline bool is_vertex(const Path_place& p) { return IT::is_at_vertex(p); }
+
+// Where on a halfedge of its edge a place is.
+inline double place_on(Halfedge_index h, const Path_place& p)
+{
+  if(is_vertex(p))
+    return h == along(p) ? 0 : 1;
+  return IT::on_edge(p)->weight[h == along(p) ? 1 : 0];
+}
 
 // The places in a face at which a path that has come to it can leave it, or end.
 inline std::vector<Location> places_in(Face_index f, const Path_place& p, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
+  if(!along(p).is_valid())
+    return {IT::face_location(p, mesh)};
   std::vector<Location> result;
   for(Halfedge_index h : faces.sides(f))
-    if(!p.along.is_valid() ? h == mesh.halfedge(f)
-       : is_vertex(p)      ? mesh.source(h) == mesh.source(p.along)
-                           : h == p.along || h == mesh.opposite(p.along)) {
-      const double t =
-        is_vertex(p) || !p.along.is_valid() ? 0 : IT::edge_point(p.along, p.location, mesh).t;
-      result.push_back(p.along.is_valid() ? faces.on(h, h == p.along   ? t
-                                                        : is_vertex(p) ? 0
-                                                                       : 1 - t)
-                                          : p.location);
-    }
+    if(is_vertex(p) ? mesh.source(h) == mesh.source(along(p))
+                    : Edge_index(h) == Edge_index(along(p)))
+      result.push_back(faces.on(h, is_vertex(p) ? 0 : place_on(h, p)));
   return result;
 }
 
@@ -62,10 +67,11 @@ inline Real length(const Piece_of_path& piece, const Flat_faces& faces)
 inline Piece_of_path edge_of_path(const Path_place& p, const Path_place& q, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
-  if(mesh.source(p.along) != mesh.source(q.along) && mesh.target(p.along) != mesh.source(q.along))
+  if(mesh.source(along(p)) != mesh.source(along(q)) &&
+     mesh.target(along(p)) != mesh.source(along(q)))
     return {{Delta_complex::null_face(), {}}, {}};
-  const bool is_border = mesh.is_border(p.along);
-  const Halfedge_index h = is_border ? mesh.opposite(p.along) : p.along;
+  const bool is_border = mesh.is_border(along(p));
+  const Halfedge_index h = is_border ? mesh.opposite(along(p)) : along(p);
   return {faces.on(h, is_border), faces.on(h, !is_border)};
 }
 
@@ -73,14 +79,8 @@ inline Piece_of_path edge_of_path(const Path_place& p, const Path_place& q, cons
 inline Piece_of_path part_of_edge(const Path_place& p, const Path_place& q, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
-  const Halfedge_index h = mesh.is_border(p.along) ? mesh.opposite(p.along) : p.along;
-  const auto on = [&](const Path_place& x) {
-    const bool is_border = mesh.is_border(x.along);
-    const Halfedge_index inner = is_border ? mesh.opposite(x.along) : x.along;
-    const double t =
-      is_vertex(x) ? (x.along == inner ? 0 : 1) : IT::edge_point(inner, x.location, mesh).t;
-    return faces.on(h, inner == h ? t : 1 - t);
-  };
+  const Halfedge_index h = mesh.is_border(along(p)) ? mesh.opposite(along(p)) : along(p);
+  const auto on = [&](const Path_place& x) { return faces.on(h, place_on(h, x)); };
   return {on(p), on(q)};
 }
 
@@ -89,11 +89,8 @@ inline bool is_inserted_on_edge(const Path_place& p, const Flat_faces& faces)
 {
   const auto& inserted = faces.triangulation().inserted_vertices();
   const auto is_at = [&](const Path_place& v) {
-    if(!v.along.is_valid() || Edge_index(v.along) != Edge_index(p.along))
-      return false;
-    const double s = IT::edge_point(v.along, v.location, faces.mesh()).t,
-                 t = IT::edge_point(p.along, p.location, faces.mesh()).t;
-    return std::abs((v.along == p.along ? s : 1 - s) - t) < 1e-12;
+    return IT::on_edge(v) && Edge_index(along(v)) == Edge_index(along(p)) &&
+           std::abs(place_on(along(p), v) - place_on(along(p), p)) < 1e-12;
   };
   return &faces.mesh() == &faces.triangulation().input_mesh() &&
          std::any_of(inserted.begin(), inserted.end(), is_at);
@@ -106,24 +103,24 @@ inline Piece_of_path piece_of_path(const Path& path, std::size_t k, const Flat_f
   const Path_place &p = path.places[k], &q = path.places[k + 1];
   if(is_vertex(p) && is_vertex(q))
     return edge_of_path(p, q, faces);
-  if(p.along.is_valid() && q.along.is_valid() && !is_vertex(q) &&
-     mesh.edge(p.along) == mesh.edge(q.along))
+  if(along(p).is_valid() && along(q).is_valid() && !is_vertex(q) &&
+     mesh.edge(along(p)) == mesh.edge(along(q)))
     return part_of_edge(p, q, faces);
   const bool is_crossing =
-    k > 0 && p.along.is_valid() && !is_vertex(p) && !mesh.is_border(mesh.opposite(p.along));
-  const Face_index f = is_crossing          ? mesh.face(mesh.opposite(p.along))
-                       : p.along.is_valid() ? mesh.face(p.along)
-                                            : p.location.first;
-  const Location start =
-    is_crossing ? faces.on(mesh.opposite(p.along), 1 - IT::edge_point(p.along, p.location, mesh).t)
-    : is_vertex(p) ? faces.on(p.along, 0)
-                   : p.location;
-  if(q.along.is_valid() && !is_vertex(q) && k + 2 < path.places.size() &&
+    k > 0 && along(p).is_valid() && !is_vertex(p) && !mesh.is_border(mesh.opposite(along(p)));
+  const Face_index f = is_crossing           ? mesh.face(mesh.opposite(along(p)))
+                       : along(p).is_valid() ? mesh.face(along(p))
+                                             : IT::face_location(p, mesh).first;
+  const Location start = is_crossing
+                           ? faces.on(mesh.opposite(along(p)), place_on(mesh.opposite(along(p)), p))
+                         : is_vertex(p) ? faces.on(along(p), 0)
+                                        : IT::face_location(p, mesh);
+  if(along(q).is_valid() && !is_vertex(q) && k + 2 < path.places.size() &&
      !is_inserted_on_edge(q, faces))
-    return {start, q.location};
+    return {start, IT::face_location(q, mesh)};
   if(is_crossing && is_vertex(q) && !is_inserted_on_edge(p, faces) &&
-     mesh.source(q.along) == mesh.target(mesh.next(mesh.opposite(p.along))))
-    return {start, faces.apex(mesh.opposite(p.along))};
+     mesh.source(along(q)) == mesh.target(mesh.next(mesh.opposite(along(p)))))
+    return {start, faces.apex(mesh.opposite(along(p)))};
   Piece_of_path result{start, {Delta_complex::null_face(), {}}};
   if(f != Delta_complex::null_face())
     for(const Location& end : places_in(f, q, faces))

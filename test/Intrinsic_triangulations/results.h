@@ -38,11 +38,12 @@ public:
   }
 
   template <typename FT>
-  void add_place(const IT::Surface_place<FT>& p)
+  void add_place(const IT::Surface_point<FT>& p, const IT::Delta_complex& mesh)
   {
-    add(p.along.idx());
-    add(p.location.first.idx());
-    for(const FT& x : p.location.second)
+    add(IT::halfedge_of(p).idx());
+    const auto [f, b] = IT::face_location(p, mesh);
+    add(f.idx());
+    for(const FT& x : b)
       add(x);
   }
 
@@ -70,7 +71,7 @@ public:
       for(auto e : s.mesh().edges())
         add(s.parent_halfedge(side, s.mesh().halfedge(e)).idx());
       for(auto v : s.mesh().vertices())
-        add_place(s.place(side, v));
+        add_place(s.place(side, v), s.mesh(side));
     }
   }
 

@@ -35,7 +35,7 @@ inline void check_numbers(const Subdivision& s, const Correspondence& c)
     shared += t.coordinates().normal_coordinate(e) == -1;
   }
   for(Vertex_index v : t.mesh().vertices())
-    parts += t.is_inserted(v) && t.inserted_vertex(v).along.is_valid();
+    parts += t.is_inserted(v) && IT::on_edge(t.inserted_vertex(v)) != nullptr;
   const auto edges = std::int64_t(t.mesh().number_of_edges());
   EXPECT_TRUE(s.mesh().is_valid(true));
   EXPECT_EQ(std::int64_t(s.mesh().number_of_vertices()),

@@ -263,7 +263,7 @@ Halfedge_index input_axis(Halfedge_index h, const Triangulation& t)
     return IT::first_outgoing_halfedge(v, t.input_mesh());
   return t.outgoing_halfedges().degree(v) > 0
            ? t.outgoing_halfedges().halfedge(v, 0)
-           : t.input_mesh().halfedge(t.inserted_vertex(v).location.first);
+           : t.input_mesh().halfedge(std::get<Location>(t.inserted_vertex(v)).first);
 }
 
 double angle_in_plane(Halfedge_index h, const Plane_vectors& vectors,

@@ -56,7 +56,7 @@ struct Plane
     for(const Point& p : mesh.points())
       point.emplace_back(p.x(), p.y());
     for(const auto& m : t.inserted_vertices())
-      point.push_back(at(Side::input, m.location));
+      point.push_back(at(Side::input, IT::face_location(m, t.input_mesh())));
   }
 
   const Delta_complex& mesh(Side side) const { return t.surface(side).mesh(); }
@@ -369,7 +369,8 @@ TEST(Certified_places, elements_with_inserted_vertices)
     const Exact_correspondence c(t);
     for(Vertex_index v : t.mesh().vertices())
       if(t.is_inserted(v)) {
-        EXPECT_EQ(IT::element_across(c, Side::input, t.inserted_vertex(v).location),
+        EXPECT_EQ(IT::element_across(c, Side::input,
+                                     IT::face_location(t.inserted_vertex(v), t.input_mesh())),
                   Surface_element(v));
       }
   }

@@ -160,8 +160,8 @@ TEST(Common_subdivision, isolated_vertices_keep_their_numbers)
   for(Vertex_index v : s.mesh().vertices()) {
     const bool is_isolated = std::count(isolated.begin(), isolated.end(), v.idx()) > 0;
     EXPECT_EQ(s.mesh().is_isolated(v), is_isolated);
-    EXPECT_EQ(s.place(Side::input, v).along.is_valid(), !is_isolated);
-    EXPECT_EQ(s.place(Side::intrinsic, v).along.is_valid(), !is_isolated);
+    EXPECT_EQ(IT::halfedge_of(s.place(Side::input, v)).is_valid(), !is_isolated);
+    EXPECT_EQ(IT::halfedge_of(s.place(Side::intrinsic, v)).is_valid(), !is_isolated);
   }
 }
 

@@ -33,10 +33,10 @@ void check_pieces(const Triangulation& t, const std::set<std::size_t>& fixed)
     if(t.is_constrained(e) || t.mesh().is_border(e))
       ++pieces[t.input_mesh().edge(t.input_halfedge(t.mesh().halfedge(e)))];
   for(const auto& m : t.inserted_vertices())
-    if(m.along.is_valid()) {
-      ++vertices[t.input_mesh().edge(m.along)];
-      const auto& b = m.location.second;
-      EXPECT_EQ(std::count(b.begin(), b.end(), 0.), 1);
+    if(const auto* p = IT::on_edge(m)) {
+      ++vertices[Edge_index(p->halfedge)];
+      const auto& b = p->weight;
+      EXPECT_EQ(std::count(b.begin(), b.end(), 0.), 0);
     }
   for(std::size_t e : fixed)
     EXPECT_EQ(pieces[e], vertices[e] + 1) << e;

@@ -49,7 +49,7 @@ Location at_length(Real s, const Path& path, const Flat_faces& faces)
       result.second[i] = (1 - t) * piece.from.second[i] + t * piece.to.second[i];
     return result;
   }
-  return path.places.front().location;
+  return IT::face_location(path.places.front(), faces.mesh());
 }
 
 // Whether there is a path. If so, its pieces add up on its own triangulation.
@@ -74,8 +74,10 @@ Path check_image(const Triangulation& t, Side side, const Path& path, const Corr
   Real s = 0;
   for(std::size_t k = 0; k < image.places.size(); ++k) {
     const Location truth = IT::point_across(c, side, at_length(s, path, here));
-    EXPECT_LT(static_cast<double>(there.path(truth, image.places[k].location)), tolerance)
-      << k << " of " << image.places.size() << " " << image.places[k].along;
+    EXPECT_LT(
+      static_cast<double>(there.path(truth, IT::face_location(image.places[k], there.mesh()))),
+      tolerance)
+      << k << " of " << image.places.size() << " " << along(image.places[k]);
     if(k + 1 < image.places.size())
       s += length(piece_of_path(image, k, there), there);
   }
@@ -88,8 +90,8 @@ std::vector<Halfedge_index> crossed(const Path& path, const Flat_faces& faces)
   std::vector<Halfedge_index> result;
   for(std::size_t k = 1; k + 1 < path.places.size(); ++k) {
     const Path_place& p = path.places[k];
-    if(p.along.is_valid() && !is_vertex(p) && !is_inserted_on_edge(p, faces))
-      result.push_back(p.along);
+    if(IT::on_edge(p) && !is_inserted_on_edge(p, faces))
+      result.push_back(along(p));
   }
   return result;
 }
@@ -298,15 +300,18 @@ TEST(Curve_across, through_inserted_vertices)
     const Correspondence c(t);
     for(Halfedge_index h : t.mesh().halfedges())
       if(t.is_inserted(t.mesh().source(h)) && t.is_inserted(t.mesh().target(h))) {
-        const Path along = IT::path_on_input(t, {h});
-        const Path path = IT::curve_across(c, Side::input, along);
+        const Path edge = IT::path_on_input(t, {h});
+        const Path path = IT::curve_across(c, Side::input, edge);
         expect_valid(path, Flat_faces(Side::intrinsic, t), 1e-9);
         ASSERT_TRUE(is_vertex(path.places.front()) && is_vertex(path.places.back()));
-        EXPECT_EQ(t.mesh().source(path.places.front().along), t.mesh().source(h));
-        EXPECT_EQ(t.mesh().source(path.places.back().along), t.mesh().target(h));
+        EXPECT_EQ(t.mesh().source(along(path.places.front())), t.mesh().source(h));
+        EXPECT_EQ(t.mesh().source(along(path.places.back())), t.mesh().target(h));
         const Path back = IT::curve_across(c, Side::intrinsic, path);
-        EXPECT_EQ(back.places.front().location, along.places.front().location);
-        EXPECT_EQ(back.places.back().location, along.places.back().location);
+        const auto expect_same = [&](const Path_place& p, const Path_place& q) {
+          EXPECT_EQ(IT::face_location(p, t.input_mesh()), IT::face_location(q, t.input_mesh()));
+        };
+        expect_same(back.places.front(), edge.places.front());
+        expect_same(back.places.back(), edge.places.back());
         ++passed;
       }
   }
@@ -321,16 +326,14 @@ TEST(Curve_across, points_and_parts_of_edges)
     const Correspondence c(t);
     for(Halfedge_index h : t.input_mesh().halfedges()) {
       const Delta_complex& mesh = t.input_mesh();
-      const auto at_source = [&](Halfedge_index x) {
-        return IT::internal::place_on(Edge_place{x, 0}, mesh);
-      };
-      const Path edge{t.input_length(mesh.edge(h)), {at_source(h), at_source(mesh.opposite(h))}};
+      const Path edge{t.input_length(mesh.edge(h)),
+                      {IT::Vertex_location{h}, IT::Vertex_location{mesh.opposite(h)}}};
       check_image(t, Side::input, edge, c);
     }
     CGAL::Random random(seed);
     for(const Side side : both_sides)
       for(const Location& p : points_of(side, c, 20, random)) {
-        const Path point{0, {IT::internal::surface_place(p, c.mesh(side))}};
+        const Path point{0, {IT::surface_point(p, c.mesh(side))}};
         const Path image = check_image(t, side, point, c);
         EXPECT_EQ(image.places.size(), 1u);
       }
@@ -342,7 +345,7 @@ TEST(Curve_across, gap_in_a_path)
   Triangulation t(octahedron());
   const Correspondence c(t);
   const std::array<double, 3> center{0.25, 0.25, 0.5};
-  const Path path{1, {{{}, {Face_index(0), center}}, {{}, {Face_index(1), center}}}};
+  const Path path{1, {Location(Face_index(0), center), Location(Face_index(1), center)}};
   for(const Side side : both_sides)
     EXPECT_THROW(IT::curve_across(c, side, path), IT::Invalid_input);
 }

@@ -108,7 +108,7 @@ void check_by_minima(Side side, const Triangulation& t, unsigned int seed)
     const Path path = paths.path(q);
     ASSERT_FALSE(path.places.empty());
     expect_valid(path, faces, tolerance);
-    EXPECT_NEAR(paths.distance(path.places.front().location), 0, tolerance);
+    EXPECT_NEAR(paths.distance(IT::face_location(path.places.front(), faces.mesh())), 0, tolerance);
     EXPECT_EQ(paths.source(q), 0u);
   };
   for(Vertex_index v : faces.mesh().vertices())
@@ -239,7 +239,8 @@ TEST(Curve_distances, geodesics_on_cylinders)
         IT::shortest_path(flat->input(), p, random_location(flat->input_mesh(), random));
       const Paths paths = paths_from(flat->input(), IT::curve_through(flat->input(), path.places));
       const Complex start = places.place(p),
-                    way = places.place(path.places.back().location) - start;
+                    way = places.place(IT::face_location(path.places.back(), flat->input_mesh())) -
+                          start;
       const Complex end = start + Complex(std::remainder(way.real(), girth), way.imag());
       for(int k = 0; k < 20; ++k) {
         const Location q = random_location(flat->input_mesh(), random);

@@ -186,10 +186,11 @@ Matrix along_edge(Halfedge_index e, const Triangulation& t, const Holonomy& holo
   const Delta_complex& input = t.input_mesh();
   const auto places = IT::path_on_input(t, Halfedges{e}).places;
   Matrix product;
-  Halfedge_index h = places[0].along;
+  Halfedge_index h = IT::halfedge_of(places[0]);
   for(std::size_t i = 1; i < places.size(); ++i) {
-    const Halfedge_index end =
-      i + 1 < places.size() ? places[i].along : input.prev(input.opposite(places[i - 1].along));
+    const Halfedge_index end = i + 1 < places.size()
+                                 ? IT::halfedge_of(places[i])
+                                 : input.prev(input.opposite(IT::halfedge_of(places[i - 1])));
     for(; h != end; h = input.next(h))
       product = product * holonomy(h);
     h = input.next(input.opposite(end));

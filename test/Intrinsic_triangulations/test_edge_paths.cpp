@@ -373,7 +373,7 @@ TEST(Edge_paths, along_the_boundary)
   EXPECT_EQ(paths.length(0), 2);
   const Surface_path path = IT::path_on_input(t, paths.halfedges(0));
   ASSERT_EQ(path.places.size(), 3u);
-  EXPECT_EQ(t.input_mesh().source(path.places[1].along), Vertex_index(4));
+  EXPECT_EQ(t.input_mesh().source(IT::halfedge_of(path.places[1])), Vertex_index(4));
 }
 
 // Around an annulus from one side to the other: as long as a straight line in the plane.

@@ -68,8 +68,8 @@ void expect_places(const Any_triangulation& tri)
 {
   for(const auto& m : tri.inserted_vertices()) {
     EXPECT_TRUE(IT::internal::is_valid_place(m, tri.input_mesh()));
-    const auto& b = m.location.second;
-    EXPECT_EQ(std::count(b.begin(), b.end(), 0.), m.along.is_valid() ? 1 : 0);
+    const auto b = IT::face_location(m, tri.input_mesh()).second;
+    EXPECT_EQ(std::count(b.begin(), b.end(), 0.), IT::on_edge(m) ? 1 : 0);
   }
 }
 
@@ -329,7 +329,8 @@ TEST(Exact_refinement, bent_edges_between_inserted_vertices_are_repaired)
     EXPECT_TRUE(tri.is_valid(true));
     ASSERT_EQ(tri.number_of_inserted_vertices(), places.size());
     for(std::size_t i = 0; i < places.size(); ++i)
-      EXPECT_EQ(tri.inserted_vertices()[i].location, places[i].location);
+      EXPECT_EQ(IT::face_location(tri.inserted_vertices()[i], tri.input_mesh()),
+                IT::face_location(places[i], tri.input_mesh()));
     bend(tri, random);
     const Refinement_result result = refined(tri);
     EXPECT_GE(tri.number_of_inserted_vertices(), places.size());

@@ -120,7 +120,8 @@ Points with_inserted(Points points, const Triangulation& t)
   const Points input = points;
   for(Vertex_index v : t.mesh().vertices())
     if(t.is_inserted(v))
-      points.push_back(point(t.inserted_vertex(v).location, t.input_mesh(), input));
+      points.push_back(
+        point(IT::face_location(t.inserted_vertex(v), t.input_mesh()), t.input_mesh(), input));
   return points;
 }
 
@@ -134,8 +135,8 @@ bool cross(const Plane_point& p, const Plane_point& q, const Plane_point& r, con
 bool is_on(Vertex_index v, Edge_index e, const Triangulation& over)
 {
   if(over.is_inserted(v))
-    return Edge_index(over.inserted_vertex(v).along) == e &&
-           over.inserted_vertex(v).along.is_valid();
+    const auto* p = IT::on_edge(over.inserted_vertex(v));
+  return p && Edge_index(p->halfedge) == e;
   return over.input_mesh().vertex(e, 0) == v || over.input_mesh().vertex(e, 1) == v;
 }
 
@@ -212,7 +213,7 @@ std::size_t check_polygon(unsigned seed)
   EXPECT_EQ(over.mesh().number_of_vertices(), back.mesh().number_of_vertices());
   std::size_t split = 0; // edges of T1 are, where both have vertices on them
   for(Vertex_index v : back.mesh().vertices())
-    split += back.is_inserted(v) && back.inserted_vertex(v).along.is_valid();
+    split += back.is_inserted(v) && IT::on_edge(back.inserted_vertex(v)) != nullptr;
   EXPECT_LE(number_of_missing_edges(t3, points3, over, all), split);
   return over.number_of_inserted_vertices();
 }

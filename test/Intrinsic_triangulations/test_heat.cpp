@@ -172,7 +172,8 @@ std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
   std::vector<Point> result(mesh.points().begin(), mesh.points().end());
   for(Vertex_index v : t.mesh().vertices())
     if(t.is_inserted(v))
-      result.push_back(place_in_space(t.inserted_vertex(v).location, input, mesh));
+      result.push_back(
+        place_in_space(IT::face_location(t.inserted_vertex(v), t.input_mesh()), input, mesh));
   return result;
 }
 

@@ -75,8 +75,9 @@ void check(const Triangulation& r)
   }
   for(Vertex_index v : t.mesh().vertices())
     if(t.is_inserted(v)) {
-      EXPECT_EQ(t.inserted_vertex(v).location, r.inserted_vertex(v).location);
-      on_edges += t.inserted_vertex(v).along.is_valid();
+      EXPECT_EQ(IT::face_location(t.inserted_vertex(v), t.input_mesh()),
+                IT::face_location(r.inserted_vertex(v), r.input_mesh()));
+      on_edges += IT::on_edge(t.inserted_vertex(v)) != nullptr;
     }
   EXPECT_EQ(shared, t.input_mesh().number_of_edges() + on_edges);
   expect_areas(t);
@@ -122,7 +123,7 @@ Point place(Vertex_index v, const Triangulation& t, const Mesh& mesh)
 {
   if(!t.is_inserted(v))
     return mesh.point(v);
-  const auto& [f, b] = t.inserted_vertex(v).location;
+  const auto [f, b] = IT::face_location(t.inserted_vertex(v), t.input_mesh());
   const Halfedge_index h = t.input_mesh().halfedge(f);
   return CGAL::barycenter(mesh.point(mesh.source(h)), b[0], mesh.point(mesh.target(h)), b[1],
                           mesh.point(mesh.target(mesh.next(h))), b[2]);

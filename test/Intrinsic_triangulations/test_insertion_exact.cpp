@@ -326,11 +326,11 @@ TEST(Insertion_exact, overflow_changes_nothing)
 {
   Triangulation t(octahedron());
   const std::int64_t most = (std::numeric_limits<std::int64_t>::max)() / 16;
-  const IT::Inserted_vertex<double> place{Halfedge_index(), {Face_index(0), {0.5, 0.25, 0.25}}};
+  const Location place(Face_index(0), {0.5, 0.25, 0.25});
   for(std::size_t s = 0; s < 3; ++s) {
     IT::Face_split<std::int64_t> at{{0, 0, 0}, {0, 0, 0}};
     at.n[s] = most + 1;
-    expect_refusal<IT::Overflow_error>(t, [&] { t.split_face(place.location, at, place); });
+    expect_refusal<IT::Overflow_error>(t, [&] { t.split_face(place, at, place); });
   }
   for(int part = 0; part < 4; ++part) {
     IT::Edge_split<std::int64_t> n{0, 0, 0, 0};

@@ -50,16 +50,17 @@ void expect_level_set(const std::vector<Curve>& curves, const Delta_complex& mes
 {
   std::set<Edge_index> met;
   for(const Curve& curve : curves) {
-    const bool is_closed = !mesh.is_border(mesh.opposite(curve.places.front().along));
+    const bool is_closed = !mesh.is_border(mesh.opposite(IT::halfedge_of(curve.places.front())));
     ASSERT_GE(curve.places.size(), 2u);
-    EXPECT_EQ(is_closed, curve.places.front().along == curve.places.back().along);
-    EXPECT_EQ(!is_closed, mesh.is_border(curve.places.back().along));
+    EXPECT_EQ(is_closed,
+              IT::halfedge_of(curve.places.front()) == IT::halfedge_of(curve.places.back()));
+    EXPECT_EQ(!is_closed, mesh.is_border(IT::halfedge_of(curve.places.back())));
     for(std::size_t i = 0; i + (is_closed ? 1 : 0) < curve.places.size(); ++i) {
-      const IT::Halfedge_index h = curve.places[i].along;
+      const IT::Halfedge_index h = IT::halfedge_of(curve.places[i]);
       EXPECT_TRUE(met.insert(mesh.edge(h)).second);
       EXPECT_GE(values[mesh.source(h)], level);
       EXPECT_LT(values[mesh.target(h)], level);
-      EXPECT_NEAR(value_at(curve.places[i].location, values, mesh), level, 1e-14);
+      EXPECT_NEAR(value_at(IT::face_location(curve.places[i], mesh), values, mesh), level, 1e-14);
     }
   }
   std::size_t mixed = 0;

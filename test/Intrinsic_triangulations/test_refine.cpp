@@ -387,7 +387,7 @@ TEST(Refine, vertices_on_the_boundary_are_at_dyadic_places)
   std::size_t count = 0;
   for(Vertex_index v : t.mesh().vertices())
     if(t.is_inserted(v) && t.mesh().is_border(v)) {
-      const double place = t.place_along(t.inserted_vertex(v).along, v) * 1024;
+      const double place = IT::on_edge(t.inserted_vertex(v))->weight[1] * 1024;
       EXPECT_EQ(place, std::floor(place));
       EXPECT_TRUE(place > 0 && place < 1024);
       ++count;

@@ -64,7 +64,7 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
     for(std::size_t j = n; j < n + points.size(); ++j) {
       EXPECT_NEAR(paths.distance(points[j - n]), truth[j], tolerance) << i << " " << j;
       const Path path = paths.path(points[j - n]);
-      EXPECT_EQ(path.places.back().location, points[j - n]);
+      EXPECT_EQ(IT::face_location(path.places.back(), t.input_mesh()), points[j - n]);
       expect_valid(path, faces, tolerance);
     }
   }
@@ -289,7 +289,7 @@ TEST(Shortest_paths, on_cones)
                             : from.real() + to.real(),
                   1e-12);
       const auto passes_apex = [&](const Path_place& x) {
-        return is_vertex(x) && cone.mesh.input_mesh().source(x.along) == cone.apex;
+        return is_vertex(x) && cone.mesh.input_mesh().source(along(x)) == cone.apex;
       };
       EXPECT_EQ(std::any_of(path.places.begin(), path.places.end(), passes_apex), turn >= pi);
     }
@@ -329,7 +329,7 @@ TEST(Shortest_paths, bend_at_the_boundary)
   const Path path = paths.path(Vertex_index(3));
   ASSERT_EQ(path.places.size(), 3u);
   for(std::size_t k = 0; k < 3; ++k)
-    EXPECT_EQ(t.input_mesh().source(path.places[k].along),
+    EXPECT_EQ(t.input_mesh().source(along(path.places[k])),
               Vertex_index(static_cast<unsigned>(std::array{1, 4, 3}[k])));
   EXPECT_EQ(path.length, 2);
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
@@ -25,7 +26,7 @@ namespace CGAL::Discrete_conformal_maps {
 
 using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Side;
-using Intrinsic_triangulations::Surface_place;
+using Intrinsic_triangulations::Surface_point;
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// names one of the three triangulations of a surface (Figure 4.1).
@@ -115,9 +116,9 @@ public:
                                : v.idx() >= m_first_crossing_of_bc;
   }
 
-  /// returns the place of `v` on `layer`. The null face if `v` is isolated. Complexity: constant,
-  /// or linear in the degree of `v` for \f$T^C\f$.
-  Surface_place<FT> place(Layer layer, Vertex_index v) const
+  /// returns the place of `v` on `layer`. Complexity: constant, or linear in the degree of `v` for
+  /// \f$T^C\f$.
+  Surface_point<FT> place(Layer layer, Vertex_index v) const
   {
     return layer == Layer::C ? place_on_C(v) : m_place[Base::index(layer)][v.idx()];
   }
@@ -139,8 +140,9 @@ public:
   /// returns `v` as a convex combination of one vertex of `layer`, or of the corners of a face.
   Intrinsic_triangulations::Vertex_weights<FT> weights(Layer layer, Vertex_index v) const
   {
-    return this->is_vertex(layer, v) ? Base::weights(layer, v)
-                                     : this->corner_weights(layer, place(layer, v).location);
+    return this->is_vertex(layer, v)
+             ? Base::weights(layer, v)
+             : this->corner_weights(layer, face_location(place(layer, v), this->mesh(layer)));
   }
 
 private:
@@ -156,20 +158,26 @@ private:
   }
 
   // in a face on the left of an edge of C that leaves `v`, if there is one
-  Surface_place<FT> place_on_C(Vertex_index v) const
+  Surface_point<FT> place_on_C(Vertex_index v) const
   {
-    Surface_place<FT> result{};
+    Halfedge_index along;
     if(this->mesh().is_isolated(v))
-      return result;
+      return Intrinsic_triangulations::Vertex_location{along};
+    Intrinsic_triangulations::Face_location<FT> p;
     for(Halfedge_index h : CGAL::halfedges_around_target(v, this->mesh()))
-      if(!result.along.is_valid() && !this->mesh().is_border(h))
-        result = {this->parent_halfedge(Layer::C, this->mesh().next(h)),
-                  this->location(Layer::C, h)};
-    auto& b = result.location.second;
-    const FT sum = b[0] + b[1] + b[2];
-    for(FT& x : b)
+      if(!along.is_valid() && !this->mesh().is_border(h)) {
+        along = this->parent_halfedge(Layer::C, this->mesh().next(h));
+        p = this->location(Layer::C, h);
+      }
+    if(this->is_vertex(Layer::C, v))
+      return Intrinsic_triangulations::Vertex_location{along};
+    const FT sum = p.second[0] + p.second[1] + p.second[2];
+    for(FT& x : p.second)
       x /= sum;
-    return result;
+    if(!along.is_valid())
+      return p;
+    const auto b = coordinates_from(along, p, this->mesh(Layer::C));
+    return Intrinsic_triangulations::Edge_location<FT>{along, {b[0], b[1]}};
   }
 
   void copy_corner(Halfedge_index from, Halfedge_index to)
@@ -181,7 +189,7 @@ private:
   class Builder;
 
   size_type m_first_crossing_of_bc, m_first_crossing_of_ac;
-  std::array<std::vector<Surface_place<FT>>, 2> m_place; // of each vertex, on A and B
+  std::array<std::vector<Surface_point<FT>>, 2> m_place; // of each vertex, on A and B
   std::vector<std::array<FT, 3>> m_on_C; // the coordinates of the target of each halfedge
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -109,8 +110,8 @@ public:
     return n < m_new_vertices.size() ? m_new_vertices[n] : Vertex_index();
   }
 
-  /// returns the place of `v`; that of an isolated vertex has no face.
-  const Intrinsic_triangulations::Surface_place<double>& place(Level side, Vertex_index v) const
+  /// returns the place of `v`.
+  const Intrinsic_triangulations::Surface_point<double>& place(Level side, Vertex_index v) const
   {
     return m_place[Base::index(side)][v.idx()];
   }
@@ -248,7 +249,7 @@ private:
 
   std::array<const Surface_level*, 2> m_levels;
   std::vector<Vertex_index> m_new_vertices; // of the coarse level, that the fine one lacks
-  std::array<std::vector<Intrinsic_triangulations::Surface_place<double>>, 2> m_place;
+  std::array<std::vector<Intrinsic_triangulations::Surface_point<double>>, 2> m_place;
   Places_on_edges m_places_on_edges;          // of vertices that have more than m_place, in order
   std::vector<Halfedge_index> m_coarse_parts; // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
@@ -404,8 +405,9 @@ private:
     for(Vertex_index v : m_mesh.vertices()) {
       m_result.m_place[0].push_back(internal::fine_place(v, m_edges));
       m_result.m_place[1].push_back(internal::coarse_place(v, m_edges));
-      if(!m_mesh.is_isolated(v) && !m_result.m_place[1].back().along.is_valid())
-        move_into_parent(v, m_result.m_place[1].back().location);
+      auto* inside = std::get_if<Surface_map::Location>(&m_result.m_place[1].back());
+      if(inside && !m_mesh.is_isolated(v))
+        move_into_parent(v, *inside);
     }
   }
 

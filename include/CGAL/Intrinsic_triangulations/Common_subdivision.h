@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 #include <CGAL/Intrinsic_triangulations/set_halfedges_of_vertices.h>
@@ -70,17 +71,16 @@ public:
     Builder(correspondence, concurrency_of(np), *this).build();
   }
 
-  /// returns the place of `v` on `side`. That of an isolated vertex has no face. Complexity:
-  /// constant.
-  Surface_place<FT> place(Side side, Vertex_index v) const
+  /// returns the place of `v` on `side`. Complexity: constant.
+  Surface_point<FT> place(Side side, Vertex_index v) const
   {
     const Trace_point<FT>& p = m_place[v.idx()];
     const Edge_point<FT>& on_edge = side == Side::input ? p.on_input : p.on_intrinsic;
+    if(this->is_vertex(side, v))
+      return Vertex_location{on_edge.halfedge};
     if(on_edge.halfedge.is_valid())
-      return {on_edge.halfedge, face_location(on_edge, this->mesh(side))};
-    if(side == Side::input && m_tri->is_inserted(v))
-      return m_tri->inserted_vertex(v);
-    return {Halfedge_index(), {Face_index(), {}}};
+      return edge_location(on_edge);
+    return m_tri->inserted_vertex(v);
   }
 
 private:

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
@@ -300,11 +301,9 @@ private:
     const Delta_complex& input = m_tri.input_mesh();
     if(m_tri.number_of_inserted_vertices() > 0)
       m_contains_inserted.assign(input.num_faces(), false);
-    for(const auto& v : m_tri.inserted_vertices()) {
-      m_contains_inserted[v.location.first.idx()] = true;
-      if(v.along.is_valid() && !input.is_border(input.opposite(v.along)))
-        m_contains_inserted[input.face(input.opposite(v.along)).idx()] = true;
-    }
+    for(const Surface_point<FT>& p : m_tri.inserted_vertices())
+      internal::for_each_location(
+        p, input, [this](const auto& q) { m_contains_inserted[q.first.idx()] = true; });
   }
 
   static size_type end_of_pieces(const Part& part)

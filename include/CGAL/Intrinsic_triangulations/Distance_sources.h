@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
-#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ public:
   void add(const Face_location<FT>& p) { add(Curve_segment<FT>{p.first, p.second, p.second}); }
 
   /// adds a point on an edge.
-  void add(const Edge_point<FT>& p) { add(internal::place_on(p, m_surface.mesh()).location); }
+  void add(const Edge_point<FT>& p) { add(face_location(edge_location(p), m_surface.mesh())); }
 
   /// adds all points of a segment.
   void add(const Curve_segment<FT>& segment)

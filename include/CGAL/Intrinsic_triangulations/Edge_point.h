@@ -77,23 +77,8 @@ template <typename FT>
 using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// where a point lies on a triangulation: at a vertex, on an edge, or inside a face.
-template <typename FT>
-struct Surface_place
-{
-  Halfedge_index along; ///< a halfedge on which it lies, or that starts at it if it is a vertex;
-                        ///< null if it lies inside a face
-  Face_location<FT> location; ///< its place in the face, or in that of `along`
-};
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// the vertex at which a point lies, or the edge or the face inside which it lies.
 typedef std::variant<Vertex_index, Edge_index, Face_index> Surface_element;
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// where a vertex of \f$T_2\f$ that is not a vertex of \f$T_1\f$ lies on \f$T_1\f$.
-template <typename FT>
-using Inserted_vertex = Surface_place<FT>;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point where an edge of \f$T_1\f$ and an edge of \f$T_2\f$ meet: its place on both.
@@ -138,17 +123,6 @@ std::array<FT, 3> barycentric_coordinates(std::size_t s, const FT& t)
   b[(s + 1) % 3] = t;
   return b;
 }
-
-namespace internal {
-
-// whether two barycentric coordinates are zero
-template <typename FT>
-bool is_corner(const std::array<FT, 3>& p)
-{
-  return (p[0] == 0) + (p[1] == 0) + (p[2] == 0) == 2;
-}
-
-} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// returns the index of the side `h` in its face, counted from the side `first`.

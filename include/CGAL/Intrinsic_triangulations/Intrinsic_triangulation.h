@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Outgoing_halfedges.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -144,7 +145,7 @@ public:
   /// linear in the elements and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
-                          std::vector<Inserted_vertex<FT>> inserted = {},
+                          std::vector<Surface_point<FT>> inserted = {},
                           const Traits& traits = Traits(), typename Base::Metric metric = {})
     : Base(traits, std::move(input), std::move(mesh), std::move(inserted), std::move(metric))
   {
@@ -260,7 +261,7 @@ public:
   /// \throws Overflow_error if a normal coordinate is out of range
   /// After an exception nothing has changed.
   Vertex_index split_face(const Face_location<FT>& p, const Face_split<Integer>& at,
-                          const Inserted_vertex<FT>& q)
+                          const Surface_point<FT>& q)
   {
     if constexpr(internal::Is_exact<Traits>::value)
       return measured(split_face(p.first, at, q, {}), internal::exact_decisions(*this));
@@ -268,8 +269,9 @@ public:
     std::array<FT, 3> outgoing_length;
     for(std::size_t s = 0; s < 3; ++s)
       outgoing_length[s] =
-        at.n[s] < 0 ? internal::shared_outgoing_length(*this, q, at.r[s], m_mesh.source(side[s]))
-                    : internal::distance_to_corner(*this, side[0], p.second, s);
+        at.n[s] < 0
+          ? internal::shared_outgoing_length(*this, *on_edge(q), at.r[s], m_mesh.source(side[s]))
+          : internal::distance_to_corner(*this, side[0], p.second, s);
     return split_face(p.first, at, q, outgoing_length);
   }
 
@@ -281,21 +283,21 @@ public:
   /// \param t the place of \f$m\f$ on it, between 0 and 1
   /// \param n the normal coordinates of the new edges
   /// \param r the roundabouts of the halfedges from \f$m\f$ along these edges
-  /// \param q the place of \f$m\f$ on \f$T_1\f$; that of `place_on_shared()` if the edge is shared
+  /// \param q the place of \f$m\f$ on \f$T_1\f$; that of `point_on_shared()` if the edge is shared
   /// \returns \f$m\f$
   /// \throws Numerical_error if an edge has no positive finite length
   /// \throws Overflow_error if a normal coordinate is out of range
   /// After an exception nothing has changed.
   /// \pre the two sides of the edge are not in one face
   Vertex_index split_edge(Halfedge_index h, const FT& t, const Edge_split<Integer>& n,
-                          const Edge_split<size_type>& r, const Inserted_vertex<FT>& q)
+                          const Edge_split<size_type>& r, const Surface_point<FT>& q)
   {
     if constexpr(internal::Is_exact<Traits>::value)
       return measured(split_edge(h, n, r, q, {}), internal::exact_decisions(*this));
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const auto shared = [&](size_type r, Vertex_index v) {
-      return internal::shared_outgoing_length(*this, q, r, v);
+      return internal::shared_outgoing_length(*this, *on_edge(q), r, v);
     };
     const auto part = [&](const FT& t) { return internal::checked_length(*this, t * m_length[e]); };
     const auto apex = [&](Halfedge_index x) { return m_mesh.target(m_mesh.next(x)); };
@@ -328,7 +330,7 @@ public:
   /// those of the input keep theirs. Complexity: linear.
   void collect_garbage()
   {
-    auto place = add_property_map<Vertex_index>("v:inserted", Inserted_vertex<FT>());
+    auto place = add_property_map<Vertex_index>("v:inserted", Surface_point<FT>());
     for(Vertex_index v : m_mesh.vertices())
       if(is_inserted(v))
         place[v] = inserted_vertex(v);
@@ -384,12 +386,12 @@ private:
   }
 
   // like the public ones, where the new edges have the lengths `length`
-  Vertex_index split_face(Face_index f, const Face_split<Integer>& at, const Inserted_vertex<FT>& q,
+  Vertex_index split_face(Face_index f, const Face_split<Integer>& at, const Surface_point<FT>& q,
                           const std::array<FT, 3>& length)
   {
     const auto side = sides(f, m_mesh);
-    const Vertex_index m = m_coordinates.split_face(side[0], at, first_inserted_outgoing(q.along),
-                                                    m_mesh, m_outgoing_halfedges);
+    const Vertex_index m = m_coordinates.split_face(
+      side[0], at, first_inserted_outgoing(halfedge_of(q)), m_mesh, m_outgoing_halfedges);
     set_inserted(m, q);
     for(std::size_t s = 0; s < 3; ++s)
       set_edge(m_mesh.prev(side[s]), length[s], false);
@@ -397,13 +399,13 @@ private:
   }
 
   Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n,
-                          const Edge_split<size_type>& r, const Inserted_vertex<FT>& q,
+                          const Edge_split<size_type>& r, const Surface_point<FT>& q,
                           const Edge_split<FT>& length)
   {
     const Halfedge_index o = m_mesh.opposite(h);
     const bool was_constrained = m_is_constrained[m_mesh.edge(h)];
-    const Vertex_index m = m_coordinates.split_edge(h, n, r, first_inserted_outgoing(q.along),
-                                                    m_mesh, m_outgoing_halfedges);
+    const Vertex_index m = m_coordinates.split_edge(
+      h, n, r, first_inserted_outgoing(halfedge_of(q)), m_mesh, m_outgoing_halfedges);
     set_inserted(m, q);
     const Halfedge_index im = first_part(h, m_mesh);
     set_edge(im, length.im, was_constrained);
@@ -455,7 +457,7 @@ private:
     m_is_constrained[m_mesh.edge(h)] = is_constrained;
   }
 
-  void set_inserted(Vertex_index v, const Inserted_vertex<FT>& place)
+  void set_inserted(Vertex_index v, const Surface_point<FT>& place)
   {
     const std::size_t i = v.idx() - m_input.number_of_vertices();
     m_inserted.resize((std::max)(m_inserted.size(), i + 1));
@@ -468,7 +470,8 @@ private:
   {
     for(Vertex_index v : m_mesh.vertices())
       if(is_inserted(v))
-        m_outgoing_halfedges.set_inserted(v, first_inserted_outgoing(inserted_vertex(v).along));
+        m_outgoing_halfedges.set_inserted(v,
+                                          first_inserted_outgoing(halfedge_of(inserted_vertex(v))));
   }
 };
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
@@ -132,10 +133,9 @@ public:
   /// returns the shortest path from the nearest source to a point of a face.
   ///
   /// The places come in the order from the source to `p`, both included. Where the path crosses an
-  /// edge, `along` is the halfedge through which it leaves a face. At a vertex, `along` starts
-  /// there: the path goes on along it, or through the face on its left. If the path goes along a
-  /// border halfedge, the location is in the face of the opposite halfedge. A vertex counts as hit
-  /// if the path passes it within rounding. There are no places if there is no path.
+  /// edge, it leaves a face through the halfedge. From a vertex, the path goes on along the
+  /// halfedge, or through the face on its left. A vertex counts as hit if the path passes it within
+  /// rounding. There are no places if there is no path.
   ///
   /// Complexity: linear in the edges crossed, and in the views into the face of `p`.
   Surface_path<FT> path(const Face_location<FT>& p) const

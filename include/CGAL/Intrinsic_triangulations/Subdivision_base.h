@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -30,17 +31,19 @@ struct Vertex_weights
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// returns a point as a convex combination of the ends of the edge on which it lies, or of the
-/// corners of its face. Complexity: constant.
+/// returns a point as a convex combination of one vertex, of the ends of the edge on which it lies,
+/// or of the corners of its face. Complexity: constant.
 template <typename FT>
-Vertex_weights<FT> vertex_weights(const Surface_place<FT>& p, const Delta_complex& mesh)
+Vertex_weights<FT> vertex_weights(const Surface_point<FT>& p, const Delta_complex& mesh)
 {
-  if(p.along.is_valid()) {
-    const FT t = edge_point(p.along, p.location, mesh).t;
-    return {2, {mesh.source(p.along), mesh.target(p.along)}, {1 - t, t}};
-  }
-  const auto h = sides(p.location.first, mesh);
-  return {3, {mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])}, p.location.second};
+  const Halfedge_index along = halfedge_of(p);
+  if(is_at_vertex(p))
+    return {1, {mesh.source(along)}, {FT(1)}};
+  if(const auto* e = on_edge(p))
+    return {2, {mesh.source(along), mesh.target(along)}, {1 - e->weight[1], e->weight[1]}};
+  const auto& [f, b] = std::get<Face_location<FT>>(p);
+  const auto h = sides(f, mesh);
+  return {3, {mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])}, b};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
@@ -115,15 +118,15 @@ public:
   std::array<FT, 3> coordinates(Side side, Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.target(h);
-    const Surface_place<FT> p = derived().place(side, v);
-    if(!p.along.is_valid())
-      return p.location.second;
-    const bool is_corner = is_vertex(side, v);
-    if(!is_corner && parent_halfedge(side, h).is_valid())
-      return on_side(side, parent_halfedge(side, h), p);
-    const Halfedge_index outgoing = parent_halfedge(side, parted_outgoing(side, h));
-    return is_corner ? face_location(Edge_point<FT>{outgoing, FT(0)}, mesh(side)).second
-                     : on_side(side, outgoing, p);
+    const Surface_point<FT> p = derived().place(side, v);
+    if(const auto* inside = std::get_if<Face_location<FT>>(&p))
+      return inside->second;
+    const bool is_on_parent = on_edge(p) && parent_halfedge(side, h).is_valid();
+    const Halfedge_index along = parent_halfedge(side, is_on_parent ? h : parted_outgoing(side, h));
+    if(is_at_vertex(p))
+      return barycentric_coordinates(side_number(along, mesh(side)), FT(0));
+    const Edge_point<FT> q = edge_point(*on_edge(p));
+    return face_location(along == q.halfedge ? q : reversed(q, mesh(side)), mesh(side)).second;
   }
 
   /// returns the place of the target of `h` in the parent of its face, with `coordinates(side, h)`.
@@ -166,7 +169,7 @@ protected:
 
   Vertex_weights<FT> corner_weights(Side side, const Face_location<FT>& p) const
   {
-    return vertex_weights(Surface_place<FT>{Halfedge_index(), p}, mesh(side));
+    return vertex_weights(Surface_point<FT>(p), mesh(side));
   }
 
   // ---- Refined by subdivisions whose polygons are not convex, or that have data at corners ----
@@ -251,13 +254,6 @@ protected:
 private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
   Derived& derived() { return static_cast<Derived&>(*this); }
-
-  // a place along an edge, on the side `h` of a face
-  std::array<FT, 3> on_side(Side side, Halfedge_index h, const Surface_place<FT>& p) const
-  {
-    const Edge_point<FT> on_edge = edge_point(p.along, p.location, mesh(side));
-    return face_location(h == p.along ? on_edge : reversed(on_edge, mesh(side)), mesh(side)).second;
-  }
 
   bool has_more_than_three_sides(Face_index f) const
   {

@@ -9,14 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -55,30 +54,12 @@ FT segment_length(const Surface& surface, const Curve_segment<FT>& segment)
     {edge_length(h[0], surface), edge_length(h[1], surface), edge_length(h[2], surface)}, segment);
 }
 
-// Calls `visit` for the point `p` as each of the faces around it sees it.
-template <typename FT, typename Visit>
-void for_each_location(const Face_location<FT>& p, const Delta_complex& mesh, const Visit& visit)
-{
-  const Halfedge_index along = surface_place(p, mesh).along;
-  const auto visit_on = [&](const Edge_point<FT>& q) {
-    if(!mesh.is_border(q.halfedge))
-      visit(face_location(q, mesh));
-  };
-  if(is_corner(p.second))
-    return for_each_outgoing_halfedge(mesh.source(along), mesh, [&](Halfedge_index h) {
-      visit_on(Edge_point<FT>{h, FT(0)});
-    });
-  visit(p);
-  if(along.is_valid())
-    visit_on(reversed(edge_point(along, p, mesh), mesh));
-}
-
 // The shortest segment from `p` to `q` in a face of both; without a face if there is none.
 template <typename Surface, typename FT>
-Curve_segment<FT> segment_between(const Surface& surface, const Face_location<FT>& p,
-                                  const Face_location<FT>& q)
+Curve_segment<FT> segment_between(const Surface& surface, const Surface_point<FT>& p,
+                                  const Surface_point<FT>& q)
 {
-  Curve_segment<FT> best{Delta_complex::null_face(), p.second, q.second};
+  Curve_segment<FT> best{Delta_complex::null_face(), {}, {}};
   FT least(0);
   for_each_location(p, surface.mesh(), [&](const Face_location<FT>& from) {
     for_each_location(q, surface.mesh(), [&](const Face_location<FT>& to) {
@@ -93,18 +74,6 @@ Curve_segment<FT> segment_between(const Surface& surface, const Face_location<FT
     });
   });
   return best;
-}
-
-template <typename FT>
-const Face_location<FT>& location_of(const Face_location<FT>& p)
-{
-  return p;
-}
-
-template <typename FT>
-const Face_location<FT>& location_of(const Surface_place<FT>& p)
-{
-  return p.location;
 }
 
 } // namespace internal
@@ -128,24 +97,24 @@ Length_of<Surface> curve_length(const Surface& surface,
 /// straight; of several segments in different faces it takes the shortest. Complexity: linear, and
 /// quadratic in the degree of a vertex that is one of the points.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
-/// \param points a range of `Face_location` or `Surface_place`, such as the places of a
+/// \param points a range of `Face_location` or `Surface_point`, such as the places of a
 ///        `Surface_path`; to close the curve, the last is the first
 /// \throws Invalid_input if a point shares no face with the next one
 template <typename Surface, typename PointRange>
 Surface_curve<Length_of<Surface>> curve_through(const Surface& surface, const PointRange& points)
 {
-  Surface_curve<Length_of<Surface>> result;
-  const auto* previous = &*std::begin(points);
+  typedef Length_of<Surface> FT;
+  Surface_curve<FT> result;
+  Surface_point<FT> previous;
   std::size_t i = 0;
   for(const auto& p : points) {
-    if(i++ > 0) {
-      result.push_back(internal::segment_between(surface, internal::location_of(*previous),
-                                                 internal::location_of(p)));
-      if(result.back().face == Delta_complex::null_face())
-        throw Invalid_input("points " + std::to_string(i - 2) + " and " + std::to_string(i - 1) +
-                            " of the curve share no face");
-    }
-    previous = &p;
+    const Surface_point<FT> next = surface_point(p, surface.mesh());
+    if(i++ > 0)
+      result.push_back(internal::segment_between(surface, previous, next));
+    if(i > 1 && result.back().face == Delta_complex::null_face())
+      throw Invalid_input("points " + std::to_string(i - 2) + " and " + std::to_string(i - 1) +
+                          " of the curve share no face");
+    previous = next;
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Outgoing_halfedges.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Part_of_input_edge.h>
@@ -136,27 +137,26 @@ public:
   bool is_inserted(Vertex_index v) const { return v.idx() >= m_input.number_of_vertices(); }
 
   /// returns where the inserted vertex `v` lies on \f$T_1\f$. \pre `is_inserted(v)`
-  const Inserted_vertex<FT>& inserted_vertex(Vertex_index v) const
+  const Surface_point<FT>& inserted_vertex(Vertex_index v) const
   {
     return m_inserted[v.idx() - m_input.number_of_vertices()];
   }
 
   /// returns where the inserted vertices lie on \f$T_1\f$, in the order of their indices.
-  const std::vector<Inserted_vertex<FT>>& inserted_vertices() const { return m_inserted; }
+  const std::vector<Surface_point<FT>>& inserted_vertices() const { return m_inserted; }
 
-  /// returns the place on \f$T_1\f$ of the point at `t` on the halfedge `h` of \f$T_2\f$.
+  /// returns the point of \f$T_1\f$ at `t` on the halfedge `h` of \f$T_2\f$.
   /// \pre the edge of `h` is shared and \f$0 < t < 1\f$
-  /// \throws Numerical_error if there is NaN between the places of its ends
-  Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
+  /// \throws Numerical_error if there is no number between the weights of its ends
+  Edge_location<FT> point_on_shared(Halfedge_index h, const FT& t) const
   {
     if constexpr(internal::Is_exact<Traits>::value)
-      return part_of_input_edge(h).place(t, m_input);
+      return part_of_input_edge(h).point(t, m_input);
     const Edge_point<FT> start = start_on_outgoing(h), end = start_on_outgoing(m_mesh.opposite(h));
     const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
     if(!(start.t < p.t && p.t < 1 - end.t))
       throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
-    const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
-    return {inside.halfedge, face_location(inside, m_input)};
+    return edge_location(m_input.is_border(p.halfedge) ? reversed(p, m_input) : p);
   }
 
   /// returns the first of the two outgoing halfedges of a vertex inserted on the edge of `along`,
@@ -199,10 +199,17 @@ public:
   /// source it is unless it has been inserted. \pre it lies on the edge of `input`
   FT place_along(Halfedge_index input, Vertex_index v) const
   {
+    return on_input_edge(input, v).weight[1];
+  }
+
+  /// returns the vertex `v` of \f$T_2\f$ as a point of the halfedge `input` of \f$T_1\f$, whose
+  /// source it is unless it has been inserted. \pre it lies on the edge of `input`
+  Edge_location<FT> on_input_edge(Halfedge_index input, Vertex_index v) const
+  {
     if(!is_inserted(v))
-      return FT(0);
-    const Inserted_vertex<FT>& m = inserted_vertex(v);
-    return m.location.second[(side_number(m.along, m_input) + (input == m.along)) % 3];
+      return {input, {FT(1), FT(0)}};
+    const Edge_location<FT>& p = *on_edge(inserted_vertex(v));
+    return p.halfedge == input ? p : reversed(p);
   }
 
   /// returns the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of
@@ -212,8 +219,8 @@ public:
   {
     if(!is_inserted(v))
       return face_location(at, m_input);
-    if(!inserted_vertex(v).along.is_valid())
-      return inserted_vertex(v).location;
+    if(const auto* inside = std::get_if<Face_location<FT>>(&inserted_vertex(v)))
+      return *inside;
     return face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)}, m_input);
   }
 
@@ -290,14 +297,9 @@ public:
   /// \pre the edge of `h` is shared; `FT` is `double`
   internal::Part_of_input_edge part_of_input_edge(Halfedge_index h) const
   {
-    const Halfedge_index outgoing = input_outgoing_before(h), back = opposite(outgoing);
-    const auto ends = [&](Halfedge_index along, Vertex_index v) -> std::array<double, 2> {
-      if(!is_inserted(v))
-        return {1, 0};
-      return {place_along(opposite(along), v), place_along(along, v)};
-    };
-    const auto start = ends(outgoing, m_mesh.source(h)), end = ends(back, m_mesh.target(h));
-    return {outgoing, start, {end[1], end[0]}};
+    const Halfedge_index outgoing = input_outgoing_before(h);
+    return {outgoing, on_input_edge(outgoing, m_mesh.source(h)).weight,
+            reversed(on_input_edge(opposite(outgoing), m_mesh.target(h))).weight};
   }
 
   /// @}
@@ -306,8 +308,8 @@ private:
   friend class Intrinsic_triangulation<Traits>;
 
   explicit Triangulation_pair(const Traits& traits = Traits(), Delta_complex input = {},
-                              Delta_complex mesh = {},
-                              std::vector<Inserted_vertex<FT>> inserted = {}, Metric metric = {})
+                              Delta_complex mesh = {}, std::vector<Surface_point<FT>> inserted = {},
+                              Metric metric = {})
     : m_traits(traits),
       m_input(std::move(input)),
       m_input_metric(std::move(metric)),
@@ -357,7 +359,7 @@ private:
   Edge_length_map m_length;
   Coordinates m_coordinates;
   Delta_complex::Property_map<Edge_index, bool> m_is_constrained;
-  std::vector<Inserted_vertex<FT>> m_inserted; // vertices of T2 after those of T1
+  std::vector<Surface_point<FT>> m_inserted; // vertices of T2 after those of T1
 };
 
 } // namespace CGAL::Intrinsic_triangulations

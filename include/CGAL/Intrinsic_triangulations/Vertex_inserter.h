@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
@@ -215,7 +216,7 @@ private:
     const auto [input_face, map] = face_map.region_map(number);
     const auto n = face_map.regions().crossings_to_corners(number);
     return m_tri.split_face(p, {{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {0, 0, 0}},
-                            {Halfedge_index(), {input_face, map(p.second)}});
+                            Face_location<FT>(input_face, map(p.second)));
   }
 
   struct Curve_near_by
@@ -269,7 +270,7 @@ private:
       {p.first, foot},
       internal::split_on_curve<Integer>(curve, m_tri.number_of_inserted_outgoing(across.halfedge),
                                         face_map.regions()),
-      {place.halfedge, face_location(place, m_tri.input_mesh())});
+      edge_location(place));
   }
 
   // Returns the place of the point closest to `p` on the way from `begin` to `end`. The distance is
@@ -321,7 +322,7 @@ private:
     if constexpr(can_be_exact)
       if(is_exact())
         return m_exact.split_shared_edge(h, t, n, r);
-    return m_tri.split_edge(h, t, n, r, m_tri.place_on_shared(h, t));
+    return m_tri.split_edge(h, t, n, r, m_tri.point_on_shared(h, t));
   }
 
   Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness)
@@ -348,7 +349,7 @@ private:
                             {Integer(p), Integer(n - p), crossings_to_apex(h, p),
                              crossings_to_apex(m_tri.mesh().opposite(h), n - p)},
                             {0, 0, 0, 0},
-                            {Halfedge_index(), {input_face, map(barycentric_coordinates(s, t))}});
+                            Face_location<FT>(input_face, map(barycentric_coordinates(s, t))));
   }
 
   // How the curve at crossing `p` of side 0 of a face goes on there.
@@ -377,7 +378,7 @@ private:
                             {Integer(p), Integer(n - 1 - p), left.to_apex, right.to_apex},
                             {forward, back, left.is_around_target ? forward : back,
                              right.is_around_target ? back : forward},
-                            {across.halfedge, face_location(across, m_tri.input_mesh())});
+                            edge_location(across));
   }
 
   // after an edge has been split, of which `h` is the second part

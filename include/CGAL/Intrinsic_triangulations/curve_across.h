@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Path_pieces.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_search.h>
@@ -30,7 +31,7 @@ namespace internal {
 // faces there, and where it ends. An end on an edge that is in both has its halfedge on the left of
 // which the segment lies.
 template <typename Traits>
-std::vector<Surface_place<typename Traits::FT>>
+std::vector<Surface_point<typename Traits::FT>>
 segment_across(const Correspondence<Traits>& correspondence, Side side,
                const Curve_segment<typename Traits::FT>& segment)
 {
@@ -42,7 +43,7 @@ segment_across(const Correspondence<Traits>& correspondence, Side side,
 
 // Adds the segments between consecutive places, apart from those whose length is rounding.
 template <typename FT>
-void add_segments(const std::vector<Surface_place<FT>>& places, const Delta_complex& mesh,
+void add_segments(const std::vector<Surface_point<FT>>& places, const Delta_complex& mesh,
                   Surface_curve<FT>& curve)
 {
   const auto is_short = [](const Curve_segment<FT>& s) {
@@ -51,15 +52,15 @@ void add_segments(const std::vector<Surface_place<FT>>& places, const Delta_comp
         return false;
     return true;
   };
-  Face_location<FT> from = places.front().location;
+  Face_location<FT> from = face_location(places.front(), mesh);
   for(std::size_t i = 1; i < places.size(); ++i) {
-    const Face_location<FT>& to = places[i].location;
+    const Face_location<FT> to = face_location(places[i], mesh);
     CGAL_assertion(from.first == to.first);
     const Curve_segment<FT> segment{to.first, from.second, to.second};
     if(places.size() == 2 || !is_short(segment))
       curve.push_back(segment);
     if(i + 1 < places.size())
-      from = face_location(reversed(edge_point(places[i].along, to, mesh), mesh), mesh);
+      from = face_location(reversed(*on_edge(places[i])), mesh);
   }
 }
 
@@ -68,7 +69,7 @@ void add_segments(const std::vector<Surface_place<FT>>& places, const Delta_comp
 template <typename FT>
 class Joined_path
 {
-  typedef Surface_place<FT> Place;
+  typedef Surface_point<FT> Place;
 
 public:
   explicit Joined_path(const Delta_complex& mesh) : m_mesh(mesh) {}
@@ -84,8 +85,8 @@ public:
       add_place(start);
     else if(!goes_on_straight || is_at_vertex(start))
       add_joint(start);
-    else if(start.along.is_valid())
-      add_crossing(seen_from_before(start));
+    else if(on_edge(start))
+      add_crossing(reversed(*on_edge(start)));
     for(std::size_t i = 1; i + 1 < piece.size(); ++i)
       add_crossing(piece[i]);
     m_end = piece.back();
@@ -109,20 +110,15 @@ private:
   void add_joint(const Place& start)
   {
     come_to_end();
-    const bool is_on_edge = start.along.is_valid() && !is_at_vertex(start);
-    const bool is_inside = is_on_edge && !m_mesh.is_border(m_mesh.opposite(start.along));
-    add_place(is_inside ? seen_from_before(start) : start);
-  }
-
-  // Returns a place on an edge with the halfedge through which the path leaves a face.
-  Place seen_from_before(const Place& p) const
-  {
-    return place_on(reversed(edge_point(p.along, p.location, m_mesh), m_mesh), m_mesh);
+    const auto* p = on_edge(start);
+    const bool is_inside = p && !m_mesh.is_border(m_mesh.opposite(p->halfedge));
+    add_place(is_inside ? Place(reversed(*p)) : start);
   }
 
   void add_crossing(const Place& x)
   {
-    const Halfedge_index h = x.along, o = m_mesh.opposite(h), from = m_places.back().along;
+    const Halfedge_index h = halfedge_of(x), o = m_mesh.opposite(h),
+                         from = halfedge_of(m_places.back());
     if(is_at_vertex(m_places.back()) && (from == h || from == m_mesh.next(h)))
       return leave_along(from == h ? m_mesh.next(o) : o);
     m_places.push_back(x);
@@ -135,23 +131,20 @@ private:
   {
     if(!is_at_vertex(m_end))
       return;
-    Halfedge_index back = m_end.along;
+    Halfedge_index back = halfedge_of(m_end);
     for(; m_crossings > 0; --m_crossings) {
-      const Halfedge_index h = m_places.back().along, o = m_mesh.opposite(h);
+      const Halfedge_index h = halfedge_of(m_places.back()), o = m_mesh.opposite(h);
       if(back != o && back != m_mesh.next(o))
         return;
       back = back == o ? m_mesh.next(h) : h;
       m_places.pop_back();
     }
-    if(is_at_vertex(m_places.back()) && m_mesh.next(back) == m_places.back().along)
+    if(is_at_vertex(m_places.back()) && m_mesh.next(back) == halfedge_of(m_places.back()))
       leave_along(m_mesh.opposite(back));
   }
 
   // Makes the path leave its last vertex along `h`, or beside it on the left.
-  void leave_along(Halfedge_index h)
-  {
-    m_places.back() = place_on(Edge_point<FT>{h, FT(0)}, m_mesh);
-  }
+  void leave_along(Halfedge_index h) { m_places.back() = Vertex_location{h}; }
 
   const Delta_complex& m_mesh;
   std::vector<Place> m_places;
@@ -220,7 +213,7 @@ Surface_path<typename Traits::FT> curve_across(const Correspondence<Traits>& cor
       result.add(internal::segment_across(correspondence, side, s), pieces.starts_on_edge(k));
   if(!result.is_empty())
     return {path.length, result.finish()};
-  const auto& [f, p] = path.places.front().location;
+  const auto& [f, p] = face_location(path.places.front(), correspondence.mesh(side));
   return {path.length, {internal::segment_across(correspondence, side, {f, p, p}).front()}};
 }
 

@@ -77,7 +77,8 @@ Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<
   const auto input = tri.input();
   const Delta_complex& mesh = input.mesh();
   if(tri.outgoing_halfedges().degree(v) == 0)
-    return trace_geodesic(input, tri.inserted_vertex(v).location, vector, at_boundary, path);
+    return trace_geodesic(input, face_location(tri.inserted_vertex(v), mesh), vector, at_boundary,
+                          path);
   const Halfedge_index axis = tri.outgoing_halfedges().halfedge(v, 0);
   const Face_location<FT> p = face_location(Edge_point<FT>{axis, tri.place_along(axis, v)}, mesh);
   const std::complex<FT> turn =

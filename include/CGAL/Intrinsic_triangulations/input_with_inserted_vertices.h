@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -74,12 +75,12 @@ private:
   {
     for(Vertex_index v : m_tri.mesh().vertices())
       if(m_tri.is_inserted(v)) {
-        const Inserted_vertex<FT>& m = m_tri.inserted_vertex(v);
-        const Edge_index e(m.along);
-        if(m.along.is_valid())
+        const Surface_point<FT>& m = m_tri.inserted_vertex(v);
+        if(on_edge(m)) {
+          const Edge_index e(halfedge_of(m));
           m_marks.push_back({e, m_tri.place_along(first_halfedge(e), v), v});
-        else
-          m_inside.emplace_back(m.location.first, v);
+        } else
+          m_inside.emplace_back(std::get<Face_location<FT>>(m).first, v);
       }
     std::stable_sort(m_inside.begin(), m_inside.end(),
                      [](const auto& x, const auto& y) { return x.first < y.first; });
@@ -164,7 +165,7 @@ private:
   {
     std::array<Kernel::FT, 3> b;
     for(std::size_t s = 0; s < 3; ++s) {
-      b[s] = static_cast<double>(m_tri.inserted_vertex(v).location.second[s]);
+      b[s] = static_cast<double>(std::get<Face_location<FT>>(m_tri.inserted_vertex(v)).second[s]);
       if(!(b[s] > 0))
         fail(v);
     }

@@ -87,7 +87,7 @@ void interpolate(const Triangulation_pair<Traits>& pair, const ValueMap& value, 
       put(result, v, get(value, v));
       continue;
     }
-    const auto& [face, weight] = pair.inserted_vertex(v).location;
+    const auto& [face, weight] = face_location(pair.inserted_vertex(v), input);
     const auto side = sides(face, input);
     const std::array<Vertex_index, 3> corner{input.source(side[0]), input.source(side[1]),
                                              input.source(side[2])};

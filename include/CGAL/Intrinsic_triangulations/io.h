@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/number_text.h>
@@ -147,18 +148,19 @@ public:
   }
 
   // returns the places of the vertices that only T2 has
-  std::vector<Inserted_vertex<FT>> read_inserted(const Delta_complex& input)
+  std::vector<Surface_point<FT>> read_inserted(const Delta_complex& input)
   {
     m_lines.next_line();
     const size_type count = number((std::numeric_limits<size_type>::max)() / 4);
     m_lines.end_line();
-    std::vector<Inserted_vertex<FT>> inserted;
+    std::vector<Surface_point<FT>> inserted;
     for_lines(count, [&] {
-      Inserted_vertex<FT> m{read_halfedge(input.number_of_edges()), {}};
-      m.location.first = Face_index(index(input.number_of_faces()));
-      for(FT& coordinate : m.location.second)
+      const Halfedge_index h = read_halfedge(input.number_of_edges());
+      Face_location<FT> p;
+      p.first = Face_index(index(input.number_of_faces()));
+      for(FT& coordinate : p.second)
         coordinate = m_lines.template hexadecimal<FT>();
-      inserted.push_back(m);
+      inserted.push_back(h.is_valid() ? on_halfedge(h, p, input) : Surface_point<FT>(p));
     });
     return inserted;
   }
@@ -180,6 +182,16 @@ public:
   }
 
 private:
+  // Returns a point of a face as the point of its side `h`.
+  Surface_point<FT> on_halfedge(Halfedge_index h, const Face_location<FT>& p,
+                                const Delta_complex& input) const
+  {
+    if(input.face(h) != p.first || coordinates_from(h, p, input)[2] != 0)
+      throw Invalid_input("the place of an inserted vertex is not on its halfedge");
+    const auto [at_source, at_target, at_apex] = coordinates_from(h, p, input);
+    return Edge_location<FT>{h, {at_source, at_target}};
+  }
+
   template <typename K>
   std::vector<K> read_squared_lengths(size_type count)
   {
@@ -322,9 +334,9 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
            (tri.is_constrained(e) ? " 1" : " 0");
   });
   internal::write_line(os, tri.number_of_inserted_vertices());
-  for(const auto& m : tri.inserted_vertices()) {
-    const auto& b = m.location.second;
-    internal::write_line(os, m.along, m.location.first, internal::hexadecimal_text(b[0]),
+  for(const auto& p : tri.inserted_vertices()) {
+    const auto [f, b] = face_location(p, tri.input_mesh());
+    internal::write_line(os, halfedge_of(p), f, internal::hexadecimal_text(b[0]),
                          internal::hexadecimal_text(b[1]), internal::hexadecimal_text(b[2]));
   }
   internal::write_metric(os, tri.input_metric());

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 
 #include <type_traits>
@@ -73,7 +74,7 @@ private:
 
   Curve curve_from(Halfedge_index h)
   {
-    Curve result{FT(0), {place_on(point(h), m_mesh)}};
+    Curve result{FT(0), {edge_location(point(h))}};
     while(!m_mesh.is_border(h) && !is_done(h)) {
       is_done(h) = 1;
       const Halfedge_index next = m_mesh.next(h),
@@ -82,7 +83,7 @@ private:
         m_surface, Curve_segment<FT>{m_mesh.face(h), face_location(point(h), m_mesh).second,
                                      face_location(point(out), m_mesh).second});
       h = m_mesh.opposite(out);
-      result.places.push_back(place_on(point(h), m_mesh));
+      result.places.push_back(edge_location(point(h)));
     }
     return result;
   }

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
 #include <cstddef>
@@ -19,14 +20,18 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The place on T1 of the source of the halfedge `h` of T2, at which its trace starts.
+// Returns the source of the halfedge `h` of T2 as a point of T1.
 template <typename Traits>
-Surface_place<typename Traits::FT> start_on_input(Halfedge_index h,
-                                                  const Edge_point<typename Traits::FT>& start,
-                                                  const Intrinsic_triangulation<Traits>& tri)
+Surface_point<typename Traits::FT> start_on_input(Halfedge_index h,
+                                                  const Triangulation_pair<Traits>& pair)
 {
-  const Vertex_index v = tri.mesh().source(h);
-  return start.halfedge.is_valid() ? place_on(start, tri.input_mesh()) : tri.inserted_vertex(v);
+  const Vertex_index v = pair.mesh().source(h);
+  const Halfedge_index outgoing = pair.input_outgoing_before(h);
+  if(!pair.is_inserted(v))
+    return Vertex_location{outgoing};
+  if(outgoing.is_valid())
+    return pair.on_input_edge(outgoing, v);
+  return pair.inserted_vertex(v);
 }
 
 } // namespace internal
@@ -38,12 +43,9 @@ Surface_place<typename Traits::FT> start_on_input(Halfedge_index h,
 /// \param halfedges the halfedges of \f$T_2\f$ along the path, each of which starts where the one
 ///        before ends
 /// \returns its length and its places on \f$T_1\f$, from the source of the first halfedge to the
-///   target of the last one. Where it crosses an edge, `along` is the halfedge through which it
-///   leaves a face; rounding never moves a crossing to a vertex. At a vertex of \f$T_1\f$, `along`
-///   starts there: the path goes on along it, or through the face on its left; if it is a border
-///   halfedge, the location is in the face of the opposite halfedge. At a vertex inserted on an
-///   edge, `along` is a halfedge of this edge; it is null if the vertex has been inserted inside a
-///   face. The sequence of crossed edges is exact.
+///   target of the last one. Where it crosses an edge, it leaves a face through the halfedge;
+///   rounding never moves a crossing to a vertex. From a vertex of \f$T_1\f$ the path goes on along
+///   the halfedge, or through the face on its left. The sequence of crossed edges is exact.
 ///
 /// Complexity: that of `trace_intrinsic_edge()` for each halfedge.
 /// \throws Numerical_error if a layout has no positive finite length
@@ -57,13 +59,13 @@ Surface_path<typename Traits::FT> path_on_input(const Intrinsic_triangulation<Tr
   for(Halfedge_index h : halfedges) {
     const auto trace = trace_intrinsic_edge(tri, h);
     result.length += tri.length(mesh.edge(h));
-    result.places.push_back(internal::start_on_input(h, trace.front().on_input, tri));
+    result.places.push_back(internal::start_on_input(h, tri));
     for(std::size_t m = 1; m + 1 < trace.size(); ++m)
-      result.places.push_back(internal::crossing_on(trace[m].on_input, tri.input_mesh()));
+      result.places.push_back(internal::crossing_on(trace[m].on_input));
   }
   if(!halfedges.empty()) {
     const Halfedge_index o = mesh.opposite(halfedges.back());
-    result.places.push_back(internal::start_on_input(o, tri.start_on_outgoing(o), tri));
+    result.places.push_back(internal::start_on_input(o, tri));
   }
   return result;
 }

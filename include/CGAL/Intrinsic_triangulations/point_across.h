@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
@@ -96,7 +97,7 @@ Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& co
 {
   typedef internal::Correspondence_marks<Traits> Marks;
   if(side == Side::input && correspondence.contains_inserted(p.first) &&
-     !internal::is_corner(p.second))
+     !is_at_vertex(surface_point(p, correspondence.mesh(side))))
     return internal::Input_face_walk<Traits>(correspondence)(p);
   const Marks marks(side, p.first, correspondence);
   const Delta_complex& other = correspondence.mesh(internal::other(side));

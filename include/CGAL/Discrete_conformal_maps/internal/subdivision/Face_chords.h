@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Chord_crossings.h>
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Marked_edges.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 
@@ -169,8 +170,9 @@ private:
     }
     const Mark<FT>& mark = m_marks[end.side][end.mark];
     chord.vertex[i] = mark.vertex;
-    chord.along = end.is_first ? opposite(mark.across) : mark.across;
-    chord.weight[i] = {mark.weight[1 - i], mark.weight[i]};
+    const Edge_location<FT> across = end.is_first ? reversed(mark.across) : mark.across;
+    chord.along = across.halfedge;
+    chord.weight[i] = across.weight;
     chord.place[i] = place(end.side, mark.here);
   }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <array>
 #include <cstddef>
@@ -20,6 +21,7 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Correspondence;
+using Intrinsic_triangulations::Edge_location;
 using Intrinsic_triangulations::Edge_marks;
 using Intrinsic_triangulations::edge_point;
 using Intrinsic_triangulations::Face_location;
@@ -27,7 +29,8 @@ using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::is_first_halfedge;
 using Intrinsic_triangulations::oriented_like;
 using Intrinsic_triangulations::Side;
-using Intrinsic_triangulations::Surface_place;
+using Intrinsic_triangulations::Surface_point;
+using Intrinsic_triangulations::Vertex_location;
 
 // whether two meshes have the same connectivity, with the same numbers
 inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
@@ -39,25 +42,6 @@ inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
     if(a.next(h) != b.next(h) || a.face(h) != b.face(h) || a.target(h) != b.target(h))
       return false;
   return true;
-}
-
-// the point of the edge of `h` with these weights of its source and its target, in the face of `h`
-template <typename FT>
-Surface_place<FT> place_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
-                                const Delta_complex& mesh)
-{
-  const std::size_t s = side_number(h, mesh);
-  Surface_place<FT> result{h, {mesh.face(h), {FT(0), FT(0), FT(0)}}};
-  result.location.second[s] = weight[0];
-  result.location.second[(s + 1) % 3] = weight[1];
-  return result;
-}
-
-// the source of `h`, in the face of `h`
-template <typename FT>
-Surface_place<FT> place_of_source(Halfedge_index h, const Delta_complex& mesh)
-{
-  return place_on_edge<FT>(h, {FT(1), FT(0)}, mesh);
 }
 
 template <typename FT, std::size_t n>
@@ -75,11 +59,10 @@ struct Mark
 {
   Vertex_index vertex; // of the subdivision
   std::size_t family;
-  Halfedge_index across;    // leaves the face of the halfedge of B
-  FT here;                  // the place on the latter
-  std::array<FT, 2> weight; // of the ends of `across`; the sum of their vectors is the point of B
-  Surface_place<FT> other;  // in the other family's triangulation; if the edge is shared there, in
-                            // the face on the left of the halfedge
+  Edge_location<FT> across; // on a halfedge that leaves the face of the halfedge of B; the sum of
+                            // the weighted vectors of its ends is the point of B
+  FT here;                  // the place on the halfedge of B
+  Surface_point<FT> other;  // in the other family's triangulation
 };
 
 // The marks of both families on the edges of B, in one order. That of either family is exact;
@@ -125,10 +108,9 @@ public:
   Mark<FT> mark(Halfedge_index h, size_type p) const
   {
     Mark<FT> m = m_marks[m_numbers(h, p)];
-    m.across = oriented_like(h, m.across);
     m.here = edge_point(h, m.here).t;
     if(!is_first_halfedge(h))
-      std::swap(m.weight[0], m.weight[1]);
+      m.across = reversed(m.across);
     if(count(1 - m.family, Edge_index(h)) == 0)
       m.other = on_shared(1 - m.family, h, m.here);
     return m;
@@ -181,9 +163,8 @@ private:
     const FT factor = side == Side::input ? scale : FT(1 / scale);
     m_marks.push_back({Vertex_index(first_vertex + c.id),
                        family,
-                       c.across.halfedge,
+                       {c.across.halfedge, {factor * (1 - c.across.t), factor * c.across.t}},
                        c.here.t,
-                       {factor * (1 - c.across.t), factor * c.across.t},
                        {}});
   }
 
@@ -195,19 +176,19 @@ private:
     const Delta_complex& other = mesh(family);
     size_type first = m_numbers.before(e);
     const size_type end = first + m_numbers.size(e);
-    Node left{FT(0), place_of_source<FT>(outgoing(family, h), other).location};
+    const auto corner = [&](Halfedge_index x) {
+      return face_location(Surface_point<FT>(Vertex_location{outgoing(family, x)}), other);
+    };
+    Node left{FT(0), corner(h)};
     for(size_type i = first; i < end; ++i) {
       const Mark<FT>& m = m_marks[i];
       if(m.family != family)
         continue;
-      locate(first, i, left,
-             {m.here,
-              place_on_edge<FT>(opposite(m.across), {m.weight[1], m.weight[0]}, other).location});
-      left = {m.here, place_on_edge(m.across, m.weight, other).location};
+      locate(first, i, left, {m.here, face_location(reversed(m.across), other)});
+      left = {m.here, face_location(m.across, other)};
       first = i + 1;
     }
-    locate(first, end, left,
-           {FT(1), place_of_source<FT>(outgoing(family, opposite(h)), other).location});
+    locate(first, end, left, {FT(1), corner(opposite(h))});
   }
 
   void locate(size_type first, size_type last, const Node& left, const Node& right)
@@ -215,15 +196,14 @@ private:
     const FT width = right.here - left.here;
     for(size_type i = first; i < last; ++i) {
       const FT t = width > 0 ? FT((m_marks[i].here - left.here) / width) : FT(0);
-      m_marks[i].other = {
-        Halfedge_index(),
-        {left.location.first, between(left.location.second, right.location.second, t)}};
+      m_marks[i].other = Face_location<FT>(left.location.first,
+                                           between(left.location.second, right.location.second, t));
     }
   }
 
-  Surface_place<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
+  Edge_location<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
   {
-    return place_on_edge<FT>(outgoing(family, h), {1 - t, t}, mesh(family));
+    return {outgoing(family, h), {1 - t, t}};
   }
 
   const Delta_complex& m_mesh;

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Face_chords.h>
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Marked_edges.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/set_halfedges_of_vertices.h>
 
@@ -29,7 +30,10 @@ class Triple_subdivision<FT, Point>::Builder
 {
   typedef internal::Mark<FT> Mark;
   typedef internal::Chord_end Chord_end;
-  typedef std::array<Surface_place<FT>, 2> Place; // on A and C
+  typedef Intrinsic_triangulations::Edge_location<FT> Edge_location;
+  typedef Intrinsic_triangulations::Face_location<FT> Face_location;
+  typedef Intrinsic_triangulations::Vertex_location Vertex_location;
+  typedef std::array<Surface_point<FT>, 2> Place; // on A and C
 
   // numbers of elements inside faces of B
   struct Size
@@ -162,7 +166,7 @@ private:
       m_mesh.set_next(piece_of_side(h, 0), piece_of_side(m_b.next(h), 0));
   }
 
-  Surface_place<FT>& place(Layer layer, Vertex_index v)
+  Surface_point<FT>& place(Layer layer, Vertex_index v)
   {
     return m_result.m_place[Base::index(layer)][v.idx()];
   }
@@ -257,9 +261,8 @@ private:
   {
     for(std::size_t x = 0; x < m_chords.crossings().size(); ++x) {
       const auto& chord = m_chords[m_chords.crossings()[x].earlier];
-      m_builder.place(Layer::B, crossing_vertex(x)) = {
-        Halfedge_index(),
-        {m_face, internal::between(chord.place[0], chord.place[1], m_chords.places(x)[0])}};
+      m_builder.place(Layer::B, crossing_vertex(x)) = Face_location(
+        m_face, internal::between(chord.place[0], chord.place[1], m_chords.places(x)[0]));
     }
   }
 
@@ -297,9 +300,9 @@ private:
     m_mesh.set_next(in, out);
     if(is_last)
       m_builder.place(Layer::A, m_mesh.target(in)) = on_A_and_C[0];
-    const auto& [face_of_C, on_C] = on_A_and_C[1].location;
+    const auto [face_of_C, on_C] = face_location(on_A_and_C[1], m_marks.mesh(1));
     m_result.m_on_C[in.idx()] = on_C;
-    m_linked.push_back({in, on_A_and_C[0].location.first, face_of_C});
+    m_linked.push_back({in, face_location(on_A_and_C[0], m_marks.mesh(0)).first, face_of_C});
   }
 
   void link_side(std::size_t s)
@@ -310,12 +313,11 @@ private:
       const Mark& mark = m_chords.marks(s)[p];
       const Halfedge_index inward = first_piece_from(m_chords.end_at_mark(s, p));
       const std::size_t k = mark.family;
-      const Delta_complex& mesh = m_marks.mesh(k);
       Place place;
       place[1 - k] = mark.other;
-      place[k] = internal::place_on_edge(opposite(mark.across), reversed(mark.weight), mesh);
+      place[k] = reversed(mark.across);
       link(piece_of_side(h, p), inward, place, is_last);
-      place[k] = internal::place_on_edge(mark.across, mark.weight, mesh);
+      place[k] = mark.across;
       link(opposite(inward), piece_of_side(h, p + 1), place, is_last);
     }
   }
@@ -329,30 +331,26 @@ private:
     Halfedge_index out = piece_of_side(after, 0);
     Place place;
     for(std::size_t k = 0; k < 2; ++k)
-      place[k] = internal::place_of_source<FT>(m_marks.outgoing(k, after), m_marks.mesh(k));
+      place[k] = Vertex_location{m_marks.outgoing(k, after)};
     for(std::size_t i = m_chords.number_at_corner(s); i-- > 0;) {
       const Chord_end& end = m_chords.end_at_corner(s, i);
       const auto& chord = m_chords[end.chord];
       const Halfedge_index inward = first_piece_from(end);
       link(opposite(inward), out, place, is_last);
       out = inward;
-      place[chord.family] = internal::place_of_source<FT>(
-        end.is_first ? chord.along : opposite(chord.along), m_marks.mesh(chord.family));
+      place[chord.family] = Vertex_location{end.is_first ? chord.along : opposite(chord.along)};
     }
     link(piece_of_side(before, m_chords.marks((s + 2) % 3).size()), out, place, is_last);
   }
 
   void set_places_on_side(std::size_t s)
   {
-    using Intrinsic_triangulations::barycentric_coordinates;
     const Halfedge_index h = m_chords.sides()[s];
     if(m_builder.is_last_at_source(m_face, h))
-      m_builder.place(Layer::B,
-                      m_builder.m_b.source(h)) = {h, {m_face, barycentric_coordinates(s, FT(0))}};
+      m_builder.place(Layer::B, m_builder.m_b.source(h)) = Vertex_location{h};
     if(m_builder.is_last_at_marks(m_face, h))
       for(const Mark& mark : m_chords.marks(s))
-        m_builder.place(Layer::B, mark.vertex) = {h,
-                                                  {m_face, barycentric_coordinates(s, mark.here)}};
+        m_builder.place(Layer::B, mark.vertex) = Edge_location{h, {1 - mark.here, mark.here}};
   }
 
   // The later chord crosses the earlier one from right to left.
@@ -377,18 +375,11 @@ private:
   }
 
   // a point of a chord, in the face of A or C on one of its sides
-  Surface_place<FT> place_on_chord(std::size_t c, const FT& t, bool is_left) const
+  Edge_location place_on_chord(std::size_t c, const FT& t, bool is_left) const
   {
     const auto& chord = m_chords[c];
-    const Delta_complex& mesh = m_marks.mesh(chord.family);
-    const auto weight = internal::between(chord.weight[0], chord.weight[1], t);
-    return is_left ? internal::place_on_edge(chord.along, weight, mesh)
-                   : internal::place_on_edge(opposite(chord.along), reversed(weight), mesh);
-  }
-
-  static std::array<FT, 2> reversed(const std::array<FT, 2>& weight)
-  {
-    return {weight[1], weight[0]};
+    const Edge_location p{chord.along, internal::between(chord.weight[0], chord.weight[1], t)};
+    return is_left ? p : reversed(p);
   }
 
   Builder& m_builder;

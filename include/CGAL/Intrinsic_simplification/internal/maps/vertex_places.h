@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <cmath>
 
@@ -17,26 +18,27 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-typedef Intrinsic_triangulations::Surface_place<double> Level_place;
+typedef Intrinsic_triangulations::Surface_point<double> Level_point;
 
-inline Level_place edge_place(Halfedge_index h, double t, const Delta_complex& mesh)
+inline Level_point edge_place(Halfedge_index h, double t, const Delta_complex& mesh)
 {
   namespace IT = Intrinsic_triangulations;
   IT::Edge_point<double> p{h, t};
   if(mesh.is_border(h))
     p = IT::reversed(p, mesh);
-  return {p.halfedge, IT::face_location(p, mesh)};
+  return IT::edge_location(p);
 }
 
-inline Level_place vertex_place(Vertex_index v, const Delta_complex& mesh)
+inline Level_point vertex_place(Vertex_index v, const Delta_complex& mesh)
 {
   if(mesh.is_isolated(v))
-    return {Halfedge_index(), {}};
-  return edge_place(Intrinsic_triangulations::first_outgoing_halfedge(v, mesh), 0, mesh);
+    return Intrinsic_triangulations::Vertex_location();
+  return Intrinsic_triangulations::Vertex_location{
+    Intrinsic_triangulations::first_outgoing_halfedge(v, mesh)};
 }
 
 // the place of a vertex of the subdivision on the fine level
-inline Level_place fine_place(Vertex_index v, const Marked_fine_edges& edges)
+inline Level_point fine_place(Vertex_index v, const Marked_fine_edges& edges)
 {
   const Delta_complex& fine = edges.map().fine().mesh();
   if(edges.is_fine_vertex(v))
@@ -49,7 +51,7 @@ inline Level_place fine_place(Vertex_index v, const Marked_fine_edges& edges)
     }
     Surface_map::Location p{edges.pieces()[s.piece].segment.face, edges.strands().end(s).weight};
     normalize(p.second);
-    return {Halfedge_index(), p};
+    return p;
   }
   const Curve_mark& mark = edges.mark(edges.mark_of(v));
   const double t = std::isinf(mark.ratio) ? 1 : mark.ratio / (1 + mark.ratio);
@@ -64,18 +66,18 @@ inline double place_of_end(const Coarse_piece& piece)
 }
 
 // the place of a vertex of the subdivision on the coarse level
-inline Level_place coarse_place(Vertex_index v, const Marked_fine_edges& edges)
+inline Level_point coarse_place(Vertex_index v, const Marked_fine_edges& edges)
 {
   const Surface_map& map = edges.map();
   if(edges.is_fine_bend(v))
-    return {Halfedge_index(), edges.fine_bend(v)};
+    return edges.fine_bend(v);
   const Vertex_index coarse = edges.is_new_vertex(v)    ? edges.new_vertex(v)
                               : edges.is_fine_vertex(v) ? map.coarse_vertex(v)
                                                         : Vertex_index();
   if(coarse.is_valid())
     return vertex_place(coarse, map.coarse().mesh());
   if(edges.piece_before(v) == no_index)
-    return {Halfedge_index(), image_of_vertex(v, map)};
+    return image_of_vertex(v, map);
   const Coarse_piece& piece = edges.pieces()[edges.piece_before(v)];
   return edge_place(first_halfedge(piece.edge), place_of_end(piece), map.coarse().mesh());
 }

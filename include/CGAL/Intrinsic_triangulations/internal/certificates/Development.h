@@ -62,16 +62,16 @@ public:
     const Complex one = m_corners.number(1);
     if(!m_pair.is_inserted(v))
       return {outgoing, m_corners.number(0), one, one};
-    const auto& place = m_pair.inserted_vertex(v);
     if(outgoing.is_valid()) {
       const auto w = weights(outgoing, v);
       return {outgoing, -w[1], w[0], w[0] + w[1]};
     }
     // from the nearest corner, so that the distance from it loses no digits
-    const auto& b = place.location.second;
-    const Halfedge_index side = sides(
-      place.location.first, m_input)[std::size_t(std::max_element(b.begin(), b.end()) - b.begin())];
-    const auto w = weights(side, place.location);
+    const auto& p = std::get<Face_location<double>>(m_pair.inserted_vertex(v));
+    const auto& b = p.second;
+    const Halfedge_index side =
+      sides(p.first, m_input)[std::size_t(std::max_element(b.begin(), b.end()) - b.begin())];
+    const auto w = weights(side, p);
     return {side, -(scaled(w[1], side) + w[2] * at_source(side)),
             scaled(w[0], side) + w[2] * at_target(side), scaled(w[0] + w[1] + w[2], side)};
   }
@@ -212,11 +212,8 @@ private:
   // those of a vertex that was inserted on the edge of `side`: only the first two are not zero
   std::array<Complex, 3> weights(Halfedge_index side, Vertex_index inserted) const
   {
-    const auto& place = m_pair.inserted_vertex(inserted);
-    auto w = weights(place.along, place.location);
-    if(side != place.along)
-      std::swap(w[0], w[1]);
-    return w;
+    const auto& [u, v] = m_pair.on_input_edge(side, inserted).weight;
+    return weights({u, v, 0});
   }
 
   // Returns those of the source of the halfedge `back` of T2, which leads into the triangle of
@@ -227,7 +224,7 @@ private:
     const Vertex_index v = m_pair.mesh().source(back);
     const Halfedge_index outgoing = m_pair.input_outgoing_before(back);
     if(!outgoing.is_valid())
-      return weights(side, m_pair.inserted_vertex(v).location);
+      return weights(side, std::get<Face_location<double>>(m_pair.inserted_vertex(v)));
     const auto w = weights(outgoing, v);
     const Complex zero = m_corners.number(0);
     return outgoing == side                 ? std::array<Complex, 3>{w[0], w[1], zero}

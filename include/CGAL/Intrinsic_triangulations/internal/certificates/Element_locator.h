@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
@@ -43,10 +44,12 @@ public:
 
   Surface_element operator()(Side side, const Face_location<double>& p)
   {
-    const auto halfedge = sides(p.first, m_correspondence.mesh(side));
-    for(std::size_t s = 0; s < 3; ++s)
-      if(p.second[(s + 1) % 3] == 0 && p.second[(s + 2) % 3] == 0)
-        return place_of_vertex(m_correspondence.mesh(side).source(halfedge[s]));
+    const Delta_complex& mesh = m_correspondence.mesh(side);
+    const Surface_point<double> point = surface_point(p, mesh);
+    if(is_at_vertex(point))
+      return element_of_vertex(mesh.source(halfedge_of(point)));
+    if(on_edge(point) && m_correspondence.is_shared(side, Edge_index(halfedge_of(point))))
+      return shared_edge(side, halfedge_of(point));
     return side == Side::input && m_correspondence.contains_inserted(p.first)
              ? element_by_search(p)
              : element_by_curves(side, p);
@@ -59,9 +62,6 @@ private:
   {
     const Marks marks(side, p.first, m_correspondence);
     const auto halfedge = sides(p.first, m_correspondence.mesh(side));
-    for(std::size_t s = 0; s < 3; ++s)
-      if(p.second[(s + 2) % 3] == 0 && m_correspondence.is_shared(side, Edge_index(halfedge[s])))
-        return shared_edge(side, halfedge[s]);
     const Delta_complex& other = m_correspondence.mesh(internal::other(side));
     const Face_map<typename Traits::FT, Marks> map(marks, other);
     const Face_regions& regions = map.regions();
@@ -86,15 +86,15 @@ private:
     return map.region_map(region).first;
   }
 
-  // the place of a vertex of one triangulation on the other
-  Surface_element place_of_vertex(Vertex_index v) const
+  // Returns the element of the other triangulation in which a vertex of one lies.
+  Surface_element element_of_vertex(Vertex_index v) const
   {
     if(!m_tri.is_inserted(v))
       return v;
-    const auto& place = m_tri.inserted_vertex(v);
-    if(place.along.is_valid())
-      return Edge_index(place.along);
-    return place.location.first;
+    const Surface_point<double>& p = m_tri.inserted_vertex(v);
+    if(on_edge(p))
+      return Edge_index(halfedge_of(p));
+    return std::get<Face_location<double>>(p).first;
   }
 
   // the edge of the other triangulation along `h`
@@ -211,14 +211,11 @@ private:
   {
     if(!m_tri.is_inserted(v))
       return false;
-    const auto& place = m_tri.inserted_vertex(v);
-    if(place.location.first == p.first && are_proportional(place.location.second, p.second))
-      return true;
-    const Delta_complex& input = m_tri.input_mesh();
-    if(!place.along.is_valid() || input.face(opposite(place.along)) != p.first)
-      return false;
-    const auto b = coordinates_from(place.along, place.location, input);
-    return are_proportional({b[1], b[0], 0}, coordinates_from(opposite(place.along), p, input));
+    bool result = false;
+    for_each_location(m_tri.inserted_vertex(v), m_tri.input_mesh(), [&](const auto& q) {
+      result = result || (q.first == p.first && are_proportional(q.second, p.second));
+    });
+    return result;
   }
 
   static bool are_proportional(const Coordinates& a, const Coordinates& b)

@@ -295,7 +295,7 @@ private:
       std::transform(m_metric.points[v].begin(), m_metric.points[v].end(), result.begin(), number);
       return result;
     }
-    const auto& [f, b] = m_pair.inserted_vertex(v).location;
+    const auto [f, b] = face_location(m_pair.inserted_vertex(v), m_pair.input_mesh());
     const auto corner = sides(f, m_pair.input_mesh());
     const Exact_field sum = number(b[0]) + number(b[1]) + number(b[2]);
     for(std::size_t c = 0; c < 3; ++c)
@@ -393,9 +393,7 @@ private:
     };
     const Halfedge_index outgoing = m_pair.input_outgoing_before(h);
     const Delta_complex& input = m_pair.input_mesh();
-    if(is_one(outgoing.is_valid()
-                ? outgoing
-                : input.halfedge(m_pair.inserted_vertex(m_mesh.source(h)).location.first)))
+    if(is_one(outgoing.is_valid() ? outgoing : input.halfedge(m_pair.input_location(h).first)))
       return true;
     const Edge_course course = m_courses(h);
     for(std::size_t m = 0; m < course.size(); ++m)

@@ -92,9 +92,8 @@ private:
   {
     if(!m_pair.is_inserted(v))
       return true;
-    const auto& [along, place] = m_pair.inserted_vertex(v);
-    const auto& p = place.second;
-    return along.is_valid() || (p[0] > 0 && p[1] > 0 && p[2] > 0);
+    const auto* inside = std::get_if<Face_location<FT>>(&m_pair.inserted_vertex(v));
+    return !inside || (inside->second[0] > 0 && inside->second[1] > 0 && inside->second[2] > 0);
   }
 
   // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
@@ -92,12 +93,13 @@ private:
   // Equal for equal points, whichever side of an edge they have been inserted from.
   static Place place(Vertex_index v, const Triangulation& tri)
   {
-    const Inserted_vertex<FT>& m = tri.inserted_vertex(v);
-    const Edge_index e(m.along);
-    if(m.along.is_valid())
+    const Surface_point<FT>& m = tri.inserted_vertex(v);
+    if(on_edge(m)) {
+      const Edge_index e(halfedge_of(m));
       return {1, e.idx(), tri.place_along(first_halfedge(e), v), FT(0), FT(0)};
-    const auto& b = m.location.second;
-    return {0, m.location.first.idx(), b[0], b[1], b[2]};
+    }
+    const auto& [f, b] = std::get<Face_location<FT>>(m);
+    return {0, f.idx(), b[0], b[1], b[2]};
   }
 
   static bool are_in_one_element(const Place& p, const Place& q)
@@ -157,7 +159,8 @@ private:
       const Correspondence<Traits> correspondence(to);
       for(Vertex_index v : vertices)
         located.emplace_back(
-          v, point_across(correspondence, Side::input, from.inserted_vertex(v).location));
+          v, point_across(correspondence, Side::input,
+                          face_location(from.inserted_vertex(v), from.input_mesh())));
       vertices = insert_round(located, from, to, follower);
     }
   }
@@ -205,7 +208,7 @@ private:
   {
     const Triangulation& to = inserter.triangulation();
     const auto before = to.mesh().number_of_vertices();
-    const bool is_on_edge = from.inserted_vertex(v).along.is_valid();
+    const bool is_on_edge = on_edge(from.inserted_vertex(v)) != nullptr;
     FT closeness(0);
     for(Halfedge_index h : sides(p.first, to.mesh()))
       closeness = (std::max)(closeness, FT(is_on_edge ? inserted_edge_tolerance() : 0) *

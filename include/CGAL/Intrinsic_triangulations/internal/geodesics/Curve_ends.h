@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Sector_in_face.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -67,7 +68,7 @@ private:
   struct End
   {
     Face_location<FT> place;
-    Halfedge_index along; // as in `Surface_place`
+    Halfedge_index along; // that of the point; null inside a face
     Vector direction;     // of the segment, in the frame of the face
     std::size_t kind, index;
     FT x, y; // where it is in the edge or the face
@@ -81,20 +82,21 @@ private:
 
   End end(const Face_location<FT>& p, const std::array<FT, 3>& q) const
   {
-    const Halfedge_index along = surface_place(p, m_mesh).along;
-    End result{p,           along,      flat_face(p.first).between(p.second, q), 2, p.first.idx(),
-               p.second[1], p.second[2]};
-    if(is_corner(p.second)) {
-      result.kind = 0;
-      result.index = m_mesh.source(along).idx();
-      result.x = result.y = FT(0);
-    } else if(along.is_valid()) {
-      result.kind = 1;
-      result.index = Edge_index(along).idx();
-      result.x = place_on_first_halfedge(edge_point(along, p, m_mesh));
-      result.y = FT(0);
-    }
-    return result;
+    const Surface_point<FT> point = surface_point(p, m_mesh);
+    const Halfedge_index along = halfedge_of(point);
+    const Vector direction = flat_face(p.first).between(p.second, q);
+    const std::size_t kind = point.index();
+    if(is_at_vertex(point))
+      return {p, along, direction, kind, m_mesh.source(along).idx(), FT(0), FT(0)};
+    if(const auto* e = on_edge(point))
+      return {p,
+              along,
+              direction,
+              kind,
+              Edge_index(along).idx(),
+              place_on_first_halfedge(edge_point(*e)),
+              FT(0)};
+    return {p, along, direction, kind, p.first.idx(), p.second[1], p.second[2]};
   }
 
   // A point on an edge has been seen from either side, with rounding.

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Curve_ends.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View_propagation.h>
@@ -40,7 +41,7 @@ public:
   typedef typename Views::FT FT;
   typedef typename Views::Vector Vector;
   typedef Face_location<FT> Location;
-  typedef Surface_place<FT> Place;
+  typedef Surface_point<FT> Place;
 
   // The straight part at the end of a path to the point `location`, or to a vertex: through a view,
   // in whose frame `end` is this point, or else along the halfedge `last`, or through its face.
@@ -174,7 +175,7 @@ public:
   // Adds the places of the path from its end `q` back to its source.
   void trace(Last_part part, const Location& q, std::vector<Place>& places) const
   {
-    add(surface_place(q, m_mesh), places);
+    add(surface_point(q, m_mesh), places);
     for(bool is_at_end = true;; is_at_end = false) {
       const bool is_in_face = part.origin != Views::null && !m_views.is_vertex(part.origin);
       Halfedge_index first = part.last;
@@ -184,20 +185,16 @@ public:
           return add(start_of(root, z), places);
         first = Charts::halfedge(Charts::previous(root.edge), m_mesh);
       } else if(is_in_face)
-        return add(start_in_face_of(part, is_at_end ? q : at_outgoing(opposite(first)).location),
-                   places);
+        return add(start_in_face_of(part, is_at_end ? q : at_source(opposite(first))), places);
       if(part.origin == Views::null)
         return;
-      add(at_outgoing(first), places);
+      add(Vertex_location{first}, places);
       part = to(Vertex_index(part.origin));
     }
   }
 
   // the place of a vertex with a halfedge that starts there
-  Location at_vertex(Vertex_index v) const
-  {
-    return at_outgoing(first_outgoing_halfedge(v, m_mesh)).location;
-  }
+  Location at_vertex(Vertex_index v) const { return at_source(first_outgoing_halfedge(v, m_mesh)); }
 
   const Delta_complex& mesh() const { return m_mesh; }
 
@@ -223,14 +220,12 @@ private:
   // A point on an edge is added in both faces.
   void add_point(const Location& p)
   {
-    const Place place = surface_place(p, m_mesh);
-    if(is_corner(p.second))
-      return add_vertex(m_mesh.source(place.along));
+    const Place place = surface_point(p, m_mesh);
+    if(is_at_vertex(place))
+      return add_vertex(m_mesh.source(halfedge_of(place)));
     const Index first = m_views.add_source(origin(p));
-    const Halfedge_index o = place.along.is_valid() ? m_mesh.opposite(place.along) : place.along;
-    if(o.is_valid() && !m_mesh.is_border(o))
-      m_views.add_source(
-        origin(face_location(reversed(edge_point(place.along, p, m_mesh), m_mesh), m_mesh), first));
+    if(const auto* q = on_edge(place); q && !m_mesh.is_border(opposite(q->halfedge)))
+      m_views.add_source(origin(face_location(reversed(*q), m_mesh), first));
   }
 
   bool is_point(const Curve_segment<FT>& s) const
@@ -351,9 +346,9 @@ private:
   std::pair<View, Vector> add_crossings(const Last_part& part, std::vector<Place>& places) const
   {
     const Index o = m_views.charts().across(m_views.views()[part.view].edge);
-    const Location& q = places.back().location; // which may lie on the last edge; vertices do not
-    bool is_crossing = places.size() > 1 || is_at_vertex(places.back()) || q.first.idx() != o / 3 ||
-                       q.second[(o + 2) % 3] != 0;
+    // the end may lie on the last edge; vertices do not
+    bool is_crossing = places.size() > 1 || !on_edge(places.back()) ||
+                       halfedge_of(places.back()) != Charts::halfedge(o, m_mesh);
     return root_of(part.view, part.end, [&](const View& view, const Vector& end) {
       if(is_crossing && !is_along_origin(view))
         add(crossing(view, end), places);
@@ -377,13 +372,13 @@ private:
   {
     const Origin& origin = m_views.origin(root.origin);
     if(!root.is_parallel)
-      return surface_place(origin.source(), m_mesh);
+      return surface_point(origin.source(), m_mesh);
     const Flat_face<FT> face(m_mesh.halfedge(origin.segment.face), m_views.surface());
     const Location foot = origin.foot(face, root.edge % 3, z);
     if(!is_along_origin(root))
-      return surface_place(foot, m_mesh);
+      return surface_point(foot, m_mesh);
     const Halfedge_index h = Charts::halfedge(root.edge, m_mesh);
-    return surface_place(face_location(reversed(edge_point(h, foot, m_mesh), m_mesh), m_mesh),
+    return surface_point(face_location(reversed(edge_point(h, foot, m_mesh), m_mesh), m_mesh),
                          m_mesh);
   }
 
@@ -394,7 +389,7 @@ private:
                            ? q
                            : face_location(Edge_point<FT>{part.last, FT(1)}, m_mesh);
     const Flat_face<FT> face(m_mesh.halfedge(end.first), m_views.surface());
-    return surface_place(m_views.origin(part.origin).nearest(face, end.second), m_mesh);
+    return surface_point(m_views.origin(part.origin).nearest(face, end.second), m_mesh);
   }
 
   // Vertices within rounding of the path count as hit.
@@ -404,12 +399,15 @@ private:
     const FT x = view.crossing(end), l = m_views.charts().length(view.edge);
     const FT tolerance = m_views.tolerance(view);
     if(x <= tolerance || l - x <= tolerance)
-      return at_outgoing(Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh));
+      return Vertex_location{Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh)};
     const Halfedge_index h = Charts::halfedge(view.edge, m_mesh);
-    return {h, {m_mesh.face(h), barycentric_coordinates(view.edge % 3, FT(x / l))}};
+    return edge_location(Edge_point<FT>{h, x / l});
   }
 
-  Place at_outgoing(Halfedge_index h) const { return place_on(Edge_point<FT>{h, FT(0)}, m_mesh); }
+  Location at_source(Halfedge_index h) const
+  {
+    return face_location(Place(Vertex_location{h}), m_mesh);
+  }
 
   Location point(Index origin) const { return m_views.origin(origin).source(); }
 
@@ -421,15 +419,16 @@ private:
       places.push_back(place);
       return;
     }
-    const Vertex_index v = m_mesh.source(place.along), next = m_mesh.source(places.back().along);
+    const Vertex_index v = m_mesh.source(halfedge_of(place)),
+                       next = m_mesh.source(halfedge_of(places.back()));
     if(v == next)
       return;
-    Halfedge_index best = place.along;
+    Halfedge_index best = halfedge_of(place);
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.target(h) == next && (m_mesh.target(best) != next || length(h) < length(best)))
         best = h;
     });
-    places.push_back(at_outgoing(best));
+    places.push_back(Vertex_location{best});
   }
 
   FT length(Halfedge_index h) const { return edge_length(h, m_views.surface()); }
@@ -482,7 +481,7 @@ private:
     if(first == origin)
       return start;
     const Location p = point(first);
-    const Index c = Charts::side_of(surface_place(p, m_mesh).along, m_mesh);
+    const Index c = Charts::side_of(halfedge_of(surface_point(p, m_mesh)), m_mesh);
     const Index frame = 3 * p.first.idx(), o = m_views.charts().across(c);
     return {m_mesh.halfedge(p.first),
             -start.second * direction_from(frame, c) * std::conj(direction_from(3 * (o / 3), o))};

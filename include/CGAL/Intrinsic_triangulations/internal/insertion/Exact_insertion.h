@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
@@ -77,7 +78,7 @@ public:
                                                 const Edge_split<Integer>& n,
                                                 const Edge_split<Outgoing_halfedges::size_type>& r)
   {
-    return m_tri.split_edge(h, n, r, m_tri.part_of_input_edge(h).place(t, m_tri.input_mesh()), {});
+    return m_tri.split_edge(h, n, r, m_tri.part_of_input_edge(h).point(t, m_tri.input_mesh()), {});
   }
 
   // computes the lengths of the edges at the inserted vertex `m`
@@ -173,7 +174,7 @@ private:
       b[(first + c) % 3] = place.weight[c];
     const auto n = regions.crossings_to_corners(region);
     return insert(h, {{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {0, 0, 0}},
-                  {Halfedge_index(), {f, b}});
+                  Face_location<double>(f, b));
   }
 
   // at the foot of the height over the edge of T1
@@ -198,13 +199,13 @@ private:
     return insert(
       h,
       split_on_curve<Integer>(near.curve, m_tri.number_of_inserted_outgoing(near.input), regions),
-      Part_of_input_edge::place_on(along, {at_source / sum, at_target / sum}, input));
+      Edge_location<double>{along, {at_source / sum, at_target / sum}});
   }
 
   // Splits the face of `h`; the numbers in `at` begin with the source of `h`. Returns null, and
   // nothing has changed, if the new edges would not be straight, or a face not positive.
   Vertex_index insert(Halfedge_index h, const Face_split<Integer>& at,
-                      const Inserted_vertex<double>& q)
+                      const Surface_point<double>& q)
   {
     const Face_index f = m_mesh.face(h);
     const std::size_t s = side_number(h, m_mesh);

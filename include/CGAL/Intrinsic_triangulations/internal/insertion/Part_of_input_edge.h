@@ -8,7 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <array>
@@ -43,25 +43,15 @@ struct Part_of_input_edge
                                     : part({end[1], end[0]}, {start[1], start[0]}) * whole;
   }
 
-  // Returns the place between the ends at a part `t` of the way.
-  Inserted_vertex<double> place(double t, const Delta_complex& input) const
+  // Returns the point between the ends at a part `t` of the way.
+  Edge_location<double> point(double t, const Delta_complex& input) const
   {
     const double at_start = (1 - t) / (start[0] + start[1]), at_end = t / (end[0] + end[1]);
-    const Weights p{at_start * start[0] + at_end * end[0], at_start * start[1] + at_end * end[1]};
-    if(!(part(start, p) > 0 && part(p, end) > 0))
+    const Edge_location<double> p{
+      along, {at_start * start[0] + at_end * end[0], at_start * start[1] + at_end * end[1]}};
+    if(!(part(start, p.weight) > 0 && part(p.weight, end) > 0))
       throw Numerical_error("no place is left on an edge");
-    return input.is_border(along) ? place_on(opposite(along), {p[1], p[0]}, input)
-                                  : place_on(along, p, input);
-  }
-
-  static Inserted_vertex<double> place_on(Halfedge_index h, const Weights& p,
-                                          const Delta_complex& input)
-  {
-    const std::size_t s = side_number(h, input);
-    std::array<double, 3> b{0, 0, 0};
-    b[s] = p[0];
-    b[(s + 1) % 3] = p[1];
-    return {h, {input.face(h), b}};
+    return input.is_border(along) ? reversed(p) : p;
   }
 
 private:

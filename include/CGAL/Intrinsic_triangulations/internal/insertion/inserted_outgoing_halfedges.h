@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -30,14 +31,14 @@ typename Traits::FT checked_length(const Triangulation_pair<Traits>& pair,
 // halfedge `r` of the new one.
 template <typename Traits>
 typename Traits::FT shared_outgoing_length(const Triangulation_pair<Traits>& pair,
-                                           const Inserted_vertex<typename Traits::FT>& m,
+                                           const Edge_location<typename Traits::FT>& m,
                                            Delta_complex::size_type r, Vertex_index v)
 {
   typedef typename Traits::FT FT;
-  const Halfedge_index first = pair.first_inserted_outgoing(m.along);
+  const Halfedge_index first = pair.first_inserted_outgoing(m.halfedge);
   const Halfedge_index outgoing = r == 0 ? first : opposite(first), back = opposite(outgoing);
-  const FT t = edge_point(m.along, m.location, pair.input_mesh()).t;
-  return checked_length(pair, pair.part_length({outgoing, outgoing == m.along ? t : FT(1 - t)},
+  const FT t = m.weight[1];
+  return checked_length(pair, pair.part_length({outgoing, outgoing == m.halfedge ? t : FT(1 - t)},
                                                {back, pair.place_along(back, v)}));
 }
 

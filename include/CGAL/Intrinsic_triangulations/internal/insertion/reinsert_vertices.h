@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
@@ -33,16 +34,16 @@ class Vertex_reinserter
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Triangulation::Integer Integer;
-  typedef Inserted_vertex<double> Place;
   typedef std::array<double, 3> Weights; // barycentric coordinates
 
 public:
   explicit Vertex_reinserter(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
 
   // \throws Numerical_error if there is a vertex already
-  void insert(const Place& place)
+  void insert(const Surface_point<double>& p)
   {
-    const Vertex_index m = place.along.is_valid() ? insert_on_edge(place) : insert_in_face(place);
+    const auto* inside = std::get_if<Face_location<double>>(&p);
+    const Vertex_index m = inside ? insert_in_face(*inside) : insert_on_edge(*on_edge(p));
     m_tri.measured(m, exact_decisions(m_tri));
   }
 
@@ -80,15 +81,14 @@ private:
     return h;
   }
 
-  Vertex_index insert_in_face(const Place& place)
+  Vertex_index insert_in_face(const Face_location<double>& p)
   {
-    const Halfedge_index h = locate(place.location.second, place.location.first);
-    if(side_of(place.location.second, h) != ZERO)
-      return m_tri.split_face(m_mesh.face(h), {}, place, {});
-    if(side_of(place.location.second, m_mesh.next(h)) == ZERO ||
-       side_of(place.location.second, m_mesh.prev(h)) == ZERO)
+    const Halfedge_index h = locate(p.second, p.first);
+    if(side_of(p.second, h) != ZERO)
+      return m_tri.split_face(m_mesh.face(h), {}, p, {});
+    if(side_of(p.second, m_mesh.next(h)) == ZERO || side_of(p.second, m_mesh.prev(h)) == ZERO)
       throw Numerical_error("two inserted vertices are at one place");
-    return m_tri.split_edge(h, {}, {}, place, {});
+    return m_tri.split_edge(h, {}, {}, p, {});
   }
 
   // compares the ratios of two pairs of weights
@@ -106,25 +106,21 @@ private:
     std::array<double, 2> end;
   };
 
-  Vertex_index insert_on_edge(const Place& place)
+  Vertex_index insert_on_edge(const Edge_location<double>& p)
   {
-    const Delta_complex& input = m_tri.input_mesh();
-    const Halfedge_index first = first_halfedge(Edge_index(place.along));
-    const std::size_t s = side_number(place.along, input);
-    std::array<double, 2> w{place.location.second[s], place.location.second[(s + 1) % 3]};
-    if(first != place.along)
-      std::swap(w[0], w[1]);
+    const auto [first, w] = is_first_halfedge(p.halfedge) ? p : reversed(p);
     std::vector<Part>& parts = m_parts[Edge_index(first)];
     if(parts.empty())
       parts.push_back({first, {0, 1}});
-    const auto part = std::find_if(parts.begin(), parts.end(),
-                                   [&](const Part& p) { return compare(w, p.end) != LARGER; });
+    const auto part = std::find_if(parts.begin(), parts.end(), [&, w = w](const Part& p) {
+      return compare(w, p.end) != LARGER;
+    });
     if(compare(w, part->end) == EQUAL)
       throw Numerical_error("two inserted vertices are at one place");
     const auto forward = m_tri.number_of_inserted_outgoing(first), back = 1 - forward;
     const Vertex_index m =
       m_tri.split_edge(part->halfedge, {Integer(-1), Integer(-1), Integer(0), Integer(0)},
-                       {back, forward, back, forward}, place, {});
+                       {back, forward, back, forward}, p, {});
     parts.insert(part, {first_part(part->halfedge, m_mesh), w});
     return m;
   }
@@ -140,11 +136,11 @@ private:
 template <typename Traits>
 void reset_with_vertices(Intrinsic_triangulation<Traits>& tri, std::size_t number)
 {
-  const auto places = tri.inserted_vertices();
+  const auto points = tri.inserted_vertices();
   tri.reset_to_input();
   Vertex_reinserter<Traits> reinserter(tri);
   for(std::size_t i = 0; i < number; ++i)
-    reinserter.insert(places[i]);
+    reinserter.insert(points[i]);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -110,7 +110,7 @@ public:
     const std::size_t first = count(im), second = count(mj);
     if(first + second == 0)
       return;
-    const bool is_at_crossing = m_pair->inserted_vertex(m_pair->mesh().source(mj)).along.is_valid();
+    const bool is_at_crossing = on_edge(m_pair->inserted_vertex(m_pair->mesh().source(mj)));
     const std::size_t n = first + second + is_at_crossing;
     const Edge_course whole = stored(mj, n);
     Exits of_im(first), of_mj(second);

@@ -68,9 +68,9 @@ private:
   {
     std::vector<size_type> count(m_tri.input_mesh().num_edges(), 1);
     for(std::size_t i = 0; i < m_rank.size(); ++i) {
-      const Halfedge_index along = m_tri.inserted_vertices()[i].along;
-      if(along.is_valid())
-        m_rank[i] = count[Edge_index(along).idx()]++;
+      const auto* p = on_edge(m_tri.inserted_vertices()[i]);
+      if(p != nullptr)
+        m_rank[i] = count[Edge_index(p->halfedge).idx()]++;
     }
     return Edge_marks(std::move(count));
   }

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
 
@@ -26,7 +27,7 @@ template <typename Traits>
 class Path_pieces
 {
   typedef typename Traits::FT FT;
-  typedef Surface_place<FT> Place;
+  typedef Surface_point<FT> Place;
   typedef Curve_segment<FT> Segment;
   typedef boost::container::static_vector<Barycentric_coordinates<FT>, 3> Points;
 
@@ -46,11 +47,12 @@ public:
     const Place &p = m_path.places[k], &q = m_path.places[k + 1];
     const auto& surface = m_correspondence.triangulation().surface(m_side);
     if(is_at_vertex(p) && is_at_vertex(q))
-      return curve_along_edges(surface, std::array<Halfedge_index, 1>{p.along}).front();
+      return curve_along_edges(surface, std::array<Halfedge_index, 1>{halfedge_of(p)}).front();
     const Face_index f = face(k);
-    const Halfedge_index entry = crosses(k) ? m_mesh.opposite(p.along) : Halfedge_index();
-    const Points from = is_at_vertex(p) ? Points{p.location.second} : points(p, f, entry),
-                 to = points(q, f, crosses(k + 1) ? q.along : Halfedge_index());
+    const Halfedge_index entry = crosses(k) ? m_mesh.opposite(halfedge_of(p)) : Halfedge_index();
+    const Points from =
+                   is_at_vertex(p) ? Points{face_location(p, m_mesh).second} : points(p, f, entry),
+                 to = points(q, f, crosses(k + 1) ? halfedge_of(q) : Halfedge_index());
     if(from.empty() || to.empty())
       throw Invalid_input("two consecutive places of the path share no face");
     return is_at_vertex(q) ? to_vertex(surface, f, from, to, entry)
@@ -58,22 +60,20 @@ public:
   }
 
   // Returns whether piece `k` starts between the ends of an edge.
-  bool starts_on_edge(std::size_t k) const { return is_on_edge(m_path.places[k]); }
+  bool starts_on_edge(std::size_t k) const { return on_edge(m_path.places[k]) != nullptr; }
 
 private:
   // Returns whether the path crosses an edge at place `k`.
   bool crosses(std::size_t k) const
   {
-    const Place& p = m_path.places[k];
-    return k > 0 && k + 1 < m_path.places.size() && is_on_edge(p) && !is_inserted(p);
+    const auto* p = on_edge(m_path.places[k]);
+    return p && k > 0 && k + 1 < m_path.places.size() && !is_inserted(*p);
   }
 
-  static bool is_on_edge(const Place& p) { return p.along.is_valid() && !is_at_vertex(p); }
-
-  bool is_inserted(const Place& p) const
+  bool is_inserted(const Edge_location<FT>& p) const
   {
-    return segment_end(m_correspondence, m_side, p.location.first, p.location.second)
-      .rank.is_inserted;
+    const auto [f, b] = face_location(p, m_mesh);
+    return segment_end(m_correspondence, m_side, f, b).rank.is_inserted;
   }
 
   // Returns the face of piece `k`. A path leaves a face through `along`, or through the opposite if
@@ -81,10 +81,11 @@ private:
   Face_index face(std::size_t k) const
   {
     const Place &p = m_path.places[k], &q = m_path.places[k + 1];
-    if(!is_on_edge(p))
-      return p.location.first;
-    const Halfedge_index h = k > 0 ? m_mesh.opposite(p.along) : p.along;
-    const Face_index f = k > 0 ? m_mesh.face(h) : p.location.first;
+    const Face_index first = face_location(p, m_mesh).first;
+    if(!on_edge(p))
+      return first;
+    const Halfedge_index h = k > 0 ? m_mesh.opposite(halfedge_of(p)) : halfedge_of(p);
+    const Face_index f = k > 0 ? m_mesh.face(h) : first;
     if(f.is_valid() && !points(q, f, Halfedge_index()).empty())
       return f;
     const Face_index beyond = m_mesh.face(m_mesh.opposite(h));
@@ -95,13 +96,16 @@ private:
   // the path crosses a side of the face, only this side counts.
   Points points(const Place& p, Face_index f, Halfedge_index crossed) const
   {
-    if(!p.along.is_valid())
-      return p.location.first == f ? Points{p.location.second} : Points();
+    if(const auto* inside = std::get_if<Face_location<FT>>(&p))
+      return inside->first == f ? Points{inside->second} : Points();
     Points result;
     for(const Halfedge_index h : sides(f, m_mesh))
-      if(is_at_vertex(p) ? m_mesh.source(h) == m_mesh.source(p.along)
-                         : Edge_index(h) == Edge_index(p.along) && is_possible(h, crossed))
-        result.push_back(face_location(on_halfedge(p, h), m_mesh).second);
+      if(!on_edge(p)) {
+        if(m_mesh.source(h) == m_mesh.source(halfedge_of(p)))
+          result.push_back(barycentric_coordinates(side_number(h, m_mesh), FT(0)));
+      } else if(Edge_index(h) == Edge_index(halfedge_of(p)) && is_possible(h, crossed))
+        result.push_back(
+          face_location(h == halfedge_of(p) ? *on_edge(p) : reversed(*on_edge(p)), m_mesh).second);
     return result;
   }
 
@@ -109,15 +113,6 @@ private:
   bool is_possible(Halfedge_index h, Halfedge_index crossed) const
   {
     return !crossed.is_valid() || h == crossed || m_mesh.face(h) != m_mesh.face(m_mesh.opposite(h));
-  }
-
-  Edge_point<FT> on_halfedge(const Place& p, Halfedge_index h) const
-  {
-    if(is_at_vertex(p))
-      return {h, FT(0)};
-    const Halfedge_index along = m_mesh.is_border(p.along) ? m_mesh.opposite(p.along) : p.along;
-    const Edge_point<FT> point = edge_point(along, p.location, m_mesh);
-    return along == h ? point : reversed(point, m_mesh);
   }
 
   // A path that has crossed a side ends at the corner opposite to it if it can.

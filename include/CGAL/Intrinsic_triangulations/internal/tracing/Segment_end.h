@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -72,15 +73,16 @@ Segment_end<typename Traits::FT> segment_end(const Correspondence<Traits>& corre
                                              const Barycentric_coordinates<typename Traits::FT>& p)
 {
   typedef typename Traits::FT FT;
-  Segment_end<FT> end{p, Segment_end<FT>::inside, is_corner(p), {}};
-  for(std::size_t s = 0; s < 3; ++s)
-    if(p[(s + 2) % 3] == 0 && p[s] != 0)
-      end.side = s;
+  const Delta_complex& mesh = correspondence.mesh(side);
+  const Surface_point<FT> point = surface_point(Face_location<FT>(f, p), mesh);
+  const Halfedge_index h = halfedge_of(point);
+  Segment_end<FT> end{p, Segment_end<FT>::inside, is_at_vertex(point), {}};
+  if(h.is_valid())
+    end.side = side_number(h, mesh);
   if(end.is_corner)
     end.p = barycentric_coordinates(end.side, FT(0)); // exactly
   if(!end.is_on_side())
     return end;
-  const Halfedge_index h = sides(f, correspondence.mesh(side))[end.side];
   const Edge_index e(h);
   const std::size_t first = is_first_halfedge(h) ? end.side : (end.side + 1) % 3;
   end.rank = rank_on_edge(correspondence, side, e, FT(1 - p[first]));

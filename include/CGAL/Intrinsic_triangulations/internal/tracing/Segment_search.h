@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossed_segment.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
@@ -50,13 +51,13 @@ public:
   {}
 
   // Returns the start of the segment, the points where it leaves faces, and its end.
-  std::vector<Surface_place<FT>> operator()(const Segment_end<FT>& p,
+  std::vector<Surface_point<FT>> operator()(const Segment_end<FT>& p,
                                             const Segment_end<FT>& q) const
   {
     const End from = located(p), to = located(q);
     Crossed_segment<FT> segment(p.p, q.p);
     const std::vector<Step> steps = way(from, to, segment);
-    std::vector<Surface_place<FT>> places{place_of(from, steps.front().region)};
+    std::vector<Surface_point<FT>> places{place_of(from, steps.front().region)};
     for(std::size_t i = 0; i + 1 < steps.size(); ++i)
       places.push_back(crossing(steps[i], segment));
     places.push_back(place_of(to, steps.back().region));
@@ -144,7 +145,7 @@ private:
     return end.is_vertex ? corner_at(end.point.p, face(region)).has_value() : region == end.region;
   }
 
-  Surface_place<FT> place_of(const End& end, const Place& region) const
+  Surface_point<FT> place_of(const End& end, const Place& region) const
   {
     const Face_of_place face = this->face(region);
     const Face_index f = face.face(other(m_on));
@@ -153,16 +154,15 @@ private:
     const Face_location<FT> location(f, face.map_from(m_on)(end.point.p));
     const Halfedge_index along =
       end.point.is_on_side() ? shared_halfedge(end.point) : Delta_complex::null_halfedge();
-    return along.is_valid() ? crossing_on(edge_point(along, location, m_other), m_other)
-                            : Surface_place<FT>{along, location};
+    return along.is_valid() ? crossing_on(edge_point(along, location, m_other))
+                            : Surface_point<FT>(location);
   }
 
-  Surface_place<FT> place_of_vertex(const Face_location<FT>& p, std::size_t corner) const
+  Surface_point<FT> place_of_vertex(const Face_location<FT>& p, std::size_t corner) const
   {
     const bool is_inside =
       m_on == Side::intrinsic && !m_correspondence.outgoing_before(m_on, m_side[corner]).is_valid();
-    return is_inside ? Surface_place<FT>{Delta_complex::null_halfedge(), p}
-                     : surface_place(p, m_other);
+    return is_inside ? Surface_point<FT>(p) : surface_point(p, m_other);
   }
 
   // Returns the halfedge of the other triangulation that lies along the side of the face at a
@@ -225,7 +225,7 @@ private:
   }
 
   // Returns where the segment leaves a region, on the edge of the other triangulation there.
-  Surface_place<FT> crossing(const Step& step, Crossed_segment<FT>& segment) const
+  Surface_point<FT> crossing(const Step& step, Crossed_segment<FT>& segment) const
   {
     const Face_of_place face = this->face(step.region);
     const std::size_t c = step.corner, d = c + 1 == face.region.size() ? 0 : c + 1;
@@ -234,8 +234,7 @@ private:
     const Coordinates p = point_between(face.corner(other(m_on), c), face.corner(other(m_on), d),
                                         place_between(FT(0), FT(1), at_c, at_d));
     const Halfedge_index along = m_regions.halfedge_after(m_on, step.region, c);
-    return crossing_on(edge_point(along, Face_location<FT>(face.face(other(m_on)), p), m_other),
-                       m_other);
+    return crossing_on(edge_point(along, Face_location<FT>(face.face(other(m_on)), p), m_other));
   }
 
   const Correspondence<Traits>& m_correspondence;

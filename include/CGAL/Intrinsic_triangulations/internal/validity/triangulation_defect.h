@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
@@ -16,23 +17,31 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <numeric>
 #include <string>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether the place of an inserted vertex makes sense by itself.
-template <typename FT>
-bool is_valid_place(const Inserted_vertex<FT>& m, const Delta_complex& input)
+// Returns whether weights are not negative and sum up to one.
+template <typename FT, std::size_t n>
+bool are_weights(const std::array<FT, n>& b)
 {
-  const auto& [f, p] = m.location;
-  if(!f.is_valid() || !input.has_valid_index(f) || !(p[0] >= 0 && p[1] >= 0 && p[2] >= 0) ||
-     CGAL::abs(p[0] + p[1] + p[2] - 1) > rounding_unit<FT>())
-    return false;
-  if(!m.along.is_valid())
-    return true;
-  return input.has_valid_index(m.along) && input.face(m.along) == f &&
-         p[(side_number(m.along, input) + 2) % 3] == 0;
+  return std::all_of(b.begin(), b.end(), [](const FT& x) { return x >= 0; }) &&
+         CGAL::abs(std::accumulate(b.begin(), b.end(), FT(-1))) <= rounding_unit<FT>();
+}
+
+// Returns whether an inserted vertex can lie at `p`.
+template <typename FT>
+bool can_be_inserted(const Surface_point<FT>& p, const Delta_complex& input)
+{
+  if(const auto* e = on_edge(p))
+    return input.has_valid_index(e->halfedge) && !input.is_border(e->halfedge) &&
+           are_weights(e->weight);
+  const auto* inside = std::get_if<Face_location<FT>>(&p);
+  return inside && input.has_valid_index(inside->first) && are_weights(inside->second);
 }
 
 inline std::ptrdiff_t Euler_characteristic(const Delta_complex& mesh)
@@ -48,7 +57,7 @@ void check_inserted(const Triangulation_pair<Traits>& pair)
   if(!Has_distance<Traits>::value && !inserted.empty())
     throw Invalid_input("vertices cannot be inserted in this geometry");
   for(std::size_t i = 0; i < inserted.size(); ++i)
-    if(!is_valid_place(inserted[i], pair.input_mesh()))
+    if(!can_be_inserted(inserted[i], pair.input_mesh()))
       throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");
   if(pair.mesh().num_vertices() != pair.input_mesh().num_vertices() + inserted.size())
     throw Invalid_input("the numbers of vertices and of places differ");

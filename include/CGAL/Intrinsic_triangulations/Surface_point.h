@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <variant>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a vertex of a triangulation, as the source of a halfedge. On a path, the halfedge is that along
+/// which the path goes on, or on the left of which.
+struct Vertex_location
+{
+  Halfedge_index halfedge; ///< the halfedge; null if the vertex is isolated
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a point between the ends of an edge, with weights that sum up to one. Two weights lose no digits
+/// near either end.
+template <typename FT>
+struct Edge_location
+{
+  Halfedge_index halfedge;  ///< a halfedge of the edge
+  std::array<FT, 2> weight; ///< the weights of its source and of its target
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a point of a triangulation: a vertex, a point of an edge, or a point of a face. The type states
+/// which of them it is, not its coordinates.
+template <typename FT>
+using Surface_point = std::variant<Vertex_location, Edge_location<FT>, Face_location<FT>>;
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns whether `p` is a vertex.
+template <typename FT>
+bool is_at_vertex(const Surface_point<FT>& p)
+{
+  return std::holds_alternative<Vertex_location>(p);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the point of an edge that `p` is; null if it is another point.
+template <typename FT>
+const Edge_location<FT>* on_edge(const Surface_point<FT>& p)
+{
+  return std::get_if<Edge_location<FT>>(&p);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the halfedge that starts at the vertex `p`, or on which `p` lies; null inside a face.
+template <typename FT>
+Halfedge_index halfedge_of(const Surface_point<FT>& p)
+{
+  if(const auto* v = std::get_if<Vertex_location>(&p))
+    return v->halfedge;
+  return on_edge(p) ? on_edge(p)->halfedge : Halfedge_index();
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the point of an edge as it is seen from the other side.
+template <typename FT>
+Edge_location<FT> reversed(const Edge_location<FT>& p)
+{
+  return {opposite(p.halfedge), {p.weight[1], p.weight[0]}};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the point of an edge with its coordinate, the weight of the target.
+template <typename FT>
+Edge_point<FT> edge_point(const Edge_location<FT>& p)
+{
+  return {p.halfedge, p.weight[1]};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the point of an edge with both weights.
+template <typename FT>
+Edge_location<FT> edge_location(const Edge_point<FT>& p)
+{
+  return {p.halfedge, {1 - p.t, p.t}};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns a point of an edge in the face of its halfedge, or of the opposite one on the boundary.
+template <typename FT, typename P>
+Face_location<FT> face_location(const Edge_location<FT>& p, const Surface_mesh<P>& mesh)
+{
+  if(mesh.is_border(p.halfedge))
+    return face_location(reversed(p), mesh);
+  const std::size_t s = side_number(p.halfedge, mesh);
+  std::array<FT, 3> b{FT(0), FT(0), FT(0)};
+  b[s] = p.weight[0];
+  b[(s + 1) % 3] = p.weight[1];
+  return {mesh.face(p.halfedge), b};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns `p` in its face, or in the face of its halfedge, or of the opposite one on the boundary;
+/// the null face if it is an isolated vertex.
+template <typename FT, typename P>
+Face_location<FT> face_location(const Surface_point<FT>& p, const Surface_mesh<P>& mesh)
+{
+  if(const auto* in_face = std::get_if<Face_location<FT>>(&p))
+    return *in_face;
+  if(on_edge(p))
+    return face_location(*on_edge(p), mesh);
+  const Halfedge_index h = halfedge_of(p);
+  return h.is_valid() ? face_location(Edge_location<FT>{h, {FT(1), FT(0)}}, mesh)
+                      : Face_location<FT>();
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the vertex or the point of an edge that a point of a face is if coordinates are zero,
+/// otherwise this point.
+template <typename FT, typename P>
+Surface_point<FT> surface_point(const Face_location<FT>& p, const Surface_mesh<P>& mesh)
+{
+  const auto& b = p.second;
+  for(std::size_t s = 0; s < 3; ++s)
+    if(const std::size_t t = (s + 1) % 3; b[(s + 2) % 3] == 0 && b[s] != 0) {
+      const Halfedge_index h = sides(p.first, mesh)[s];
+      if(b[t] == 0)
+        return Vertex_location{h};
+      return Edge_location<FT>{h, {b[s], b[t]}};
+    }
+  return p;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns `p`.
+template <typename FT, typename P>
+const Surface_point<FT>& surface_point(const Surface_point<FT>& p, const Surface_mesh<P>&)
+{
+  return p;
+}
+
+namespace internal {
+
+// Returns the vertex where `p` is; null if it is none.
+template <typename FT>
+Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
+{
+  const Surface_point<FT> point = surface_point(p, mesh);
+  return is_at_vertex(point) ? mesh.source(halfedge_of(point)) : Delta_complex::null_vertex();
+}
+
+// Returns the point of an edge where a path crosses it. Rounding does not move it to an end, where
+// the path would pass a vertex.
+template <typename FT>
+Surface_point<FT> crossing_on(const Edge_point<FT>& p)
+{
+  const FT least = rounding_unit<FT>() / 16;
+  return edge_location(
+    Edge_point<FT>{p.halfedge, (std::min)((std::max)(p.t, least), FT(1 - least))});
+}
+
+// Calls `visit` for the point `p` as each of the faces around it sees it.
+template <typename FT, typename Visit>
+void for_each_location(const Surface_point<FT>& p, const Delta_complex& mesh, const Visit& visit)
+{
+  const auto visit_on = [&](const Edge_location<FT>& q) {
+    if(!mesh.is_border(q.halfedge))
+      visit(face_location(q, mesh));
+  };
+  if(is_at_vertex(p))
+    for_each_outgoing_halfedge(mesh.source(halfedge_of(p)), mesh, [&](Halfedge_index h) {
+      visit_on({h, {FT(1), FT(0)}});
+    });
+  else if(on_edge(p)) {
+    visit_on(*on_edge(p));
+    visit_on(reversed(*on_edge(p)));
+  } else
+    visit(std::get<Face_location<FT>>(p));
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
