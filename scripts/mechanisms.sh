@@ -27,13 +27,12 @@ mechanism strip Euclidean_strip $headers/Euclidean_strip.h
 mechanism strip Ideal_strip $headers/Ideal_strip.h
 mechanism strip Certain_strip $internal/certificates/Certain_strip.h
 mechanism strip Development $internal/certificates/Development.h
-mechanism strip Developed_face $internal/insertion/Developed_face.h
+mechanism strip Developed_location $internal/insertion/Developed_location.h
 mechanism strip Circumcenter_walk $internal/refinement/Circumcenter_walk.h
-mechanism point Surface_place $headers/Edge_point.h
-mechanism locator point_across $headers/point_across.h
-mechanism locator Element_locator $internal/certificates/Element_locator.h
+mechanism point surface_point $headers/Surface_point.h
+mechanism locator Face_regions $internal/tracing/Face_regions.h
+mechanism locator Input_face_walk $internal/tracing/Input_face_walk.h
 mechanism insertion Vertex_inserter $headers/Vertex_inserter.h
-mechanism insertion Exact_insertion $internal/insertion/Exact_insertion.h
 mechanism flips flip_waiting $headers/Edge_stack.h
 mechanism Dijkstra Dijkstra_search $headers/Dijkstra_search.h
 mechanism union-find Mesh_components $headers/Mesh_components.h

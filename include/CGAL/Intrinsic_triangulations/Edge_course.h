@@ -66,6 +66,18 @@ private:
   std::size_t m_size;
 };
 
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a part of an edge of \f$T_1\f$: vertices that have been inserted on it lie between its parts.
+struct Edge_part
+{
+  Delta_complex::size_type first; ///< the number of crossings on all parts before it
+  Delta_complex::size_type count; ///< the number of its crossings
+  /// the number of pieces into which crossings cut all parts before it; a shared part counts none
+  Delta_complex::size_type first_piece;
+  bool is_shared;   ///< whether it is an edge of \f$T_2\f$
+  Vertex_index end; ///< the vertex of \f$T_2\f$ at its end
+};
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_COURSE_H

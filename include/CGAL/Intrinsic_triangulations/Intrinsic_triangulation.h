@@ -70,9 +70,9 @@ template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Intrinsic_triangulation : public Triangulation_pair<Traits_>
 {
   typedef Triangulation_pair<Traits_> Base;
-  using Base::attach, Base::m_coordinates, Base::m_input, Base::m_input_metric, Base::m_inserted,
-    Base::m_is_constrained, Base::m_length, Base::m_mesh, Base::m_outgoing_halfedges,
-    Base::m_traits;
+  using Base::attach, Base::insert_into_edge, Base::insert_into_face, Base::m_coordinates,
+    Base::m_input, Base::m_input_metric, Base::m_inserted, Base::m_is_constrained, Base::m_length,
+    Base::m_mesh, Base::m_outgoing_halfedges, Base::m_traits, Base::set_lengths;
 
 public:
   using Base::first_inserted_outgoing, Base::input, Base::inserted_vertex, Base::intrinsic,
@@ -155,7 +155,7 @@ public:
     m_outgoing_halfedges = Outgoing_halfedges(m_input, boost::dummy_property_map());
     internal::check_lengths(this->input(), m_input_metric, m_traits);
     internal::check_inserted(*this);
-    number_inserted_outgoing_halfedges();
+    Base::number_inserted_outgoing_halfedges();
     internal::check_triangles(this->input(), m_traits);
     internal::check_triangles(intrinsic(), m_traits);
     const std::string defect = internal::correspondence_defect(*this);
@@ -225,7 +225,7 @@ public:
   /// After an exception nothing has changed.
   void recompute_lengths()
   {
-    internal::with_lengths_in_strips(*this, [&](auto&& length) { set_lengths(length); });
+    internal::with_lengths_in_strips(*this, [&](auto&& length) { this->set_lengths(length); });
   }
 
   /// turns \f$T_2\f$ back into \f$T_1\f$, with its elements and without inserted vertices. Edges of
@@ -264,7 +264,7 @@ public:
                           const Surface_point<FT>& q)
   {
     if constexpr(internal::Is_exact<Traits>::value)
-      return measured(split_face(p.first, at, q, {}), internal::exact_decisions(*this));
+      return measured(insert_into_face(p.first, at, q, {}), internal::exact_decisions(*this));
     const auto side = sides(p.first, m_mesh);
     std::array<FT, 3> outgoing_length;
     for(std::size_t s = 0; s < 3; ++s)
@@ -272,7 +272,7 @@ public:
         at.n[s] < 0
           ? internal::shared_outgoing_length(*this, *on_edge(q), at.r[s], m_mesh.source(side[s]))
           : internal::distance_to_corner(*this, side[0], p.second, s);
-    return split_face(p.first, at, q, outgoing_length);
+    return insert_into_face(p.first, at, q, outgoing_length);
   }
 
   /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
@@ -293,7 +293,7 @@ public:
                           const Edge_split<size_type>& r, const Surface_point<FT>& q)
   {
     if constexpr(internal::Is_exact<Traits>::value)
-      return measured(split_edge(h, n, r, q, {}), internal::exact_decisions(*this));
+      return measured(insert_into_edge(h, n, r, q, {}), internal::exact_decisions(*this));
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const auto shared = [&](size_type r, Vertex_index v) {
@@ -306,7 +306,7 @@ public:
       n.mj < 0 ? shared(r.mj, m_mesh.target(h)) : part(1 - t),
       n.mk < 0 ? shared(r.mk, apex(h)) : internal::distance_to_apex(*this, h, t),
       n.ml < 0 ? shared(r.ml, apex(o)) : internal::distance_to_apex(*this, o, FT(1 - t))};
-    return split_edge(h, n, r, q, length);
+    return insert_into_edge(h, n, r, q, length);
   }
 
   /// removes an inserted vertex that three edges, or on the boundary two faces, are left at (see
@@ -321,7 +321,7 @@ public:
     const Face_index f = Intrinsic_triangulations::remove_degree_3_vertex(v, m_mesh);
     if(merged.side.is_valid()) {
       m_coordinates.set_shared(merged.side, merged.r_source, merged.r_target);
-      set_edge(merged.side, shared_length(merged.side), merged.is_constrained);
+      Base::set_edge(merged.side, shared_length(merged.side), merged.is_constrained);
     }
     return f;
   }
@@ -340,7 +340,7 @@ public:
       if(is_inserted(v))
         m_inserted.push_back(place[v]);
     m_mesh.remove_property_map(place);
-    number_inserted_outgoing_halfedges();
+    Base::number_inserted_outgoing_halfedges();
   }
 
   /// adds a property of the elements of \f$T_2\f$, which follows them when they get other indices.
@@ -385,38 +385,6 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // like the public ones, where the new edges have the lengths `length`
-  Vertex_index split_face(Face_index f, const Face_split<Integer>& at, const Surface_point<FT>& q,
-                          const std::array<FT, 3>& length)
-  {
-    const auto side = sides(f, m_mesh);
-    const Vertex_index m = m_coordinates.split_face(
-      side[0], at, first_inserted_outgoing(halfedge_of(q)), m_mesh, m_outgoing_halfedges);
-    set_inserted(m, q);
-    for(std::size_t s = 0; s < 3; ++s)
-      set_edge(m_mesh.prev(side[s]), length[s], false);
-    return m;
-  }
-
-  Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n,
-                          const Edge_split<size_type>& r, const Surface_point<FT>& q,
-                          const Edge_split<FT>& length)
-  {
-    const Halfedge_index o = m_mesh.opposite(h);
-    const bool was_constrained = m_is_constrained[m_mesh.edge(h)];
-    const Vertex_index m = m_coordinates.split_edge(
-      h, n, r, first_inserted_outgoing(halfedge_of(q)), m_mesh, m_outgoing_halfedges);
-    set_inserted(m, q);
-    const Halfedge_index im = first_part(h, m_mesh);
-    set_edge(im, length.im, was_constrained);
-    set_edge(h, length.mj, was_constrained);
-    if(!m_mesh.is_border(im))
-      set_edge(m_mesh.next(im), length.mk, false);
-    if(!m_mesh.is_border(o))
-      set_edge(m_mesh.next(o), length.ml, false);
-    return m;
-  }
-
   // returns the new vertex `m` after its edges have got their lengths
   template <typename Decisions>
   Vertex_index measured(Vertex_index m, const Decisions& decisions)
@@ -438,40 +406,6 @@ private:
         m_coordinates.flip(h, m_mesh, m_outgoing_halfedges);
       throw;
     }
-  }
-
-  // Sets all lengths. If `length()` throws, nothing has changed.
-  template <typename Length>
-  void set_lengths(Length& length)
-  {
-    std::vector<FT> lengths(m_mesh.num_edges());
-    for(Edge_index e : m_mesh.edges())
-      lengths[e] = length(first_halfedge(e));
-    for(Edge_index e : m_mesh.edges())
-      m_length[e] = lengths[e];
-  }
-
-  void set_edge(Halfedge_index h, const FT& length, bool is_constrained)
-  {
-    m_length[m_mesh.edge(h)] = length;
-    m_is_constrained[m_mesh.edge(h)] = is_constrained;
-  }
-
-  void set_inserted(Vertex_index v, const Surface_point<FT>& place)
-  {
-    const std::size_t i = v.idx() - m_input.number_of_vertices();
-    m_inserted.resize((std::max)(m_inserted.size(), i + 1));
-    m_inserted[i] = place;
-  }
-
-  // The first of the outgoing halfedges of an inserted vertex follows from the boundary, or from
-  // the parity.
-  void number_inserted_outgoing_halfedges()
-  {
-    for(Vertex_index v : m_mesh.vertices())
-      if(is_inserted(v))
-        m_outgoing_halfedges.set_inserted(v,
-                                          first_inserted_outgoing(halfedge_of(inserted_vertex(v))));
   }
 };
 

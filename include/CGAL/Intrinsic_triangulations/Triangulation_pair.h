@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Part_of_input_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -341,6 +342,72 @@ private:
     m_length = stored_length_map<FT>(m_mesh);
     m_coordinates = Coordinates(m_mesh);
     m_is_constrained = stored_constraint_map(m_mesh);
+  }
+
+  // Inserts a vertex; the new edges have the lengths `length`.
+  Vertex_index insert_into_face(Face_index f, const Face_split<Integer>& at,
+                                const Surface_point<FT>& q, const std::array<FT, 3>& length)
+  {
+    const auto side = sides(f, m_mesh);
+    const Vertex_index m = m_coordinates.split_face(
+      side[0], at, first_inserted_outgoing(halfedge_of(q)), m_mesh, m_outgoing_halfedges);
+    set_inserted(m, q);
+    for(std::size_t s = 0; s < 3; ++s)
+      set_edge(m_mesh.prev(side[s]), length[s], false);
+    return m;
+  }
+
+  Vertex_index insert_into_edge(Halfedge_index h, const Edge_split<Integer>& n,
+                                const Edge_split<size_type>& r, const Surface_point<FT>& q,
+                                const Edge_split<FT>& length)
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    const bool was_constrained = m_is_constrained[m_mesh.edge(h)];
+    const Vertex_index m = m_coordinates.split_edge(
+      h, n, r, first_inserted_outgoing(halfedge_of(q)), m_mesh, m_outgoing_halfedges);
+    set_inserted(m, q);
+    const Halfedge_index im = first_part(h, m_mesh);
+    set_edge(im, length.im, was_constrained);
+    set_edge(h, length.mj, was_constrained);
+    if(!m_mesh.is_border(im))
+      set_edge(m_mesh.next(im), length.mk, false);
+    if(!m_mesh.is_border(o))
+      set_edge(m_mesh.next(o), length.ml, false);
+    return m;
+  }
+
+  void set_edge(Halfedge_index h, const FT& length, bool is_constrained)
+  {
+    m_length[m_mesh.edge(h)] = length;
+    m_is_constrained[m_mesh.edge(h)] = is_constrained;
+  }
+
+  void set_inserted(Vertex_index v, const Surface_point<FT>& place)
+  {
+    const std::size_t i = v.idx() - m_input.number_of_vertices();
+    m_inserted.resize((std::max)(m_inserted.size(), i + 1));
+    m_inserted[i] = place;
+  }
+
+  // The first of the outgoing halfedges of an inserted vertex follows from the boundary, or from
+  // the parity.
+  void number_inserted_outgoing_halfedges()
+  {
+    for(Vertex_index v : m_mesh.vertices())
+      if(is_inserted(v))
+        m_outgoing_halfedges.set_inserted(v,
+                                          first_inserted_outgoing(halfedge_of(inserted_vertex(v))));
+  }
+
+  // Sets all lengths. If `length()` throws, nothing has changed.
+  template <typename Length>
+  void set_lengths(Length& length)
+  {
+    std::vector<FT> lengths(m_mesh.num_edges());
+    for(Edge_index e : m_mesh.edges())
+      lengths[e] = length(first_halfedge(e));
+    for(Edge_index e : m_mesh.edges())
+      m_length[e] = lengths[e];
   }
 
   // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`

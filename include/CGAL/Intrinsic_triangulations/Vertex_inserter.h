@@ -8,21 +8,16 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
-#include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Rounded_insertion.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/face_splits.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +56,7 @@ public:
                            bool exact_decisions = internal::Is_exact<Traits>::value)
     : m_tri(tri),
       m_courses(tri, Concurrency()),
-      m_marks(tri),
+      m_rounded(tri, m_courses),
       m_exact(tri, m_courses),
       m_is_exact(exact_decisions)
   {}
@@ -103,7 +98,7 @@ public:
          (!is_exact() || m_tri.coordinates().is_shared(m_tri.mesh().edge(side[s]))))
         return split_edge(side[s], at_target, closeness);
     }
-    return split_face(p, closeness);
+    return with_decisions([&](auto& d) { return d.insert_near(p, closeness, inserted_by(d)); });
   }
 
   /// returns whether the edge of `h` can be split: not if both of its sides are in one face.
@@ -125,38 +120,25 @@ public:
   /// \pre `can_be_split(h)` and \f$0 < t < 1\f$
   Vertex_index split_edge(Halfedge_index h, const FT& t, const FT& closeness = FT(0))
   {
-    const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
-    if constexpr(can_be_exact)
-      if(is_exact() && !is_shared)
-        return insert_beside(h, t, closeness);
-    const Vertex_index m =
-      is_shared ? split_shared_edge(h, t) : split_crossed_edge(h, t, closeness);
-    update_split(h);
-    if constexpr(can_be_exact)
-      if(is_exact())
-        m_exact.measure(m);
-    return m;
+    return with_decisions([&](auto& d) {
+      return m_tri.coordinates().is_shared(m_tri.mesh().edge(h))
+               ? split_shared_edge(h, t, d)
+               : d.split_crossed_edge(h, t, closeness, inserted_by(d));
+    });
   }
 
   /// flips the edge of `h`, see `Intrinsic_triangulation::flip()`. Complexity: linear in the
   /// crossings.
   void flip(Halfedge_index h)
   {
-    if constexpr(can_be_exact)
-      if(is_exact())
-        return m_exact.flip(h);
-    m_tri.flip(h);
-    m_courses.after_flip(h);
+    with_decisions([&](auto& d) { d.flip(h); });
   }
 
   /// returns whether the edge `e` is Delaunay, see `Intrinsic_triangulation::is_Delaunay()`. With
   /// exact decisions this looks only at the crossings on its two faces.
   bool is_Delaunay(Edge_index e)
   {
-    if constexpr(can_be_exact)
-      if(is_exact())
-        return m_exact.is_Delaunay(e);
-    return m_tri.is_Delaunay(e);
+    return with_decisions([&](auto& d) { return d.is_Delaunay(e); });
   }
 
   /// removes the inserted vertex `v`: flips edges until three are left, the most convex first
@@ -179,293 +161,131 @@ public:
   }
 
 private:
-  static constexpr bool can_be_exact = internal::has_exact_decisions<Traits>();
-  typedef internal::Local_marks<Traits> Marks;
-  typedef internal::Face_map<FT, Marks> Face_map;
-  typedef internal::Barycentric_coordinates<FT> Coordinates;
-
-  Vertex_index insert_beside(Halfedge_index h, const FT& t, const FT& closeness)
+  // Returns what `f` returns for the changes of T2 with the decisions that are wanted.
+  template <typename Function>
+  auto with_decisions(const Function& f)
   {
-    const Vertex_index m =
-      m_exact.insert(face_location(Edge_point<FT>{h, t}, m_tri.mesh()), closeness);
-    if(m_exact.can_be_flipped(h, false))
-      flip(h);
-    return m;
+    if constexpr(internal::has_exact_decisions<Traits>())
+      if(m_is_exact)
+        return f(m_exact);
+    return f(m_rounded);
   }
 
-  Vertex_index split_face(const Face_location<FT>& p, const FT& closeness)
+  template <typename Decisions>
+  auto inserted_by(Decisions& decisions)
   {
-    if constexpr(can_be_exact)
-      if(is_exact())
-        return m_exact.insert(p, closeness);
-    m_marks.set_face(p.first, m_courses);
-    const Face_map face_map(m_marks, m_tri.input_mesh());
-    const std::size_t number = face_map.region_of(p.second);
-    const Curve_near_by near = nearest_curve(face_map, number, p);
-    const Vertex_index m = near.distance < closeness ? split_face_on_curve(p, near.curve, face_map)
-                                                     : split_face_in_region(p, number, face_map);
-    const Halfedge_index a = first_outgoing_halfedge(m, m_tri.mesh());
-    const Halfedge_index b = next_around_source(a, m_tri.mesh());
-    m_courses.after_cut({a, b, next_around_source(b, m_tri.mesh())});
-    return m;
+    return [&](const auto& at, const FT& closeness) { return insert(at, closeness, decisions); };
   }
 
-  Vertex_index split_face_in_region(const Face_location<FT>& p, std::size_t number,
-                                    const Face_map& face_map)
+  // Inserts a vertex at the location `at` in a face, or on the nearest edge of T1 at its region, if
+  // that is not farther away than `closeness`. Returns null if both are impossible.
+  template <typename Location, typename Decisions>
+  Vertex_index insert(const Location& at, const FT& closeness, Decisions& decisions)
   {
-    const auto [input_face, map] = face_map.region_map(number);
-    const auto n = face_map.regions().crossings_to_corners(number);
-    return m_tri.split_face(p, {{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {0, 0, 0}},
-                            Face_location<FT>(input_face, map(p.second)));
-  }
-
-  struct Curve_near_by
-  {
-    internal::Face_regions::Curve curve;
-    FT distance = std::numeric_limits<FT>::infinity();
-  };
-
-  // returns the curve on the boundary of a region that is nearest to `p`
-  Curve_near_by nearest_curve(const Face_map& face_map, std::size_t number,
-                              const Face_location<FT>& p) const
-  {
-    Curve_near_by nearest;
-    const internal::Region region = face_map.regions()[number];
-    for(std::size_t c = 0; c < region.size(); ++c)
-      if(region[c].arc_follows) {
-        const FT d = distance_from_line(face_map.coordinates(region[c]),
-                                        face_map.coordinates(region.next(c)), p);
-        if(d < nearest.distance)
-          nearest = {face_map.regions().curve(region[c], region.next(c)), d};
+    const internal::Face_regions& regions = at.regions();
+    const internal::Region region = regions[at.region()];
+    Vertex_index m;
+    if(const std::size_t c = nearest_curve(region, at, closeness); c < region.size())
+      if(const auto p = at.on_curve(region[c], region.next(c))) {
+        const auto curve = regions.curve(region[c], region.next(c));
+        const auto forward = m_tri.number_of_inserted_outgoing(at.outward(curve.mark));
+        m = split_face(at.first_side(), internal::split_on_curve<Integer>(curve, forward, regions),
+                       *p, decisions);
       }
-    return nearest;
+    if(const auto p = m.is_valid() ? std::nullopt : at.inside()) {
+      const auto n = regions.crossings_to_corners(at.region());
+      m = split_face(at.first_side(), {{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {0, 0, 0}},
+                     *p, decisions);
+    }
+    return m;
   }
 
-  // returns the distance of `p` from the line through the points `a` and `b` of its face
-  FT distance_from_line(const Coordinates& a, const Coordinates& b,
-                        const Face_location<FT>& p) const
+  // Returns the corner of a region that is followed by the curve nearest to the location in it, or
+  // the number of corners if no curve is nearer than `closeness`.
+  template <typename Location>
+  static std::size_t nearest_curve(const internal::Region& region, const Location& at,
+                                   const FT& closeness)
   {
-    const auto side = internal::side_lengths(m_tri.mesh().halfedge(p.first), m_tri.intrinsic());
-    const FT area = quadrupled_area(side[0], side[1], side[2]) / 2;
-    const FT length = m_tri.traits().compute_distance_object()(side, a, b);
-    return CGAL::abs(internal::orientation(a, b, p.second)) * area / length;
+    std::size_t result = region.size();
+    FT least = closeness;
+    for(std::size_t c = 0; c < region.size(); ++c)
+      if(region[c].arc_follows)
+        if(const FT distance = at.distance(region[c], region.next(c)); distance < least) {
+          least = distance;
+          result = c;
+        }
+    return result;
   }
 
-  // Inserts a vertex where `curve` comes closest to `p`. One outgoing halfedge of the new vertex
-  // leads to the mark where the curve leaves the face, and one back.
-  Vertex_index split_face_on_curve(const Face_location<FT>& p,
-                                   const internal::Face_regions::Curve& curve,
-                                   const Face_map& face_map)
+  // Splits the face of `first`; the coordinates in `at` begin with that of its source.
+  template <typename Decisions>
+  Vertex_index split_face(Halfedge_index first, const Face_split<Integer>& at,
+                          const internal::Point_to_insert<FT>& p, Decisions& decisions)
   {
-    const Coordinates end = face_map.coordinates(curve.mark),
-                      begin = face_map.coordinates(curve.other);
-    const FT t = foot_on_chord(begin, end, p);
-    Coordinates foot;
-    for(std::size_t s = 0; s < 3; ++s)
-      foot[s] = begin[s] + t * (end[s] - begin[s]);
-    const Edge_point<FT> across = m_marks.across(curve.mark.side, curve.mark.mark);
-    const FT start = place_of_other_end(curve, across.halfedge);
-    const Edge_point<FT> place{across.halfedge, start + t * (across.t - start)};
-    return m_tri.split_face(
-      {p.first, foot},
-      internal::split_on_curve<Integer>(curve, m_tri.number_of_inserted_outgoing(across.halfedge),
-                                        face_map.regions()),
-      edge_location(place));
+    Face_split<Integer> turned;
+    for(std::size_t c = 0, s = side_number(first, m_tri.mesh()); c < 3; ++c, s = (s + 1) % 3) {
+      turned.n[s] = at.n[c];
+      turned.r[s] = at.r[c];
+    }
+    return decisions.split_face(m_tri.mesh().face(first), turned, p);
   }
 
-  // Returns the place of the point closest to `p` on the way from `begin` to `end`. The distance is
-  // that on the surface: in a thin face any other would carry what rounding puts `p` off the curve
-  // to along the curve.
-  FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
-                   const Face_location<FT>& p) const
+  template <typename Decisions>
+  Vertex_index split_shared_edge(Halfedge_index h, const FT& t, Decisions& decisions)
   {
-    const Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri);
-    const auto chord = face.between(begin, end);
-    const FT square = internal::dot(chord, chord);
-    return square > 0 ? internal::dot(chord, face.between(begin, p.second)) / square : FT(0);
-  }
-
-  // on the halfedge `input` of T1, along which the curve leaves the face
-  FT place_of_other_end(const internal::Face_regions::Curve& curve, Halfedge_index input) const
-  {
-    if(curve.from_apex)
-      return m_tri.place_along(input, m_tri.mesh().source(m_marks.side(curve.corner)));
-    return 1 - m_marks.across(curve.other.side, curve.other.mark).t;
-  }
-
-  // returns the regions of the face of `h`, with `h` as side 0
-  internal::Face_regions regions_at(Halfedge_index h) const
-  {
-    const Delta_complex& mesh = m_tri.mesh();
-    return internal::Face_regions(
-      {m_courses.count(h), m_courses.count(mesh.next(h)), m_courses.count(mesh.prev(h))});
-  }
-
-  // returns the number of crossings from a point on `h` after `p` of its crossings to the opposite
-  // corner
-  Integer crossings_to_apex(Halfedge_index h, std::size_t p) const
-  {
-    if(m_tri.mesh().is_border(h))
-      return Integer(0);
-    const internal::Face_regions regions = regions_at(h);
-    return Integer(regions.crossings_to_corners(regions.region_at_side(0, p))[2]);
-  }
-
-  Vertex_index split_shared_edge(Halfedge_index h, const FT& t)
-  {
-    const Halfedge_index o = m_tri.mesh().opposite(h);
     const auto forward = m_tri.number_of_inserted_outgoing(m_tri.input_halfedge(h)),
                back = 1 - forward;
-    const Edge_split<Integer> n{Integer(-1), Integer(-1), crossings_to_apex(h, 0),
-                                crossings_to_apex(o, 0)};
-    const Edge_split<Outgoing_halfedges::size_type> r{back, forward, back, forward};
-    if constexpr(can_be_exact)
-      if(is_exact())
-        return m_exact.split_shared_edge(h, t, n, r);
-    return m_tri.split_edge(h, t, n, r, m_tri.point_on_shared(h, t));
-  }
-
-  Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness)
-  {
-    m_marks.set_face(m_tri.mesh().face(h), m_courses);
-    const std::size_t s = side_number(h, m_tri.mesh()), n = m_courses.count(h);
-    const FT distance = closeness / m_tri.length(m_tri.mesh().edge(h));
-    std::size_t p = 0; // crossings before the point
-    while(p < n && m_marks.here(s, p) < t)
-      ++p;
-    for(std::size_t mark : {p - 1, p})
-      if(mark < n && CGAL::abs(m_marks.here(s, mark) - t) < distance)
-        return split_edge_at_crossing(h, s, mark);
-    return split_edge_between_crossings(h, t, s, p);
-  }
-
-  Vertex_index split_edge_between_crossings(Halfedge_index h, const FT& t, std::size_t s,
-                                            std::size_t p)
-  {
-    const std::size_t n = m_courses.count(h);
-    const Face_map face_map(m_marks, m_tri.input_mesh());
-    const auto [input_face, map] = face_map.region_map(face_map.regions().region_at_side(s, p));
-    return m_tri.split_edge(h, t,
-                            {Integer(p), Integer(n - p), crossings_to_apex(h, p),
-                             crossings_to_apex(m_tri.mesh().opposite(h), n - p)},
-                            {0, 0, 0, 0},
-                            Face_location<FT>(input_face, map(barycentric_coordinates(s, t))));
-  }
-
-  // How the curve at crossing `p` of side 0 of a face goes on there.
-  struct Side_of_crossing
-  {
-    Integer to_apex; // the crossings between it and the opposite corner, -1 if it ends there
-    bool is_around_target;
-
-    Side_of_crossing(std::size_t p, const internal::Face_regions& regions)
-    {
-      const auto curve = regions.curve_at_side(0, p);
-      to_apex = Integer(regions.crossings_to_corners(curve)[2]);
-      is_around_target = curve.corner == 1;
-    }
-  };
-
-  // Inserts a vertex on the edge of T1 that crosses `h` at its crossing `p`, from left to right.
-  Vertex_index split_edge_at_crossing(Halfedge_index h, std::size_t s, std::size_t p)
-  {
-    const std::size_t n = m_courses.count(h);
-    const Edge_point<FT> across = m_marks.across(s, p);
-    const auto forward = m_tri.number_of_inserted_outgoing(across.halfedge), back = 1 - forward;
-    const Side_of_crossing left(p, regions_at(h));
-    const Side_of_crossing right(n - 1 - p, regions_at(m_tri.mesh().opposite(h)));
-    return m_tri.split_edge(h, m_marks.here(s, p),
-                            {Integer(p), Integer(n - 1 - p), left.to_apex, right.to_apex},
-                            {forward, back, left.is_around_target ? forward : back,
-                             right.is_around_target ? back : forward},
-                            edge_location(across));
-  }
-
-  // after an edge has been split, of which `h` is the second part
-  void update_split(Halfedge_index h)
-  {
-    const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index o = mesh.opposite(h), im = first_part(h, mesh);
-    m_courses.after_split(im, h);
-    if(!mesh.is_border(im) && !mesh.is_border(o))
-      m_courses.after_cut({mesh.next(im), mesh.next(o)});
-    else
-      m_courses.after_cut({mesh.next(mesh.is_border(o) ? im : o)});
+    const auto to_apex = [&](Halfedge_index x) {
+      return internal::crossings_to_apex(x, 0, m_tri.mesh(), m_courses);
+    };
+    return decisions.split_shared_edge(h, t,
+                                       {Integer(-1), Integer(-1), to_apex(h), to_apex(opposite(h))},
+                                       {back, forward, back, forward});
   }
 
   // ---- Removal ----
 
-  // Returns the excess over pi of the angle at the source of `h` in the diamond around its edge.
-  // Where it is not positive at either end, the edge can be flipped.
-  FT angle_excess_at_source(Halfedge_index h) const
-  {
-    const Delta_complex& mesh = m_tri.mesh();
-    return internal::angle_at_source(h, m_tri) +
-           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - pi<FT>();
-  }
-
-  bool can_be_flipped(Halfedge_index h) const
-  {
-    return flip_status(h, m_tri.mesh()) == Operation_status::possible &&
-           !m_tri.is_constrained(m_tri.mesh().edge(h));
-  }
-
-  typedef std::pair<FT, Halfedge_index> Candidate; // an edge to flip, the least rank first
-
-  Halfedge_index edge_to_flip(Vertex_index v);
-  Halfedge_index best_candidate(bool is_flat_allowed);
+  template <typename Decisions>
+  Halfedge_index edge_to_flip(Vertex_index v, Decisions& decisions);
 
   Triangulation& m_tri;
   internal::Edge_courses<Traits> m_courses;
-  Marks m_marks;
+  internal::Rounded_insertion<Traits> m_rounded;
   internal::Exact_insertion_of<Traits> m_exact;
   bool m_is_exact;
-  std::vector<Candidate> m_candidates;
+  std::vector<std::pair<FT, Halfedge_index>> m_candidates; // edges to flip, the least rank first
 };
 
 // A flip of an outgoing halfedge takes it away from `v`, and a loop counts twice. A vertex with
-// less than three outgoing halfedges gets more by a flip of an edge opposite to it. Angles at `v`
-// exceed pi by rounding only. A flat angle there is allowed, since the face without area is removed
-// with `v`; at the other end it would stay.
+// fewer than three outgoing halfedges gets more by a flip of an edge opposite to it. A flat angle
+// at `v` is allowed, since the face without area is removed with `v`; at the other end it would
+// stay. The rank is rounded: it determines the order in which edges are looked at.
 template <typename Traits>
-Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
+template <typename Decisions>
+Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v, Decisions& decisions)
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index) { ++degree; });
-  const FT tolerance = internal::flat_angle_tolerance<FT>();
   m_candidates.clear();
   for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index outgoing) {
     const Halfedge_index h = degree < 3 ? mesh.next(outgoing) : outgoing;
-    if((degree < 3 && mesh.is_border(outgoing)) || !can_be_flipped(h))
+    if((degree < 3 && mesh.is_border(outgoing)) ||
+       flip_status(h, mesh) != Operation_status::possible || m_tri.is_constrained(mesh.edge(h)))
       return;
-    const FT at_source = angle_excess_at_source(h),
-             at_target = angle_excess_at_source(mesh.opposite(h));
+    const FT at_source = internal::angle_excess(h, m_tri),
+             at_target = internal::angle_excess(opposite(h), m_tri);
     const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
-    const bool is_loop = mesh.target(h) == mesh.source(h);
-    const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first
-    if(is_exact() || c < tolerance)
-      m_candidates.push_back({rank, h});
+    const bool is_loop = mesh.target(h) == mesh.source(h), // loops first
+      is_flat = elsewhere > -internal::flat_angle_tolerance<FT>();
+    m_candidates.push_back({is_loop ? c - 4 : is_flat ? c + 4 : c, h});
   });
-  return best_candidate(degree >= 3);
-}
-
-// With exact decisions the rank only determines the order in which candidates are looked at.
-template <typename Traits>
-Halfedge_index Vertex_inserter<Traits>::best_candidate([[maybe_unused]] bool is_flat_allowed)
-{
-  const auto by_rank = [](const Candidate& a, const Candidate& b) { return a.first < b.first; };
-  auto best = m_candidates.begin();
-  if constexpr(can_be_exact)
-    if(is_exact()) {
-      std::stable_sort(m_candidates.begin(), m_candidates.end(), by_rank);
-      best = std::find_if(m_candidates.begin(), m_candidates.end(), [&](const Candidate& c) {
-        return m_exact.can_be_flipped(c.second, is_flat_allowed);
-      });
-    }
-  if(!is_exact())
-    best = std::min_element(m_candidates.begin(), m_candidates.end(), by_rank);
-  return best == m_candidates.end() ? Halfedge_index() : best->second;
+  std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for(const auto& candidate : m_candidates)
+    if(decisions.can_be_flipped(candidate.second, degree >= 3))
+      return candidate.second;
+  return Halfedge_index();
 }
 
 template <typename Traits>
@@ -473,20 +293,20 @@ template <typename After_flip>
 Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& after_flip)
 {
   CGAL_precondition(m_tri.is_inserted(v));
-  const Delta_complex& mesh = m_tri.mesh();
-  for(std::size_t flips = 0; removal_status(v, mesh) != Operation_status::possible; ++flips) {
-    const Halfedge_index h = edge_to_flip(v);
-    if(!h.is_valid() || flips > (is_exact() ? 500 : 10000))
-      return Delta_complex::null_face();
-    flip(h);
-    after_flip(h);
-  }
-  const Face_index f = m_tri.remove_degree_3_vertex(v);
-  if constexpr(can_be_exact)
-    if(is_exact())
-      for(Halfedge_index h : sides(f, mesh))
-        m_exact.measure_if_shared(h);
-  return f;
+  return with_decisions([&](auto& decisions) {
+    const std::size_t most_flips = is_exact() ? 500 : 10000;
+    for(std::size_t flips = 0; removal_status(v, m_tri.mesh()) != Operation_status::possible;
+        ++flips) {
+      const Halfedge_index h = edge_to_flip(v, decisions);
+      if(!h.is_valid() || flips > most_flips)
+        return Delta_complex::null_face();
+      decisions.flip(h);
+      after_flip(h);
+    }
+    const Face_index f = m_tri.remove_degree_3_vertex(v);
+    decisions.after_removal(f);
+    return f;
+  });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

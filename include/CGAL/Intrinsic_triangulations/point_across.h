@@ -10,70 +10,32 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
-#include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// the sides of a face, traced one by one
+// Sets the marks on the sides of the face `f` of T1, which has no inserted vertices.
 template <typename Traits>
-class Traced_marks
+void trace_sides(Face_index f, const Intrinsic_triangulation<Traits>& tri,
+                 Face_marks<Traits>& marks)
 {
-  typedef typename Traits::FT FT;
-
-public:
-  Traced_marks(Side side, Face_index f, const Intrinsic_triangulation<Traits>& tri)
-    : m_side(side), m_halfedge(sides(f, tri.surface(side).mesh())), m_tri(tri)
-  {
-    for(std::size_t s = 0; s < 3; ++s)
-      m_trace[s] = side == Side::input ? internal::scaled_input_trace(m_halfedge[s], tri)
-                                       : internal::scaled_intrinsic_trace(m_halfedge[s], tri);
+  marks.start(Side::input, f);
+  for(std::size_t s = 0; s < 3; ++s) {
+    const Scaled_trace<Traits> trace = scaled_input_trace(marks.side(s), tri);
+    marks.set_outgoing_before(s, trace.points.front().on_intrinsic.halfedge);
+    for(std::size_t p = 1; p + 1 < trace.points.size(); ++p)
+      marks.add(s, trace.points[p].on_input.t, reversed(trace.points[p].on_intrinsic, tri.mesh()),
+                trace.scale(p));
   }
-
-  // an edge has two ends, and so has its trace
-  std::size_t crossings(std::size_t s) const { return m_trace[s].points.size() - 2; }
-  FT here(std::size_t s, std::size_t p) const
-  {
-    const Trace_point<FT>& point = m_trace[s].points[p + 1];
-    return m_side == Side::input ? point.on_input.t : point.on_intrinsic.t;
-  }
-  Edge_point<FT> across(std::size_t s, std::size_t p) const
-  {
-    return reversed(there(s, p + 1), other());
-  }
-  FT scale(std::size_t s, std::size_t p) const
-  {
-    const FT on_input = m_trace[s].scale(p + 1);
-    return m_side == Side::input ? on_input : FT(1 / on_input);
-  }
-  Halfedge_index outgoing_before(std::size_t s) const { return there(s, 0).halfedge; }
-  Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
-  {
-    return m_side == Side::input ? face_location(at, m_tri.mesh())
-                                 : m_tri.input_location(m_tri.mesh().source(m_halfedge[s]), at);
-  }
-
-private:
-  const Delta_complex& other() const { return m_tri.surface(internal::other(m_side)).mesh(); }
-
-  const Edge_point<FT>& there(std::size_t s, std::size_t point) const
-  {
-    const Trace_point<FT>& p = m_trace[s].points[point];
-    return m_side == Side::input ? p.on_intrinsic : p.on_input;
-  }
-
-  Side m_side;
-  std::array<Halfedge_index, 3> m_halfedge;
-  const Intrinsic_triangulation<Traits>& m_tri;
-  std::array<Scaled_trace<Traits>, 3> m_trace;
-};
+}
 
 } // namespace internal
 
@@ -113,10 +75,14 @@ Face_location<typename Traits::FT> point_across(const Intrinsic_triangulation<Tr
                                                 Side side,
                                                 const Face_location<typename Traits::FT>& p)
 {
-  typedef internal::Traced_marks<Traits> Marks;
+  typedef internal::Face_marks<Traits> Marks;
   if(side == Side::input && tri.number_of_inserted_vertices() > 0)
     return point_across(Correspondence<Traits>(tri), side, p);
-  const Marks marks(side, p.first, tri);
+  Marks marks(tri);
+  if(side == Side::input)
+    internal::trace_sides(p.first, tri, marks);
+  else
+    marks.set_face(p.first, internal::Edge_courses<Traits>(tri));
   const Delta_complex& other = side == Side::input ? tri.mesh() : tri.input_mesh();
   return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
 }

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_location.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/face_splits.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -21,9 +21,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
+#include <string>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -34,7 +33,6 @@ class Exact_insertion
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::Integer Integer;
-  typedef Face_regions::Curve Curve;
 
 public:
   typedef Exact_decisions<Traits> Decisions;
@@ -73,36 +71,49 @@ public:
     }
   }
 
-  // Inserts a vertex at the part `t` of the shared edge of `h`, without the lengths of its edges.
   BOOST_NOINLINE Vertex_index split_shared_edge(Halfedge_index h, double t,
                                                 const Edge_split<Integer>& n,
                                                 const Edge_split<Outgoing_halfedges::size_type>& r)
   {
-    return m_tri.split_edge(h, n, r, m_tri.part_of_input_edge(h).point(t, m_tri.input_mesh()), {});
+    const auto q = m_tri.part_of_input_edge(h).point(t, m_tri.input_mesh());
+    const Vertex_index m = m_tri.insert_into_edge(h, n, r, q, {});
+    m_courses.after_split(h);
+    return m_tri.measured(m, m_decisions);
   }
 
-  // computes the lengths of the edges at the inserted vertex `m`
-  BOOST_NOINLINE void measure(Vertex_index m) { m_tri.measured(m, m_decisions); }
-
-  // computes the length of the edge of `h` if it is shared
-  BOOST_NOINLINE void measure_if_shared(Halfedge_index h)
+  // The rounded position of a vertex is not on an edge that is not shared: it is inserted into the
+  // face beside it, and the edge is flipped if this is possible.
+  template <typename Insert>
+  BOOST_NOINLINE Vertex_index split_crossed_edge(Halfedge_index h, double t, double closeness,
+                                                 const Insert& insert)
   {
-    if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
-      m_tri.m_length[m_mesh.edge(h)] = m_decisions.length(h);
+    const Vertex_index m =
+      insert_near(face_location(Edge_point<double>{h, t}, m_mesh), closeness, insert);
+    if(can_be_flipped(h, false))
+      flip(h);
+    return m;
   }
 
-  // Inserts a vertex at the point with coordinates `p`, or on an edge of T1 that is not farther
-  // away than `closeness`. Rounded to coordinates on T1, the point may lie outside of its region;
-  // then points farther inside the face are tried.
+  // Returns the vertex that `insert(location, closeness)` inserts at the point `p` of a face of T2.
+  // Rounded to coordinates on T1, the point may lie outside of its region; then points farther
+  // inside the face are tried.
   // \throws Numerical_error if the face is so small that this does not help; nothing has changed
-  BOOST_NOINLINE Vertex_index insert(const Face_location<double>& p, double closeness)
+  template <typename Insert>
+  BOOST_NOINLINE Vertex_index insert_near(const Face_location<double>& p, double closeness,
+                                          const Insert& insert)
   {
     for(double inwards : inward_moves) {
-      Face_location<double> moved = p;
-      for(double& x : moved.second)
+      std::array<double, 3> b = p.second;
+      for(double& x : b)
         x += inwards * (1. / 3 - x);
-      const Vertex_index m =
-        try_to_insert(moved, inwards > greatest_move_on_edge() ? 0 : closeness);
+      // from the corner with the largest coordinate
+      const Halfedge_index h =
+        sides(p.first,
+              m_mesh)[static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin())];
+      const Developed_location<Traits> at(
+        m_tri, m_courses, m_decisions.extended_corners(), h,
+        coordinates_from(h, Face_location<double>(p.first, b), m_mesh));
+      const Vertex_index m = insert(at, inwards > greatest_move_on_edge() ? 0 : closeness);
       if(m.is_valid())
         return m;
     }
@@ -110,114 +121,14 @@ public:
                           std::to_string(p.first.idx()));
   }
 
-private:
-  typedef Developed_face<Traits> Face;
-
-  // An edge of T1 on the boundary of a region, by its halfedge that leaves the face, and by the
-  // number of that side of the triangle of T1.
-  struct Curve_near_by
+  // Returns null, and nothing has changed, if the new edges would not be straight, or a face not
+  // positive.
+  BOOST_NOINLINE Vertex_index split_face(Face_index f, const Face_split<Integer>& at,
+                                         const Point_to_insert<double>& p)
   {
-    Curve curve;
-    Halfedge_index input;
-    std::size_t side = 0;
-    double distance = std::numeric_limits<double>::infinity();
-  };
-
-  Vertex_index try_to_insert(const Face_location<double>& p, double closeness)
-  {
-    // from the corner with the largest coordinate
-    const std::size_t s = static_cast<std::size_t>(
-      std::max_element(p.second.begin(), p.second.end()) - p.second.begin());
-    const Halfedge_index h = sides(p.first, m_mesh)[s];
-    const Face face(m_tri, m_courses, m_decisions.extended_corners(), h);
-    const auto point = face.point(p.second[(s + 1) % 3], p.second[(s + 2) % 3]);
-    const std::size_t region = face.region_of(point);
-    const typename Face::Place place = face.place(point, region);
-    const Curve_near_by near = nearest_curve(h, face.regions(), region, place);
-    const Vertex_index m =
-      near.distance < closeness ? insert_on_curve(h, face.regions(), near, place) : Vertex_index();
-    return m.is_valid() ? m : insert_in_region(h, face.regions(), region, place);
-  }
-
-  Curve_near_by nearest_curve(Halfedge_index h, const Face_regions& regions, std::size_t number,
-                              const typename Face::Place& place) const
-  {
-    const Delta_complex& input = m_tri.input_mesh();
-    const std::array<Halfedge_index, 3> side{h, m_mesh.next(h), m_mesh.prev(h)};
-    const Region region = regions[number];
-    Curve_near_by result;
-    for(std::size_t c = 0; c < region.size(); ++c)
-      if(region[c].arc_follows) {
-        const Region_corner& next = region.next(c);
-        const Curve curve = regions.curve(region[c], next);
-        const Halfedge_index out = opposite(m_courses(side[curve.mark.side])[curve.mark.mark]);
-        const bool leads_to_mark =
-          !next.is_vertex() && next.side == curve.mark.side && next.mark == curve.mark.mark;
-        const Halfedge_index along = leads_to_mark ? out : input.opposite(out);
-        const std::size_t s = side_number(along, place.side, input);
-        if(place.distance[s] < result.distance)
-          result = {curve, out, s, place.distance[s]};
-      }
-    return result;
-  }
-
-  Vertex_index insert_in_region(Halfedge_index h, const Face_regions& regions, std::size_t region,
-                                const typename Face::Place& place)
-  {
-    if(!(place.weight[0] > 0 && place.weight[1] > 0 && place.weight[2] > 0))
-      return {};
-    const Delta_complex& input = m_tri.input_mesh();
-    const Face_index f = input.face(place.side);
-    const std::size_t first = side_number(place.side, input);
-    std::array<double, 3> b;
-    for(std::size_t c = 0; c < 3; ++c)
-      b[(first + c) % 3] = place.weight[c];
-    const auto n = regions.crossings_to_corners(region);
-    return insert(h, {{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {0, 0, 0}},
-                  Face_location<double>(f, b));
-  }
-
-  // at the foot of the height over the edge of T1
-  Vertex_index insert_on_curve(Halfedge_index h, const Face_regions& regions,
-                               const Curve_near_by& near, const typename Face::Place& place)
-  {
-    const Delta_complex& input = m_tri.input_mesh();
-    const auto length = [&](Halfedge_index x) { return m_tri.input_length(input.edge(x)); };
-    const std::array<Halfedge_index, 3> sides{place.side, input.next(place.side),
-                                              input.prev(place.side)};
-    const std::size_t s = near.side;
-    const Halfedge_index along = sides[s];
-    const double base = length(along), left = length(input.next(along)),
-                 right = length(input.prev(along));
-    const double foot = doubled_corner_product(left, base, right) / (2 * base * base);
-    const double above = place.weight[(s + 2) % 3];
-    const double at_source = place.weight[s] + above * (1 - foot),
-                 at_target = place.weight[(s + 1) % 3] + above * foot;
-    if(!(at_source > 0 && at_target > 0))
-      return {};
-    const double sum = at_source + at_target;
-    return insert(
-      h,
-      split_on_curve<Integer>(near.curve, m_tri.number_of_inserted_outgoing(near.input), regions),
-      Edge_location<double>{along, {at_source / sum, at_target / sum}});
-  }
-
-  // Splits the face of `h`; the numbers in `at` begin with the source of `h`. Returns null, and
-  // nothing has changed, if the new edges would not be straight, or a face not positive.
-  Vertex_index insert(Halfedge_index h, const Face_split<Integer>& at,
-                      const Surface_point<double>& q)
-  {
-    const Face_index f = m_mesh.face(h);
-    const std::size_t s = side_number(h, m_mesh);
     const Halfedge_index first = m_mesh.halfedge(f);
-    Face_split<Integer> turned;
-    for(std::size_t c = 0; c < 3; ++c) {
-      turned.n[(s + c) % 3] = at.n[c];
-      turned.r[(s + c) % 3] = at.r[c];
-    }
-    const Vertex_index m = m_tri.split_face(f, turned, q, {});
-    const Halfedge_index a = first_outgoing_halfedge(m, m_mesh), b = next_around_source(a, m_mesh);
-    m_courses.after_cut({a, b, next_around_source(b, m_mesh)});
+    const Vertex_index m = m_tri.insert_into_face(f, at, p.on_input, {});
+    m_courses.after_insertion(m);
     if(is_geodesic(m))
       return m_tri.measured(m, m_decisions);
     // so that `f` is the face that stays, with its first halfedge
@@ -226,6 +137,15 @@ private:
     return {};
   }
 
+  // Computes the lengths of the shared edges of a face that has taken the place of a vertex.
+  BOOST_NOINLINE void after_removal(Face_index f)
+  {
+    for(Halfedge_index h : sides(f, m_mesh))
+      if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
+        m_tri.m_length[m_mesh.edge(h)] = m_decisions.length(h);
+  }
+
+private:
   // whether the edges at `m` are straight and its faces have positive area
   bool is_geodesic(Vertex_index m)
   {

@@ -85,10 +85,10 @@ private:
   {
     const Halfedge_index h = locate(p.second, p.first);
     if(side_of(p.second, h) != ZERO)
-      return m_tri.split_face(m_mesh.face(h), {}, p, {});
+      return m_tri.insert_into_face(m_mesh.face(h), {}, p, {});
     if(side_of(p.second, m_mesh.next(h)) == ZERO || side_of(p.second, m_mesh.prev(h)) == ZERO)
       throw Numerical_error("two inserted vertices are at one place");
-    return m_tri.split_edge(h, {}, {}, p, {});
+    return m_tri.insert_into_edge(h, {}, {}, p, {});
   }
 
   // compares the ratios of two pairs of weights
@@ -119,8 +119,8 @@ private:
       throw Numerical_error("two inserted vertices are at one place");
     const auto forward = m_tri.number_of_inserted_outgoing(first), back = 1 - forward;
     const Vertex_index m =
-      m_tri.split_edge(part->halfedge, {Integer(-1), Integer(-1), Integer(0), Integer(0)},
-                       {back, forward, back, forward}, p, {});
+      m_tri.insert_into_edge(part->halfedge, {Integer(-1), Integer(-1), Integer(0), Integer(0)},
+                             {back, forward, back, forward}, p, {});
     parts.insert(part, {first_part(part->halfedge, m_mesh), w});
     return m;
   }

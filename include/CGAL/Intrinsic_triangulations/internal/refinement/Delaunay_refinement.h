@@ -88,9 +88,10 @@ public:
   bool run(bool stops_if_filter_fails, Refinement_result& result)
   {
     m_result = &result;
+    m_stops_if_filter_fails = stops_if_filter_fails;
     for(Face_index f : m_mesh.faces())
       push_if_bad(f);
-    while(!m_queue.empty() && !(m_has_filter_failed && stops_if_filter_fails)) {
+    while(!m_queue.empty() && !is_stopped()) {
       const Candidate c = m_queue.pop();
       if(!is_current(c))
         continue;
@@ -98,7 +99,7 @@ public:
         result.status = Refinement_status::insertion_limit;
         break;
       }
-      refine(c, stops_if_filter_fails);
+      refine(c);
     }
     return !m_has_filter_failed;
   }
@@ -152,22 +153,20 @@ private:
            (c.has_bad_shape ? has_bad_shape(c.face) : side_to_split(c.face).is_valid());
   }
 
-  // A face stays as it is where rounded numbers leave no room for the new vertex. After flips that
-  // rounding may have led in circles there is no going on. Exceptions of the visitor go on to the
-  // caller.
-  void refine(const Candidate& c, bool stops_if_filter_fails)
+  void fail() { m_has_filter_failed = true; }
+  bool is_stopped() const { return m_has_filter_failed && m_stops_if_filter_fails; }
+
+  // A face stays as it is if rounded numbers leave no room for the new vertex. Exceptions of the
+  // visitor go on to the caller.
+  void refine(const Candidate& c)
   {
     try {
       c.has_bad_shape ? insert_circumcenter(c.face) : make_simplicial(c.face);
-      return;
     } catch(const Numerical_error&) {
       if(m_is_visited)
         throw;
-    } catch(const Flip_limit_exceeded&) {
-      if(m_is_visited || !stops_if_filter_fails)
-        throw;
+      fail();
     }
-    m_has_filter_failed = true;
   }
 
   template <typename Call>
@@ -246,6 +245,8 @@ private:
       add_vertex(m);
       m_is_free[m.idx()] = false;
       outgoing = surroundings(v).outgoing_to(m);
+      if(!outgoing.is_valid()) // rounding hides the vertex from its nearest neighbor
+        return fail();
     }
   }
 
@@ -259,7 +260,7 @@ private:
           return insert_at_center(f);
         return split(m_walk.halfedge(), m_walk.along(), f);
       case Walk::End::blocked: return split_fixed(m_walk.halfedge(), f);
-      case Walk::End::lost: m_has_filter_failed = true;
+      case Walk::End::lost: fail();
     }
   }
 
@@ -291,16 +292,16 @@ private:
   // hides the center, and rounded lengths would split it and its neighbors without end.
   void split_fixed(Halfedge_index h, Face_index f)
   {
-    if(!m_inserter.can_be_split(h))
-      throw Numerical_error("both sides of the edge are in one face");
     const FT radius = m_tri.length(m_mesh.edge(h));
-    if(!is_exact && m_mesh.face(h) != f && radius <= m_walk.closeness())
-      throw Numerical_error("the edge is shorter than a circumcenter is precise");
+    const bool is_too_short = !is_exact && m_mesh.face(h) != f && radius <= m_walk.closeness();
+    if(is_too_short || !m_inserter.can_be_split(h))
+      return fail();
     const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
     m_changed.push_back(f);
     add_vertex(m);
     m_is_free[m.idx()] = false;
-    remove_free_vertices(m, radius);
+    if(!is_stopped())
+      remove_free_vertices(m, radius);
   }
 
   void add_vertex(Vertex_index m)
@@ -377,9 +378,13 @@ private:
       const Edge_index e = m_stack.pop();
       if(m_mesh.is_removed(e) || m_inserter.is_Delaunay(e))
         continue;
-      if(m_result->flips - before == limit)
+      if(m_result->flips - before == limit) {
+        fail();
+        if(is_stopped())
+          return;
         throw Flip_limit_exceeded(
           "not Delaunay after an insertion and as many flips as are allowed");
+      }
       const Halfedge_index h = m_mesh.halfedge(e);
       m_inserter.flip(h);
       ++m_result->flips;
@@ -405,6 +410,7 @@ private:
   Refinement_limits m_limits;
   Visitor& m_visitor;
   bool m_is_visited = false; // while the visitor is called
+  bool m_stops_if_filter_fails = false;
   bool m_has_filter_failed = false;
   Vertex_inserter<Traits> m_inserter;
   Small_angle_vertices<Traits> m_narrow;

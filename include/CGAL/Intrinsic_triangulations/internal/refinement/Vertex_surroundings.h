@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
@@ -63,13 +62,13 @@ public:
       .end;
   }
 
-  // \throws Numerical_error if `v` is not a neighbor
+  // null if `v` is not a neighbor
   Halfedge_index outgoing_to(Vertex_index v) const
   {
     for(Halfedge_index h : m_outgoing_halfedges)
       if(m_surface.mesh().target(h) == v)
         return h;
-    throw Numerical_error("rounding has hidden a vertex from its nearest neighbor");
+    return Delta_complex::null_halfedge();
   }
 
 private:

@@ -91,8 +91,33 @@ public:
       update(Edge_index(h));
   }
 
-  // To be called after edges have been made, in a face that others have left or beside one that was
-  // split.
+  // To be called after the vertex `m` has been inserted into a face.
+  void after_insertion(Vertex_index m)
+  {
+    const Delta_complex& mesh = m_pair->mesh();
+    const Halfedge_index a = first_outgoing_halfedge(m, mesh), b = next_around_source(a, mesh);
+    after_cut({a, b, next_around_source(b, mesh)});
+  }
+
+  // To be called after a vertex has been inserted into an edge, of which `h` is the second part.
+  void after_split(Halfedge_index h)
+  {
+    const Delta_complex& mesh = m_pair->mesh();
+    const Halfedge_index o = mesh.opposite(h), im = first_part(h, mesh);
+    split(im, h);
+    if(!mesh.is_border(im) && !mesh.is_border(o))
+      after_cut({mesh.next(im), mesh.next(o)});
+    else
+      after_cut({mesh.next(mesh.is_border(o) ? im : o)});
+  }
+
+private:
+  static constexpr size_type unknown = (std::numeric_limits<size_type>::max)();
+
+  const Coordinates& coordinates() const { return m_pair->coordinates(); }
+
+  // Stores the courses of edges that have been made, in a face that others have left or beside one
+  // that was split.
   void after_cut(std::initializer_list<Halfedge_index> cuts)
   {
     m_first.resize(m_pair->mesh().num_edges(), unknown);
@@ -102,9 +127,9 @@ public:
       update(Edge_index(h));
   }
 
-  // To be called after an edge has been split into `im` and `mj`; the second has the index of the
-  // whole. If the new vertex lies on an edge of T1, one crossing is gone.
-  void after_split(Halfedge_index im, Halfedge_index mj)
+  // Splits the course of an edge that has been split into `im` and `mj`; the second has the index
+  // of the whole. If the new vertex lies on an edge of T1, one crossing is gone.
+  void split(Halfedge_index im, Halfedge_index mj)
   {
     m_first.resize(m_pair->mesh().num_edges(), unknown);
     const std::size_t first = count(im), second = count(mj);
@@ -121,11 +146,6 @@ public:
     append(Edge_index(im), of_im);
     append(Edge_index(mj), of_mj);
   }
-
-private:
-  static constexpr size_type unknown = (std::numeric_limits<size_type>::max)();
-
-  const Coordinates& coordinates() const { return m_pair->coordinates(); }
 
   Edge_course stored(Halfedge_index h, std::size_t n) const
   {
