@@ -48,6 +48,11 @@ struct Needle
 
 bool nothing_is_fixed(Halfedge_index) { return false; }
 
+auto layout(const Needle& needle)
+{
+  return IT::internal::Layout_by_lengths(needle.triangulation.intrinsic());
+}
+
 // Both long sides are nearer than the circumcenter may be moved. It stays where it is along them,
 // although the third corner is beside one end.
 TEST(Circumcenter_walk, moves_the_center_across_a_needle_only)
@@ -57,7 +62,7 @@ TEST(Circumcenter_walk, moves_the_center_across_a_needle_only)
     const double u = log_uniform(1e-9, 1e-7, random), v = log_uniform(1e-9, 1e-7, random);
     const Needle needle(u, v, random_size(0, 2, random));
     Walk walk(needle.triangulation.intrinsic());
-    ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed), Walk::End::on_edge);
+    ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed, layout(needle)), Walk::End::on_edge);
     const Plane_vector center = Needle::circumcenter(u, v);
     EXPECT_LE(distance(needle.at(walk.halfedge(), walk.along()), center), walk.closeness());
     EXPECT_NEAR(walk.along(), 0.5, 1e-9);
@@ -68,7 +73,9 @@ TEST(Circumcenter_walk, is_blocked_by_the_side_that_it_would_move_to)
 {
   const Needle needle(1e-8, 1e-8, 0);
   Walk walk(needle.triangulation.intrinsic());
-  EXPECT_EQ(walk.walk(Face_index(0), [](Halfedge_index) { return true; }), Walk::End::blocked);
+  EXPECT_EQ(walk.walk(
+              Face_index(0), [](Halfedge_index) { return true; }, layout(needle)),
+            Walk::End::blocked);
 }
 
 // In a face that is not thin the center stays.
@@ -76,7 +83,7 @@ TEST(Circumcenter_walk, leaves_the_center_inside_a_good_face)
 {
   const Needle needle(0.6, 0.5, 0);
   Walk walk(needle.triangulation.intrinsic());
-  ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed), Walk::End::inside);
+  ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed, layout(needle)), Walk::End::inside);
   const auto corner = IT::sides(Face_index(0), needle.triangulation.mesh());
   Plane_vector p{0, 0};
   for(std::size_t k = 0; k < 3; ++k)

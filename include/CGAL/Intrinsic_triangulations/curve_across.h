@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Path_pieces.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_search.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 

@@ -160,7 +160,7 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
 
 // Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding
 // has left no doubt.
-template <bool is_exact, typename Traits, typename Bounds, typename Visitor>
+template <typename Traits, typename Bounds, typename Visitor>
 bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                      const Refinement_limits& limits, Visitor& visitor, bool stops_if_filter_fails,
                      Refinement_result& result)
@@ -168,7 +168,7 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   bool is_certain = false;
   try {
     is_certain =
-      Delaunay_refinement<Traits, Bounds, Visitor, is_exact>(tri, bounds, limits, visitor)
+      Delaunay_refinement<Traits, Bounds, Visitor>(tri, bounds, limits, visitor, result.is_exact)
         .run(stops_if_filter_fails, result);
   } catch(...) {
     tri.collect_garbage();
@@ -202,7 +202,7 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
 {
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
-    if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_if_filter_fails, result) &&
+    if(!insert_vertices(tri, bounds, limits, visitor, stops_if_filter_fails, result) &&
        stops_if_filter_fails)
       return false;
     const Flipping_result flips = flip_afresh(tri, limits.flips, visitor);
@@ -229,7 +229,7 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
   result.is_exact = true;
   result.status = Refinement_status::bounds_met;
   result.flips += flip_exactly(tri, limits.flips, visitor, Concurrency()).flips;
-  insert_vertices<true>(tri, bounds, limits, visitor, false, result);
+  insert_vertices(tri, bounds, limits, visitor, false, result);
   note_remaining(tri, bounds, result);
   return result;
 }

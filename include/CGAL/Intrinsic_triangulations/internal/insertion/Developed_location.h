@@ -24,8 +24,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // A point of a face ijk of T2 in the plane, i at the origin, with the edges of T1 that cross ij and
-// ik laid out along these. So the relative error of a position is that of its vector from i, however
-// thin the face and the regions are. Errors are not tracked.
+// ik laid out along these. So the relative error of a position is that of its vector from i,
+// however thin the face and the regions are. Errors are not tracked.
 template <typename Traits>
 class Developed_location
 {

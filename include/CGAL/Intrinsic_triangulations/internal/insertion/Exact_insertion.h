@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_location.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Rounded_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/face_splits.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -168,17 +169,10 @@ private:
   Decisions m_decisions;
 };
 
-// Nothing, where decisions cannot be exact.
-struct No_exact_insertion
-{
-  template <typename Triangulation, typename Courses>
-  No_exact_insertion(const Triangulation&, const Courses&)
-  {}
-};
-
+// The changes with exact decisions; where decisions cannot be exact, those with rounded ones.
 template <typename Traits>
-using Exact_insertion_of =
-  std::conditional_t<has_exact_decisions<Traits>(), Exact_insertion<Traits>, No_exact_insertion>;
+using Exact_insertion_of = std::conditional_t<has_exact_decisions<Traits>(),
+                                              Exact_insertion<Traits>, Rounded_insertion<Traits>>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

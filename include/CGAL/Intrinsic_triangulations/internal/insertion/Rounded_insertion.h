@@ -107,7 +107,7 @@ private:
   std::size_t m_region;
 };
 
-// Returns the excess over pi of the angle at the source of `h` in the diamond around its edge. Where
+// Returns the excess over pi of the angle at the source of `h` in the diamond around its edge. If
 // it is not positive at either end, the edge can be flipped.
 template <typename Traits>
 typename Traits::FT angle_excess(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)

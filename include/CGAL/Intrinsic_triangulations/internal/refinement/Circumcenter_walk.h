@@ -33,6 +33,8 @@ public:
   // the side from which a face is laid out
   Halfedge_index first_side(Face_index f) const { return m_surface.mesh().halfedge(f); }
 
+  FT circumradius(Face_index f) const { return Face_metric<FT>(f, m_surface).circumradius(); }
+
   // returns the third corner of the face of `h` if its side lies between the others
   Vector apex(Halfedge_index h, const Vector& source, const Vector& target) const
   {
@@ -90,6 +92,8 @@ public:
 
   Halfedge_index first_side(Face_index f) const { return m_decisions.shortest_side(f); }
 
+  double circumradius(Face_index f) const { return m_decisions.rounded_circumradius(f); }
+
   // from the nearer end
   Vector apex(Halfedge_index h, const Vector& source, const Vector& target) const
   {
@@ -140,7 +144,7 @@ private:
 
 // Walks from the barycenter of a face straight to its circumcenter (Figure 3.10, right), in the
 // plane of the triangles passed.
-template <typename EdgeLengthMap, typename Layout = Layout_by_lengths<EdgeLengthMap>>
+template <typename EdgeLengthMap>
 class Circumcenter_walk
 {
   typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
@@ -155,21 +159,17 @@ public:
     lost     // the face has no area, or the circumcenter is too far away or a corner
   };
 
-  Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface)
-    : Circumcenter_walk(surface, Layout(surface))
-  {}
-
-  Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface, const Layout& layout)
-    : m_surface(surface), m_mesh(surface.mesh()), m_layout(layout)
+  explicit Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface)
+    : m_surface(surface), m_mesh(surface.mesh())
   {}
 
   // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as there are
   // faces: a circumcenter that is farther away belongs to a face that is not Delaunay, since no
   // empty circle is that large.
-  template <typename Is_fixed>
-  End walk(Face_index f, const Is_fixed& is_fixed)
+  template <typename Is_fixed, typename Layout>
+  End walk(Face_index f, const Is_fixed& is_fixed, const Layout& layout)
   {
-    set_first_face(m_layout.first_side(f));
+    set_first_face(layout.first_side(f), layout);
     if(!std::isfinite(m_center.imag()))
       return End::lost;
     const Vector start = (m_corner[0] + m_corner[1] + m_corner[2]) / FT(3);
@@ -180,10 +180,10 @@ public:
         return End::blocked;
       if(steps > m_mesh.number_of_faces())
         return End::lost;
-      cross_side(exit);
+      cross_side(exit, layout);
       exit = cross(m_center - start, m_corner[2] - start) > 0 ? 1 : 2;
     }
-    return place(is_fixed);
+    return place(is_fixed, layout);
   }
 
   Halfedge_index halfedge() const { return m_halfedge; }
@@ -205,12 +205,13 @@ public:
 
 private:
   // Corner 0 is at the origin, corner 1 on the real axis.
-  void set_first_face(Halfedge_index h)
+  template <typename Layout>
+  void set_first_face(Halfedge_index h, const Layout& layout)
   {
     const FT base = edge_length(h, m_surface);
     m_halfedge = h;
-    m_corner = {Vector(0), Vector(base), m_layout.apex(h, Vector(0), Vector(base))};
-    m_center = m_layout.circumcenter(h);
+    m_corner = {Vector(0), Vector(base), layout.apex(h, Vector(0), Vector(base))};
+    m_center = layout.circumcenter(h);
     m_radius = CGAL::sqrt(dot(m_center, m_center));
   }
 
@@ -241,19 +242,20 @@ private:
   bool is_left_of_side(std::size_t s) const { return area_at_side(s) >= 0; }
 
   // goes on in the face beyond side `s`, which becomes side 0 there
-  void cross_side(std::size_t s)
+  template <typename Layout>
+  void cross_side(std::size_t s, const Layout& layout)
   {
     const Vector source = m_corner[(s + 1) % 3], target = m_corner[s];
     m_halfedge = m_mesh.opposite(m_halfedge); // already that of the side
-    m_corner = {source, target, m_layout.apex(m_halfedge, source, target)};
+    m_corner = {source, target, layout.apex(m_halfedge, source, target)};
   }
 
   // A circumcenter close to an edge is put there, since it would leave a face without area and, on
   // an edge of T1, a piece without length.
-  template <typename Is_fixed>
-  End place(const Is_fixed& is_fixed)
+  template <typename Is_fixed, typename Layout>
+  End place(const Is_fixed& is_fixed, const Layout& layout)
   {
-    m_weight = m_layout.coordinates(m_halfedge, m_corner, m_center);
+    m_weight = layout.coordinates(m_halfedge, m_corner, m_center);
     if(m_weight[0] == 0 && m_weight[1] == 0 && m_weight[2] == 0)
       return End::lost;
     for(std::size_t s = 0; s < 3; ++s)
@@ -262,7 +264,7 @@ private:
         return End::blocked;
       }
     const std::size_t s = nearest_side();
-    return height_over_side(s) <= closeness() ? move_to_side(s) : End::inside;
+    return height_over_side(s) <= closeness() ? move_to_side(s, layout.foot(side(s))) : End::inside;
   }
 
   std::size_t nearest_side() const
@@ -276,13 +278,12 @@ private:
 
   // The center is moved along the height, not towards the corner opposite: in a face thinner than
   // its distance from the side, that corner can be anywhere along the side.
-  End move_to_side(std::size_t s)
+  End move_to_side(std::size_t s, const FT& foot)
   {
-    const Halfedge_index h = side(s);
-    const FT along = m_weight[(s + 1) % 3] + m_weight[(s + 2) % 3] * m_layout.foot(h);
+    const FT along = m_weight[(s + 1) % 3] + m_weight[(s + 2) % 3] * foot;
     if(!(along > 0 && along < 1))
       return End::inside;
-    m_halfedge = h;
+    m_halfedge = side(s);
     m_along = along;
     return End::on_edge;
   }
@@ -294,7 +295,6 @@ private:
 
   Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
-  Layout m_layout;
   Halfedge_index m_halfedge; // side 0 of the current face
   std::array<Vector, 3> m_corner;
   Vector m_center;

@@ -31,45 +31,24 @@ struct Refinement_limits
   std::size_t flips; // before the first insertion, and after each
 };
 
-template <typename Traits, bool is_exact>
-struct Layout_selection
-{
-  typedef Layout_by_lengths<typename Intrinsic_triangulation<Traits>::Edge_length_map> type;
-};
-
-template <typename Traits>
-struct Layout_selection<Traits, true>
-{
-  typedef Intrinsic_triangulation<Traits> Triangulation;
-  typedef Layout_by_decisions<typename Exact_insertion<Traits>::Decisions,
-                              decltype(std::declval<Triangulation>().intrinsic())>
-    type;
-};
-
-// how faces of T2 are laid out
-template <typename Traits, bool is_exact>
-using Layout_of = typename Layout_selection<Traits, is_exact>::type;
-
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed
 // again.
 //
 // `Bounds` has is_too_thin(f), is_too_large(f) and is_not_simplicial(f); only faces that are too
 // thin can be excused. The visitor is notified of every change.
-template <typename Traits, typename Bounds, typename Visitor, bool is_exact>
+template <typename Traits, typename Bounds, typename Visitor>
 class Delaunay_refinement
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::FT FT;
   typedef typename Triangulation::Edge_length_map Edge_length_map;
-  typedef Layout_of<Traits, is_exact> Layout;
-  typedef Circumcenter_walk<Edge_length_map, Layout> Walk;
-
+  typedef Circumcenter_walk<Edge_length_map> Walk;
   typedef Refinement_queue::Candidate Candidate;
 
 public:
   Delaunay_refinement(Triangulation& tri, const Bounds& bounds, const Refinement_limits& limits,
-                      Visitor& visitor)
+                      Visitor& visitor, bool is_exact)
     : m_tri(tri),
       m_mesh(tri.mesh()),
       m_bounds(bounds),
@@ -77,7 +56,7 @@ public:
       m_visitor(visitor),
       m_inserter(tri, is_exact),
       m_narrow(tri, bounds.small_angle(), is_exact),
-      m_walk(tri.intrinsic(), layout()),
+      m_walk(tri.intrinsic()),
       m_search(m_mesh.num_vertices()),
       m_stack(m_mesh.num_edges())
   {}
@@ -110,19 +89,15 @@ private:
     return m_mesh.is_border(m_mesh.opposite(h)) || m_tri.is_constrained(m_mesh.edge(h));
   }
 
-  auto layout() const
+  // Returns what `f` returns for the layout of faces of T2.
+  template <typename Function>
+  auto with_layout(const Function& f) const
   {
-    if constexpr(is_exact)
-      return Layout(m_inserter.exact().decisions(), m_tri.intrinsic());
-    else
-      return Layout(m_tri.intrinsic());
-  }
-
-  FT circumradius(Face_index f) const
-  {
-    if constexpr(is_exact)
-      return m_inserter.exact().decisions().rounded_circumradius(f);
-    return Face_metric<FT>(f, m_tri.intrinsic()).circumradius();
+    const auto surface = m_tri.intrinsic();
+    if constexpr(has_exact_decisions<Traits>())
+      if(m_inserter.is_exact())
+        return f(Layout_by_decisions(m_inserter.exact().decisions(), surface));
+    return f(Layout_by_lengths(surface));
   }
 
   bool has_bad_shape(Face_index f) const
@@ -134,7 +109,8 @@ private:
   void push_if_bad(Face_index f)
   {
     if(has_bad_shape(f))
-      m_queue.push_bad_shape(f, version(f), circumradius(f));
+      m_queue.push_bad_shape(
+        f, version(f), with_layout([f](const auto& layout) { return layout.circumradius(f); }));
     else if(side_to_split(f).is_valid())
       m_queue.push_other(f, version(f));
   }
@@ -253,10 +229,10 @@ private:
   void insert_circumcenter(Face_index f)
   {
     const auto is_fixed = [this](Halfedge_index h) { return this->is_fixed(h); };
-    switch(m_walk.walk(f, is_fixed)) {
+    switch(with_layout([&](const auto& layout) { return m_walk.walk(f, is_fixed, layout); })) {
       case Walk::End::inside: return insert_at_center(f);
       case Walk::End::on_edge:
-        if(is_exact && !m_tri.coordinates().is_shared(m_mesh.edge(m_walk.halfedge())))
+        if(m_inserter.is_exact() && !m_tri.coordinates().is_shared(m_mesh.edge(m_walk.halfedge())))
           return insert_at_center(f);
         return split(m_walk.halfedge(), m_walk.along(), f);
       case Walk::End::blocked: return split_fixed(m_walk.halfedge(), f);
@@ -293,7 +269,8 @@ private:
   void split_fixed(Halfedge_index h, Face_index f)
   {
     const FT radius = m_tri.length(m_mesh.edge(h));
-    const bool is_too_short = !is_exact && m_mesh.face(h) != f && radius <= m_walk.closeness();
+    const bool is_too_short =
+      !m_inserter.is_exact() && m_mesh.face(h) != f && radius <= m_walk.closeness();
     if(is_too_short || !m_inserter.can_be_split(h))
       return fail();
     const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);

@@ -8,8 +8,8 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_regions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
@@ -18,28 +18,177 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face
-// straight to the point, through regions of faces of T2. If rounding leads to a wrong region, all
-// regions are searched.
+// The regions into which the faces of T1 and T2 cut each other, and the ways between them in a face
+// of either. Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the
+// face straight to the point. If rounding leads to a wrong region, all regions are searched.
 template <typename Traits>
-class Input_face_walk : public Input_face_regions<Traits>
+class Input_face_walk
 {
-  typedef Input_face_regions<Traits> Base;
   typedef typename Traits::FT FT;
+  typedef Delta_complex::size_type size_type;
+  typedef Correspondence_marks<Traits> Marks;
   typedef Barycentric_coordinates<FT> Coordinates;
-  using Base::m_correspondence, Base::m_mesh;
 
 public:
-  typedef typename Base::Place Place;
-  typedef typename Base::Piece Piece;
-  typedef typename Base::Face_of_place Face_of_place;
-  using Base::beyond, Base::for_each_place;
+  // a region of a face of T2
+  typedef std::pair<Face_index, std::size_t> Place;
 
-  explicit Input_face_walk(const Correspondence<Traits>& correspondence) : Base(correspondence) {}
+  // a piece of a halfedge of T2, which has a region on its left
+  struct Piece
+  {
+    Halfedge_index halfedge;
+    std::size_t number;
+  };
+
+  // a region with its corners on both triangulations
+  struct Face_of_place
+  {
+    Face_of_place(const Place& place, const Input_face_walk& regions)
+      : intrinsic_face(place.first), region(regions.region(place))
+    {
+      const Marks marks(Side::intrinsic, place.first, regions.m_correspondence);
+      const Face_map<FT, Marks> face_map(marks, regions.m_correspondence.mesh(Side::input));
+      std::tie(input_face, map) = face_map.region_map(place.second);
+    }
+
+    Face_index face(Side side) const { return side == Side::input ? input_face : intrinsic_face; }
+
+    const Coordinates& corner(Side side, std::size_t c) const
+    {
+      c = c == map.size() ? 0 : c;
+      return side == Side::input ? map.image(c) : map.corner(c);
+    }
+
+    // Returns how many times the vector of a corner on the other side its vector on `side` is.
+    FT scale(Side side, std::size_t c) const
+    {
+      return side == Side::input ? FT(1 / map.scale(c)) : map.scale(c);
+    }
+
+    Polygon_map<FT> map_from(Side side) const { return side == Side::input ? map.inverse() : map; }
+
+    Face_index intrinsic_face, input_face;
+    Region region;
+    Polygon_map<FT> map; // from T2 to T1
+  };
+
+  explicit Input_face_walk(const Correspondence<Traits>& correspondence)
+    : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
+  {}
+
+  Region region(const Place& place) const { return regions_of(place.first)[place.second]; }
+
+  // returns the region on the left of a piece
+  Place place_at(const Piece& piece) const
+  {
+    const Face_index f = m_mesh.face(piece.halfedge);
+    return {f, regions_of(f).region_at_side(side_number(piece.halfedge, m_mesh), piece.number)};
+  }
+
+  // returns the piece of a side after `corner`; none on the boundary of the face of T1
+  std::optional<Piece> piece_after(const Region_corner& corner, const Place& place) const
+  {
+    const Halfedge_index h = sides(place.first, m_mesh)[corner.side];
+    if(corner.arc_follows || m_correspondence.is_shared(Side::intrinsic, Edge_index(h)))
+      return {};
+    return Piece{h, number_of_piece(corner)};
+  }
+
+  // returns a piece as the region on its right sees it
+  Piece reversed(const Piece& piece) const
+  {
+    return {m_mesh.opposite(piece.halfedge),
+            m_correspondence.number_of_crossings(Side::intrinsic, Edge_index(piece.halfedge)) -
+              piece.number};
+  }
+
+  // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
+  std::optional<Place> beyond(const Region_corner& corner, const Place& place) const
+  {
+    const std::optional<Piece> piece = piece_after(corner, place);
+    return piece ? std::optional<Place>(place_at(reversed(*piece))) : std::nullopt;
+  }
+
+  // Calls `visit(c, neighbor)` for the corners of a region with a neighbor in the face of `side`
+  // beyond the piece of an edge of the other side after them.
+  template <typename Visit>
+  void for_each_exit(Side side, const Place& place, const Visit& visit) const
+  {
+    const Region corners = region(place);
+    for(std::size_t c = 0; c < corners.size(); ++c)
+      if(side == Side::intrinsic) {
+        if(corners[c].arc_follows)
+          visit(c, beyond_curve(corners[c].is_vertex() ? corners.next(c) : corners[c], place));
+      } else if(const std::optional<Place> neighbor = beyond(corners[c], place))
+        visit(c, *neighbor);
+  }
+
+  // Returns the halfedge of the side other than `side` after corner `c` of a region, which lies on
+  // its left.
+  Halfedge_index halfedge_after(Side side, const Place& place, std::size_t c) const
+  {
+    const Region corners = region(place);
+    if(side == Side::input)
+      return sides(place.first, m_mesh)[corners[c].side];
+    const Marks marks(side, place.first, m_correspondence);
+    return corners[c].is_vertex()
+             ? marks.across(corners.next(c).side, corners.next(c).mark).halfedge
+             : opposite(marks.across(corners[c].side, corners[c].mark).halfedge);
+  }
+
+  // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
+  // it returns true.
+  template <typename Visit>
+  void for_each_place(const Place& start, const Visit& visit) const
+  {
+    std::set<Place> seen{start};
+    std::vector<Place> waiting{start};
+    while(!waiting.empty()) {
+      const Place place = waiting.back();
+      waiting.pop_back();
+      if(visit(place))
+        return;
+      for_each_exit(Side::input, place, [&](std::size_t, const Place& neighbor) {
+        if(seen.insert(neighbor).second)
+          waiting.push_back(neighbor);
+      });
+    }
+  }
+
+  // returns the region on the left of the halfedge `h` of T1 next to its crossing `p`, after it or
+  // before it
+  Place place_at_crossing(Halfedge_index h, size_type p, bool is_after) const
+  {
+    const auto crossing = m_correspondence.crossing(Side::input, h, p);
+    const Halfedge_index leaving = crossing.across.halfedge;
+    const Halfedge_index x = is_after ? leaving : m_mesh.opposite(leaving);
+    const std::size_t mark = m_correspondence.crossings_on_intrinsic().position(x, crossing.id);
+    return place_at({x, is_after ? mark : mark + 1});
+  }
+
+  // returns the region of the face `f` of T2 in which `p` lies
+  Place place_in_face(Face_index f, const Coordinates& p) const
+  {
+    const Marks marks(Side::intrinsic, f, m_correspondence);
+    return {f, Face_map<FT, Marks>(marks, m_correspondence.mesh(Side::input)).region_of(p)};
+  }
+
+  // returns the region in the face of the halfedge `h` of T1 at its source, next to `h`
+  Place place_at_source(Halfedge_index h) const
+  {
+    const Halfedge_index outgoing = m_correspondence.outgoing_before(Side::input, h);
+    if(m_correspondence.outgoing_before(Side::intrinsic, outgoing) == h &&
+       m_correspondence.is_shared(Side::intrinsic, Edge_index(outgoing)))
+      return place_at({outgoing, 0});
+    return place_at_crossing(h, 0, false);
+  }
 
   // returns the place on T2 of the point `p` of a face of T1
   Face_location<FT> operator()(const Face_location<FT>& p) const
@@ -51,7 +200,7 @@ public:
   // returns the region that has the point `p` of a face of T1, up to rounding
   Place place_of(const Face_location<FT>& p) const
   {
-    Place place = this->place_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));
+    Place place = place_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));
     const Place start = place;
     for(std::size_t steps = 0; steps <= m_mesh.number_of_faces(); ++steps) {
       const std::optional<Place> next = next_place(place, p.second);
@@ -114,6 +263,29 @@ private:
     }
     return long_pieces > 1 && !is_outside ? FT(0) : least;
   }
+
+  // Returns the region on the other side of the curve that leaves the face of T2 at `mark`.
+  Place beyond_curve(const Region_corner& mark, const Place& place) const
+  {
+    const Face_regions regions = regions_of(place.first);
+    const std::size_t before = regions.region_at_side(mark.side, mark.mark);
+    return {place.first,
+            before == place.second ? regions.region_at_side(mark.side, mark.mark + 1) : before};
+  }
+
+  static std::size_t number_of_piece(const Region_corner& corner)
+  {
+    return corner.is_vertex() ? 0 : corner.mark + 1;
+  }
+
+  Face_regions regions_of(Face_index f) const
+  {
+    const Marks marks(Side::intrinsic, f, m_correspondence);
+    return Face_regions({marks.crossings(0), marks.crossings(1), marks.crossings(2)});
+  }
+
+  const Correspondence<Traits>& m_correspondence;
+  const Delta_complex& m_mesh;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

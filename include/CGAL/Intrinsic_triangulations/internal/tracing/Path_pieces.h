@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_search.h>
 
 #include <boost/container/static_vector.hpp>
 

@@ -11,11 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossed_segment.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +26,151 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// The position of a point among the crossings of an edge, which are numbered from the source of its
+// first halfedge. An edge of T1 has several parts if vertices have been inserted on it.
+struct Rank_on_edge
+{
+  Delta_complex::size_type part, rank;
+  bool is_inserted; // whether the point is the vertex of T2 at the end of the part
+};
+
+// Returns the rank of the point at `t` on the first halfedge of `e`.
+template <typename Traits>
+Rank_on_edge rank_on_edge(const Correspondence<Traits>& correspondence, Side side, Edge_index e,
+                          const typename Traits::FT& t)
+{
+  typedef typename Traits::FT FT;
+  typedef Delta_complex::size_type size_type;
+  const Halfedge_index h = first_halfedge(e);
+  size_type part = 0, before = 0, count = correspondence.number_of_crossings(side, e);
+  if(side == Side::input) {
+    const FT least = t - rounding_unit<FT>();
+    const auto end = [&](size_type i) {
+      return correspondence.triangulation().place_along(h, correspondence.part(e, i).end);
+    };
+    const size_type last = correspondence.number_of_parts(e) - 1;
+    part = first_where([&](size_type i) { return end(i) >= least; }, last);
+    before = correspondence.part(e, part).first - correspondence.part(e, 0).first;
+    count = correspondence.part(e, part).count;
+    if(part < last && end(part) <= t + rounding_unit<FT>())
+      return {part, before + count, true};
+  }
+  const auto is_after = [&](size_type p) {
+    return correspondence.crossing(side, h, before + p).here.t > t;
+  };
+  return {part, before + first_where(is_after, count), false};
+}
+
+// An end of a segment in a face.
+template <typename FT>
+struct Segment_end
+{
+  static constexpr std::size_t inside = 3;
+
+  Barycentric_coordinates<FT> p;
+  std::size_t side;  // the side of the face on which it lies or which starts at it, or `inside`
+  bool is_corner;    // whether it is a corner of the face
+  Rank_on_edge rank; // if it lies on a side
+
+  bool is_on_side() const { return side != inside && !is_corner; }
+};
+
+// Returns the end of a segment at the point `p` of a face. Its rank on an edge is the same in both
+// faces there, so that segments with a common end stay connected.
+template <typename Traits>
+Segment_end<typename Traits::FT> segment_end(const Correspondence<Traits>& correspondence,
+                                             Side side, Face_index f,
+                                             const Barycentric_coordinates<typename Traits::FT>& p)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = correspondence.mesh(side);
+  const Surface_point<FT> point = surface_point(Face_location<FT>(f, p), mesh);
+  const Halfedge_index h = halfedge_of(point);
+  Segment_end<FT> end{p, Segment_end<FT>::inside, is_at_vertex(point), {}};
+  if(h.is_valid())
+    end.side = side_number(h, mesh);
+  if(end.is_corner)
+    end.p = barycentric_coordinates(end.side, FT(0)); // exactly
+  if(!end.is_on_side())
+    return end;
+  const Edge_index e(h);
+  const std::size_t first = is_first_halfedge(h) ? end.side : (end.side + 1) % 3;
+  end.rank = rank_on_edge(correspondence, side, e, FT(1 - p[first]));
+  if(end.rank.is_inserted) {
+    const Vertex_index v = correspondence.part(e, end.rank.part).end;
+    end.p = barycentric_coordinates(end.side, correspondence.triangulation().place_along(h, v));
+  }
+  return end;
+}
+
+// Returns the place between two places on an edge, with weights that are not negative; the middle
+// if both are zero.
+template <typename FT>
+FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weight_of_b)
+{
+  const FT sum = weight_of_a + weight_of_b, t = sum > 0 ? FT(weight_of_b / sum) : FT(0.5);
+  return (1 - t) * a + t * b;
+}
+
+// A straight segment in a face, in barycentric coordinates, and where it crosses others on the way
+// to its end.
+template <typename FT>
+class Crossed_segment
+{
+  typedef Barycentric_coordinates<FT> Coordinates;
+
+public:
+  Crossed_segment(const Coordinates& from, const Coordinates& to) : m_from(from), m_to(to) {}
+
+  // Returns where it crosses the segment from `a` to `b`, from 0 to 1. Crossings are in order: if
+  // the two segments are on one line up to rounding, it is next to the crossing before.
+  FT next_crossing_on(const Coordinates& a, const Coordinates& b)
+  {
+    const FT t = place_between(FT(0), FT(1), CGAL::abs(left(b)), CGAL::abs(left(a))),
+             s = along(point_between(a, b, t));
+    if(m_from != m_to && m_passed <= s && s <= 1) {
+      m_passed = s;
+      return t;
+    }
+    m_passed = (std::min)((std::max)(s, m_passed), FT(1));
+    return closest_between(a, b, point_between(m_from, m_to, m_passed));
+  }
+
+  // Returns whether it comes within `width` of the segment from `a` to `b`.
+  bool meets(const Coordinates& a, const Coordinates& b, const FT& width) const
+  {
+    const auto is_near = [&](const Coordinates& p, const Coordinates& from, const Coordinates& to) {
+      return squared_distance(from, to, p) <= CGAL::square(width);
+    };
+    const Crossed_segment other(a, b);
+    if((left(a) < 0) != (left(b) < 0) && (other.left(m_from) < 0) != (other.left(m_to) < 0))
+      return true;
+    return is_near(a, m_from, m_to) || is_near(b, m_from, m_to) || is_near(m_from, a, b) ||
+           is_near(m_to, a, b);
+  }
+
+private:
+  // Returns twice the signed area of the triangle with its ends and `p`, which is positive on its
+  // left. What is near to its start loses no digits.
+  FT left(const Coordinates& p) const
+  {
+    const auto greatest =
+      static_cast<std::size_t>(std::max_element(m_from.begin(), m_from.end()) - m_from.begin());
+    const std::size_t x = (greatest + 1) % 3, y = (greatest + 2) % 3;
+    return (m_to[x] - m_from[x]) * (p[y] - m_from[y]) - (m_to[y] - m_from[y]) * (p[x] - m_from[x]);
+  }
+
+  // Returns the place of the projection of `p` on the line, from 0 to 1 between the ends.
+  FT along(const Coordinates& p) const
+  {
+    const FT square = dot(m_from, m_to, m_from, m_to);
+    return square > 0 ? FT(dot(m_from, m_to, m_from, p) / square) : FT(0);
+  }
+
+  Coordinates m_from, m_to;
+  FT m_passed = FT(0); // the place of the last crossing along the segment
+};
 
 // Finds segments in a face of one triangulation on the other. Of all ways between the regions of
 // both ends over pieces of edges that the segment meets up to rounding, it takes one that crosses
