@@ -67,7 +67,7 @@ template <typename Any_triangulation>
 void expect_places(const Any_triangulation& tri)
 {
   for(const auto& m : tri.inserted_vertices()) {
-    EXPECT_TRUE(IT::internal::is_valid_place(m, tri.input_mesh()));
+    EXPECT_TRUE(IT::internal::can_be_inserted(m, tri.input_mesh()));
     const auto b = IT::face_location(m, tri.input_mesh()).second;
     EXPECT_EQ(std::count(b.begin(), b.end(), 0.), IT::on_edge(m) ? 1 : 0);
   }

@@ -134,9 +134,10 @@ bool cross(const Plane_point& p, const Plane_point& q, const Plane_point& r, con
 // whether the vertex `v` of `over` is on the edge `e` of its input
 bool is_on(Vertex_index v, Edge_index e, const Triangulation& over)
 {
-  if(over.is_inserted(v))
+  if(over.is_inserted(v)) {
     const auto* p = IT::on_edge(over.inserted_vertex(v));
-  return p && Edge_index(p->halfedge) == e;
+    return p && Edge_index(p->halfedge) == e;
+  }
   return over.input_mesh().vertex(e, 0) == v || over.input_mesh().vertex(e, 1) == v;
 }
 

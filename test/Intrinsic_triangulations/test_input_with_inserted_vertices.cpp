@@ -156,7 +156,7 @@ TEST(Input_with_inserted_vertices, refuses_vertices_that_rounding_has_moved)
   EXPECT_TRUE(good.is_valid(true));
   // on an edge, but not as a vertex of it
   t.split_face({Face_index(1), {0.5, 0.5, 0}}, {{0, 0, 0}, {0, 0, 0}},
-               {Halfedge_index(), {Face_index(1), {0.5, 0.5, 0}}});
+               Location(Face_index(1), {0.5, 0.5, 0}));
   EXPECT_THROW(IT::input_with_inserted_vertices(t), IT::Numerical_error);
 }
 

@@ -72,7 +72,7 @@ class Intrinsic_triangulation : public Triangulation_pair<Traits_>
   typedef Triangulation_pair<Traits_> Base;
   using Base::attach, Base::insert_into_edge, Base::insert_into_face, Base::m_coordinates,
     Base::m_input, Base::m_input_metric, Base::m_inserted, Base::m_is_constrained, Base::m_length,
-    Base::m_mesh, Base::m_outgoing_halfedges, Base::m_traits, Base::set_lengths;
+    Base::m_mesh, Base::m_outgoing_halfedges, Base::m_traits, Base::set_edge, Base::set_lengths;
 
 public:
   using Base::first_inserted_outgoing, Base::input, Base::inserted_vertex, Base::intrinsic,
@@ -321,7 +321,7 @@ public:
     const Face_index f = Intrinsic_triangulations::remove_degree_3_vertex(v, m_mesh);
     if(merged.side.is_valid()) {
       m_coordinates.set_shared(merged.side, merged.r_source, merged.r_target);
-      Base::set_edge(merged.side, shared_length(merged.side), merged.is_constrained);
+      set_edge(merged.side, shared_length(merged.side), merged.is_constrained);
     }
     return f;
   }
