@@ -39,11 +39,7 @@ add_library(unit_tests_precompiled OBJECT EXCLUDE_FROM_ALL
   "${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp")
 target_link_libraries(unit_tests_precompiled PRIVATE unit_test_dependencies)
 target_precompile_headers(unit_tests_precompiled PRIVATE
-  <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-  <CGAL/Simple_cartesian.h>
-  <CGAL/Surface_mesh.h>
-  <CGAL/boost/graph/IO/polygon_mesh_io.h>
-  <gtest/gtest.h>
+  "${CMAKE_CURRENT_SOURCE_DIR}/Intrinsic_triangulations/testing.h"
   $<$<BOOL:${Eigen_FOUND}>:<Eigen/SparseCholesky$<ANGLE-R>>)
 
 # One executable with the tests in the source files of a directory, and for compilers that only look

@@ -5,14 +5,12 @@
 #ifndef DISCRETE_CONFORMAL_MAPS_TEST_ARCHETYPES_H
 #define DISCRETE_CONFORMAL_MAPS_TEST_ARCHETYPES_H
 
+#include "../Intrinsic_triangulations/testing.h"
+
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
 
 // Models of concepts with nothing but what these ask for.
 namespace archetypes {

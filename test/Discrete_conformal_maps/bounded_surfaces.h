@@ -7,15 +7,6 @@
 
 #include "flat_maps.h"
 
-#include <CGAL/Random.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <map>
-#include <vector>
-
 // Surfaces with boundary of any genus, and their doubles, glued without the library.
 namespace Test_surfaces {
 

@@ -7,16 +7,9 @@
 #ifndef TEST_CONVEX_FUNCTIONS_H
 #define TEST_CONVEX_FUNCTIONS_H
 
-#include <Eigen/SparseCore>
+#include "../Intrinsic_triangulations/testing.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
+#include <Eigen/SparseCore>
 
 namespace convex {
 

@@ -5,12 +5,11 @@
 #ifndef TEST_FINITE_DIFFERENCES_H
 #define TEST_FINITE_DIFFERENCES_H
 
+#include "../Intrinsic_triangulations/testing.h"
+
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
-#include <CGAL/Random.h>
 
 #include <Eigen/Core>
-
-#include <cstddef>
 
 // The ideal polyhedron of a triangulation after many flips.
 template <typename FT, typename Triangulation>

@@ -10,18 +10,6 @@
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
 
 // Surfaces to flatten, and whether flat surfaces are what they ought to be.
 namespace Test_surfaces {

@@ -7,13 +7,6 @@
 
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 
-#include <CGAL/Random.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 // Cones that are hard to get, and coarse surfaces for them.
 namespace Test_surfaces {
 

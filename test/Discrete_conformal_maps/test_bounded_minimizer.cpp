@@ -2,19 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/testing.h"
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/Bounded_Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 
 #include <Eigen/Dense>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace Test_bounded_minimizer {
 

@@ -11,14 +11,6 @@
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <string>
-#include <vector>
-
 namespace Test_bounded_surfaces {
 
 using namespace Test_surfaces;
@@ -51,8 +43,7 @@ void expect_equal_scales(const Map& map, const Map& whole, const Bounded_surface
 
 TEST(Bounded_surface, mixed_conditions)
 {
-  for(unsigned int seed = 1; seed <= number_of_surfaces(24); ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(1, number_of_surfaces(24) + 1)) {
     const Bounded_surface s = random_surface(seed);
     const Conditions condition = mixed_conditions(s, seed % 3 == 0 ? 3 : 0.5, seed);
     const Planar_conformal_map map = flatten(s.half, s.half_length, condition);
@@ -65,8 +56,7 @@ TEST(Bounded_surface, mixed_conditions)
 
 TEST(Bounded_surface, balanced_curvatures)
 {
-  for(unsigned int seed = 1; seed <= number_of_surfaces(12); ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(1, number_of_surfaces(12) + 1)) {
     const Bounded_surface s = random_surface(seed);
     const Conditions condition = balanced_curvatures(s, seed);
     const Planar_conformal_map map = flatten(s.half, s.half_length, condition);
@@ -77,8 +67,7 @@ TEST(Bounded_surface, balanced_curvatures)
 
 TEST(Bounded_surface, hyperbolic_metric_with_geodesic_boundary)
 {
-  for(unsigned int seed = 1; seed <= number_of_surfaces(8); ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(1, number_of_surfaces(8) + 1)) {
     const Bounded_surface s(surface_with_holes(1 + seed % 2, 1 + seed % 3, seed), seed);
     const auto map = DCM::uniformize_hyperbolic(s.half, length_parameter(s.half_length));
     expect_equal_scales(map, DCM::uniformize_hyperbolic(s.whole, length_parameter(s.whole_length)),
@@ -132,22 +121,18 @@ void check_hemisphere(const Bounded_surface& s)
 
 TEST(Bounded_surface, hemisphere)
 {
-  for(unsigned int seed = 1; seed <= number_of_surfaces(12); ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(1, number_of_surfaces(12) + 1))
     check_hemisphere(Bounded_surface(
       seed % 2 == 0 ? plate_with_square_holes(0) : surface_with_holes(0, 1, seed), seed));
-  }
 }
 
 // On a boundary with one or two vertices no two are left to find the axis by.
 TEST(Bounded_surface, hemisphere_with_few_corners)
 {
-  for(unsigned int seed = 1; seed <= number_of_surfaces(12); ++seed)
-    for(int n : {1, 2}) {
-      SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(1, number_of_surfaces(12) + 1))
+    for(int n : {1, 2})
       check_hemisphere(
         Bounded_surface(disk_with_few_corners(n, 2 + seed * seed % 149, seed), seed));
-    }
 }
 
 // ---- The part of the double that there is ----
@@ -248,8 +233,7 @@ void check_energy(unsigned int seed)
 
 TEST(Symmetric_energy, is_half_of_that_of_the_double)
 {
-  for(unsigned int seed : {1u, 2u, 3u, 6u, 7u, 12u}) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : traced({1u, 2u, 3u, 6u, 7u, 12u})) {
     check_energy<DCM::internal::Flat_triangle>(seed);
     check_energy<DCM::internal::Hyperbolic_triangle>(seed);
   }

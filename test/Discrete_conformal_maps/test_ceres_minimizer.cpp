@@ -8,16 +8,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
-#include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 #include <CGAL/subdivision_method_3.h>
-
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <vector>
 
 namespace Test_ceres_minimizer {
 

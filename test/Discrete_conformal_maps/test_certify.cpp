@@ -15,16 +15,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_certify {
 
@@ -531,8 +521,7 @@ TEST(Certify, maps_of_data_meshes)
 // Meshes full of right angles, whose ties are rounded.
 TEST(Certify, maps_with_ties)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Planar_conformal_map map = DCM::flatten(m.mesh);
     check_map(map, DCM::certify(map));
   }
@@ -541,8 +530,7 @@ TEST(Certify, maps_with_ties)
 // The lengths of T^C once more, by the flips that led to it.
 TEST(Certify, agrees_with_exact_flips_of_maps)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Planar_conformal_map map = DCM::flatten(m.mesh);
     std::vector<double> u, factor;
     for(Vertex_index v : mesh_C(map).vertices()) {
@@ -652,9 +640,8 @@ Mesh torus_with_needles(double height, unsigned int seed)
 // that rounded lengths are those of another one. With the default, they are not.
 TEST(Certify, errors_of_exact_maps_are_those_on_the_exact_surface)
 {
-  for(const double height : {1e-4, 1e-7, 1e-9})
+  for(const double height : traced({1e-4, 1e-7, 1e-9}))
     for(unsigned int seed = 0; seed < 2; ++seed) {
-      SCOPED_TRACE(height);
       const Mesh mesh = torus_with_needles(height, seed);
       const Planar_conformal_map map = DCM::flatten(mesh, DCM::parameters::exact_decisions(true));
       const double truth = true_curvature_error(mesh, map);

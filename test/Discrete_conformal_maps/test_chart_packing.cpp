@@ -5,17 +5,9 @@
 // The rectangle of a chart against those along all lines through two of its points, one of which is
 // smallest.
 
+#include "../Intrinsic_triangulations/testing.h"
+
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
-
-#include <CGAL/Random.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <complex>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace Test_chart_packing {
 

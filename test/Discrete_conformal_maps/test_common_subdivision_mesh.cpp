@@ -4,7 +4,6 @@
 
 // Meshes of the common subdivision, with positions, texture coordinates and parents.
 
-#include "../Intrinsic_triangulations/plates.h"
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/common_subdivision_mesh.h>
@@ -13,14 +12,6 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <vector>
 
 namespace Test_common_subdivision_mesh {
 

@@ -7,15 +7,6 @@
 
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 
-#include <Eigen/Dense>
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <vector>
-
 namespace Test_concepts {
 
 namespace DCM = CGAL::Discrete_conformal_maps;

@@ -12,14 +12,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_conformal_energy {
 
@@ -192,8 +184,7 @@ double angle_at_source(const Triangulation& t, Halfedge_index h)
 template <typename Energy, typename Function>
 void for_each_point(const Function& f)
 {
-  for(const Named_triangulation& s : surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(surfaces())) {
     const Numbers target = random_targets(s.triangulation);
     for(const double bound : {0., 3.}) {
       Energy energy = energy_of<Energy>(s.triangulation, target);
@@ -238,8 +229,7 @@ TEST(Lobachevsky_function, has_its_special_values)
 TYPED_TEST(Conformal_energy, gradient_without_scaling_is_that_of_the_Delaunay_triangulation)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
-  for(const Named_triangulation& s : surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(surfaces())) {
     Triangulation t = s.triangulation;
     IT::make_Delaunay(t);
     const Delta_complex& mesh = t.mesh();
@@ -347,8 +337,7 @@ TYPED_TEST(Conformal_energy, is_convex_and_continuous_along_segments)
 {
   typedef typename TypeParam::template Energy<double> Energy;
   std::size_t flips = 0;
-  for(const Named_triangulation& s : surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(surfaces())) {
     const std::size_t n = s.triangulation.mesh().number_of_vertices();
     auto energy = energy_of<Energy>(s.triangulation, random_targets(s.triangulation));
     const Numbers from = random_numbers(n, 3, 23), way = random_numbers(n, 3, 29) - from;
@@ -373,8 +362,7 @@ TYPED_TEST(Conformal_energy, is_convex_and_continuous_along_segments)
 TYPED_TEST(Conformal_energy, does_not_depend_on_the_triangulation)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
-  for(const Named_triangulation& s : surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(surfaces())) {
     Triangulation t = s.triangulation;
     IT::make_Delaunay(t);
     const auto surface = flipped_at_random<Quad>(t);
@@ -396,9 +384,8 @@ TYPED_TEST(Conformal_energy, gradient_error_bounds_the_error_in_double)
 {
   typedef typename TypeParam::template Energy<double> Rounded;
   typedef typename TypeParam::template Energy<Quad> Precise_energy;
-  for(const Named_triangulation& s : surfaces())
-    for(const double bound : {0., 1., 5., 20.}) {
-      SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
+  for(const Named_triangulation& s : traced(surfaces()))
+    for(const double bound : traced({0., 1., 5., 20.})) {
       const Numbers target = random_targets(s.triangulation);
       Rounded rounded = energy_of<Rounded>(s.triangulation, target);
       Precise_energy precise = energy_of<Precise_energy>(s.triangulation, target);

@@ -4,19 +4,13 @@
 
 // Sums of two `double` against numbers of 120 digits.
 
+#include "../Intrinsic_triangulations/testing.h"
+
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
-#include <CGAL/Random.h>
-
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace Test_double_double {
 

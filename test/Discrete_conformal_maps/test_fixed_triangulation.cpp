@@ -7,16 +7,6 @@
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <set>
-#include <string>
-#include <vector>
-
 namespace Test_fixed_triangulation {
 
 using namespace Test_surfaces;
@@ -244,9 +234,7 @@ TEST(Fixed_triangulation, a_vertex_may_need_more_angle_than_its_faces_have)
 TEST(Fixed_triangulation, fails_where_flips_succeed)
 {
   std::size_t successes = 0, failures = 0;
-  for(unsigned int seed = 0; seed < 12; ++seed) {
-    const Named_mesh m = near_degenerate_mesh(seed);
-    SCOPED_TRACE(m.name + " " + std::to_string(seed));
+  for(const auto& [m, seed] : traced(12, near_degenerate_mesh)) {
     const Planar_conformal_map free = DCM::flatten(m.mesh);
     // needles may be smaller than the rounding of positions
     EXPECT_TRUE(free.status() == Map_status::success || free.status() == Map_status::not_conformal);
@@ -273,8 +261,7 @@ TEST(Fixed_triangulation, fails_where_flips_succeed)
 TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
 {
   std::size_t failures = 0;
-  for(unsigned int seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(30)) {
     const Mesh mesh = coarse_surface(seed % 5, seed);
     const Triangulation t(mesh);
     const Conditions condition = as_curvatures(hard_cones(mesh, seed));

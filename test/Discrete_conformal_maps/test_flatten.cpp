@@ -6,17 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 namespace Test_flatten {
 
 using namespace Test_surfaces;
@@ -140,8 +129,7 @@ TEST(Flatten, flat_surfaces_with_fixed_boundary_stay)
   surfaces.push_back({"annulus with two vertices", flat_cylinder(1, 0)});
   surfaces.push_back({"annulus", flat_cylinder(4, 0)});
   surfaces.push_back({"sheared annulus", flat_cylinder(3, 2)});
-  for(const Named_surface& s : surfaces) {
-    SCOPED_TRACE(s.name);
+  for(const Named_surface& s : traced(surfaces)) {
     const Planar_conformal_map map = flatten(s.surface.mesh, s.surface.lengths());
     EXPECT_TRUE(map.cones().empty());
     expect_scales(map, std::vector<double>(mesh_C(map).number_of_vertices(), 0), 1e-11);
@@ -152,8 +140,7 @@ TEST(Flatten, flat_surfaces_with_fixed_boundary_stay)
 TEST(Flatten, flat_surface_with_scaled_boundary_is_scaled)
 {
   for(const double u : {-30., -0.7, 1.3, 30.})
-    for(const Named_surface& s : flat_disks()) {
-      SCOPED_TRACE(s.name);
+    for(const Named_surface& s : traced(flat_disks())) {
       Conditions condition = default_conditions(s.surface.mesh);
       for(Vertex_index v : s.surface.mesh.vertices())
         if(s.surface.mesh.is_border(v))
@@ -167,8 +154,7 @@ TEST(Flatten, flat_surface_with_scaled_boundary_is_scaled)
 
 TEST(Flatten, surface_with_its_own_curvatures_stays)
 {
-  for(const Named_triangulation& s : closed_surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(closed_surfaces())) {
     const Conditions condition = as_curvatures(curvatures(s.triangulation));
     const Planar_conformal_map map = flatten(s.triangulation, condition);
     EXPECT_TRUE(map.cones().empty());
@@ -180,8 +166,7 @@ TEST(Flatten, surface_with_its_own_curvatures_stays)
 // The double of a surface with its own exterior angles is the double of the surface.
 TEST(Flatten, surface_with_its_own_exterior_angles_stays)
 {
-  for(const Named_triangulation& s : surfaces_with_border()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(surfaces_with_border())) {
     const Conditions condition = as_curvatures(curvatures(s.triangulation));
     const Planar_conformal_map map = flatten(s.triangulation, condition);
     expect_scales(map, std::vector<double>(mesh_C(map).number_of_vertices(), 0), 1e-11);
@@ -199,9 +184,8 @@ TEST(Flatten, cube_has_eight_cones)
 // Curvatures tell the metric up to a factor.
 TEST(Flatten, takes_scaling_back)
 {
-  for(const Named_triangulation& s : closed_surfaces())
-    for(const double bound : {0.2, 4.}) {
-      SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
+  for(const Named_triangulation& s : traced(closed_surfaces()))
+    for(const double bound : traced({0.2, 4.})) {
       const auto u0 = random_values(s.triangulation.mesh().number_of_vertices(), bound, 13);
       const Metric m = scaled(s.triangulation, u0);
       const Conditions condition = as_curvatures(curvatures(s.triangulation));
@@ -224,8 +208,7 @@ TEST(Flatten, takes_scaling_of_a_flat_torus_back)
 // The scale factors at some vertices and the curvatures at others.
 TEST(Flatten, takes_mixed_conditions)
 {
-  for(const Named_triangulation& s : closed_surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(closed_surfaces())) {
     const auto u0 = random_values(s.triangulation.mesh().number_of_vertices(), 1, 13);
     const Metric m = scaled(s.triangulation, u0);
     Conditions condition = as_curvatures(curvatures(s.triangulation));
@@ -268,8 +251,7 @@ TEST(Flatten, bipyramid_has_a_closed_form)
 
 TEST(Flatten, does_not_depend_on_the_triangulation)
 {
-  for(const Named_triangulation& s : closed_surfaces()) {
-    SCOPED_TRACE(s.name);
+  for(const Named_triangulation& s : traced(closed_surfaces())) {
     Triangulation other = s.triangulation;
     flip_at_random(other, 20 * other.mesh().number_of_edges(), 3);
     Conditions condition = as_curvatures(curvatures(s.triangulation));
@@ -291,9 +273,8 @@ TEST(Flatten, does_not_depend_on_the_triangulation)
 
 TEST(Flatten, places_cones_where_they_are_needed)
 {
-  for(const Named_triangulation& s : closed_surfaces())
-    for(const double bound : {0.5, 5.}) {
-      SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
+  for(const Named_triangulation& s : traced(closed_surfaces()))
+    for(const double bound : traced({0.5, 5.})) {
       const Delta_complex& mesh = s.triangulation.mesh();
       const std::vector<double> length = lengths_of(s.triangulation);
       const Planar_conformal_map map =
@@ -420,8 +401,7 @@ TEST(Flatten, boundary_has_the_prescribed_angles)
   const Triangulation t(rough_disk(8));
   const std::vector<Vertex_index> loop = boundary(t.mesh());
   ASSERT_EQ(loop.size(), 32u);
-  for(const std::size_t corners : {3u, 4u, 5u, 32u}) {
-    SCOPED_TRACE(corners);
+  for(const std::size_t corners : traced({3u, 4u, 5u, 32u})) {
     Conditions condition(t.mesh().number_of_vertices());
     for(std::size_t k = 0; k < corners; ++k)
       condition[loop[k * 32 / corners]] = Vertex_condition::curvature(2 * pi / double(corners));

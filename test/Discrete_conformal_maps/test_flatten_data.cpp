@@ -8,16 +8,6 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_flatten_data {
 

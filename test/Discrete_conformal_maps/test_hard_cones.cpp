@@ -7,15 +7,6 @@
 #include "hard_cones.h"
 
 #include <CGAL/subdivision_method_3.h>
-#include <boost/property_map/function_property_map.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <string>
-#include <vector>
 
 namespace Test_hard_cones {
 
@@ -37,8 +28,7 @@ TEST_P(Hard_cones, are_reached)
 {
   const Mesh mesh = smooth_surface(GetParam());
   const Triangulation t(mesh);
-  for(unsigned int seed = 0; seed < 40; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(40)) {
     const Conditions condition = as_curvatures(hard_cones(mesh, seed));
     const Planar_conformal_map map = flatten(t, condition);
     EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
@@ -88,11 +78,8 @@ void check_hard_mesh(const Planar_conformal_map& map)
 TEST(Hard_meshes, are_flattened_or_say_why_not)
 {
   const DCM::Newton_minimizer minimizer(1e-13, 40);
-  for(std::uint64_t seed = 0; seed < 24; ++seed) {
-    const Named_mesh hard = hard_mesh(seed);
-    SCOPED_TRACE(hard.name + ' ' + std::to_string(seed));
+  for(const auto& [hard, seed] : traced(24, hard_mesh))
     check_hard_mesh(DCM::flatten(hard.mesh, DCM::parameters::minimizer(minimizer)));
-  }
 }
 
 // In these, distinct vertices may lie in one place.
@@ -100,9 +87,8 @@ TEST(Hard_meshes, by_rounded_lengths)
 {
   const DCM::Newton_minimizer minimizer(1e-13, 40);
   std::size_t maps = 0;
-  for(std::uint64_t seed = 0; seed < 24; ++seed) {
+  for(std::uint64_t seed : seeds(24)) {
     const Named_mesh hard = hard_mesh(seed);
-    SCOPED_TRACE(hard.name + ' ' + std::to_string(seed));
     const auto length = boost::make_function_property_map<Edge_index>([&](Edge_index e) {
       const Halfedge_index h = hard.mesh.halfedge(e);
       return std::sqrt(CGAL::squared_distance(hard.mesh.point(hard.mesh.source(h)),

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/testing.h"
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
@@ -9,11 +10,6 @@
 #ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
 #endif
-
-#include <gtest/gtest.h>
-
-#include <memory>
-#include <vector>
 
 namespace Test_hessian_solver {
 

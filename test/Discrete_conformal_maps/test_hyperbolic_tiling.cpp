@@ -6,13 +6,6 @@
 
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_tiling.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <vector>
 
 namespace Test_hyperbolic_tiling {
 

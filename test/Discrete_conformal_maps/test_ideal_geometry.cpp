@@ -12,16 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Lazy_exact_nt.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_ideal_geometry {
 
@@ -399,9 +389,8 @@ std::vector<std::vector<Halfedge_index>> passages(const IT::Intrinsic_triangulat
 TEST(Ideal_geometry, every_order_of_flips_gives_the_same_delaunay_triangulation)
 {
   std::size_t flips = 0;
-  for(const auto& [name, mesh] : small_complexes())
+  for(const auto& [name, mesh] : traced(small_complexes()))
     for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(name);
       const auto start =
         triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, seed));
       Exact_triangulation a = start, b = start, c = start;
@@ -420,8 +409,7 @@ TEST(Ideal_geometry, every_order_of_flips_gives_the_same_delaunay_triangulation)
 TEST(Ideal_geometry, filtered_numbers_are_exact)
 {
   using Filtered_traits = IT::Ideal_geometry_traits<CGAL::Lazy_exact_nt<Rational>>;
-  for(const auto& [name, mesh] : small_complexes()) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, mesh] : traced(small_complexes())) {
     const auto length = positive_numbers(mesh.number_of_edges(), 2, 4);
     auto exact = triangulation<Exact_traits>(mesh, length);
     auto filtered = triangulation<Filtered_traits>(mesh, length);
@@ -454,8 +442,7 @@ TEST(Ideal_geometry, exact_ties_keep_the_edge)
 // Flips in any order, back to where they started: every length is the same number again.
 TEST(Ideal_geometry, flips_back_to_the_input_are_exact)
 {
-  for(const auto& [name, mesh] : small_complexes()) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, mesh] : traced(small_complexes())) {
     const auto start =
       triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, 1));
     Exact_triangulation t = start;
@@ -571,8 +558,7 @@ std::vector<IT::Face_location<typename Traits::FT>> sample(const Delta_complex& 
 
 TEST(Ideal_geometry, crossings_are_those_of_the_integer_coordinates)
 {
-  for(const auto& [name, t] : exact_triangulations()) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, t] : traced(exact_triangulations())) {
     const Exact_correspondence c(t);
     std::size_t on_intrinsic = 0, on_input = 0;
     for(Edge_index e : t.mesh().edges()) {
@@ -598,8 +584,7 @@ TEST(Ideal_geometry, crossings_are_those_of_the_integer_coordinates)
 
 TEST(Ideal_geometry, scales_are_positive)
 {
-  for(const auto& [name, t] : exact_triangulations()) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, t] : traced(exact_triangulations())) {
     const Exact_correspondence c(t);
     for(Delta_complex::size_type id = 0; id < c.number_of_crossings(); ++id)
       EXPECT_TRUE(c.scale(id) > 0);
@@ -609,8 +594,7 @@ TEST(Ideal_geometry, scales_are_positive)
 // The correspondence lays out edges of T1 on T2; without it, edges of T2 are laid out on T1 too.
 TEST(Ideal_geometry, points_go_there_and_back_exactly)
 {
-  for(const auto& [name, t] : exact_triangulations()) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, t] : traced(exact_triangulations())) {
     const Exact_correspondence c(t);
     for(Side side : both_sides)
       for(const auto& p : sample<Exact_traits>(c.mesh(side), 12, 11)) {
@@ -803,9 +787,8 @@ std::vector<double> scaled_lengths(const Mesh& mesh, double range, unsigned int 
 
 TEST(Ideal_geometry, scaled_meshes_become_delaunay)
 {
-  for(const auto& [name, mesh] : meshes())
+  for(const auto& [name, mesh] : traced(meshes()))
     for(double range : {0.5, 5., 15.}) {
-      SCOPED_TRACE(name);
       auto t = triangulation<Double_traits>(connectivity(mesh), scaled_lengths(mesh, range, 13));
       IT::make_Delaunay(t);
       EXPECT_TRUE(IT::is_Delaunay(t));
@@ -828,9 +811,8 @@ TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
   // triangles long
   const double digits = 1e-13;
   std::size_t crossings = 0;
-  for(const auto& [name, regular] : meshes())
+  for(const auto& [name, regular] : traced(meshes()))
     for(double range : {1., 4.}) {
-      SCOPED_TRACE(name);
       const Mesh mesh = perturbed(regular, 0.05, 16); // no ties
       const auto lengths = scaled_lengths(mesh, range, 14);
       auto rounded = triangulation<Double_traits>(connectivity(mesh), lengths);

@@ -6,19 +6,6 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <boost/pending/disjoint_sets.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_layout {
 
@@ -209,16 +196,13 @@ void check_isometry(const Flat_surface& surface)
 
 TEST(Layout, faces_have_their_lengths_and_fit_together)
 {
-  for(const Named_map& m : maps()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_map& m : traced(maps()))
     check_layout(m.map);
-  }
 }
 
 TEST(Layout, is_Delaunay)
 {
-  for(const Named_map& m : maps()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_map& m : traced(maps())) {
     const Delta_complex& mesh = mesh_C(m.map);
     const std::vector<double> length = scaled_lengths(m.map);
     for(Edge_index e : mesh.edges()) {
@@ -235,8 +219,7 @@ TEST(Layout, is_Delaunay)
 
 TEST(Layout, disk_without_cones_has_no_seam)
 {
-  for(const Named_mesh& d : disks()) {
-    SCOPED_TRACE(d.name);
+  for(const Named_mesh& d : traced(disks())) {
     const Planar_conformal_map map = flat_disk(d.mesh);
     EXPECT_TRUE(map.cones().empty());
     EXPECT_TRUE(has_no_seam(map));
@@ -247,9 +230,8 @@ TEST(Layout, disk_without_cones_has_no_seam)
 // The rest is a disk: what is cut away has the Euler characteristic of the surface less one.
 TEST(Layout, seams_cut_a_closed_surface_to_a_disk)
 {
-  for(const Named_mesh& m : closed_meshes())
-    for(const double bound : {0.5, 5.}) {
-      SCOPED_TRACE(m.name + ' ' + std::to_string(bound));
+  for(const Named_mesh& m : traced(closed_meshes()))
+    for(const double bound : traced({0.5, 5.})) {
       const Planar_conformal_map map =
         DCM::flatten(m.mesh, DCM::parameters::maximum_log_scale(bound));
       const Seams seams(map);
@@ -281,8 +263,7 @@ TEST(Layout, seams_join_prescribed_cones_only)
 
 TEST(Layout, faces_of_the_subdivision_are_not_turned_over)
 {
-  for(const Named_map& m : maps()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_map& m : traced(maps())) {
     const auto& s = m.map.subdivision();
     const double size = size_of(m.map);
     for(Face_index f : s.mesh().faces()) {
@@ -314,8 +295,7 @@ TEST(Planar_conformal_map, is_an_isometry_of_flat_surfaces)
 
 TEST(Planar_conformal_map, is_linear_on_the_subdivision)
 {
-  for(const Named_map& m : maps()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_map& m : traced(maps())) {
     CGAL::Random random(5);
     const auto& s = m.map.subdivision();
     const double size = size_of(m.map);
@@ -330,8 +310,7 @@ TEST(Planar_conformal_map, is_linear_on_the_subdivision)
 
 TEST(Planar_conformal_map, is_continuous_across_edges_of_a_disk)
 {
-  for(const Named_mesh& d : disks()) {
-    SCOPED_TRACE(d.name);
+  for(const Named_mesh& d : traced(disks())) {
     const Planar_conformal_map map = flat_disk(d.mesh);
     ASSERT_TRUE(has_no_seam(map));
     const Delta_complex& mesh = mesh_A(map);
@@ -348,8 +327,7 @@ TEST(Planar_conformal_map, is_continuous_across_edges_of_a_disk)
 
 TEST(Planar_conformal_map, takes_vertices_to_vertices)
 {
-  for(const Named_mesh& d : disks()) {
-    SCOPED_TRACE(d.name);
+  for(const Named_mesh& d : traced(disks())) {
     const Planar_conformal_map map = flat_disk(d.mesh);
     const Used_faces is_used = used_faces(map);
     for(Halfedge_index h : mesh_C(map).halfedges())
@@ -407,8 +385,7 @@ TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
 
 TEST(Planar_conformal_map, does_not_depend_on_the_triangulation)
 {
-  for(const Named_mesh& d : disks()) {
-    SCOPED_TRACE(d.name);
+  for(const Named_mesh& d : traced(disks())) {
     Triangulation t(d.mesh);
     flip_at_random(t, 20 * t.mesh().number_of_edges(), 3);
     const Planar_conformal_map one = flat_disk(d.mesh),

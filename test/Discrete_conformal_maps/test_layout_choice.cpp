@@ -7,15 +7,6 @@
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <Eigen/Dense>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_layout_choice {
 

@@ -8,19 +8,6 @@
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
-#include <CGAL/Random.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 // A map is a success if and only if it has what is promised, measured here in other ways.
 namespace Test_map_status {
@@ -245,8 +232,7 @@ class Hard_disks : public testing::TestWithParam<unsigned int>
 TEST_P(Hard_disks, status_and_errors_agree_on_rectangles)
 {
   int successes = 0;
-  for(const auto& [name, mesh] : hard_disks(GetParam())) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, mesh] : traced(hard_disks(GetParam()))) {
     const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
     check_flat(map, mesh);
     if(map.status() == Map_status::success) {
@@ -260,8 +246,7 @@ TEST_P(Hard_disks, status_and_errors_agree_on_rectangles)
 TEST_P(Hard_disks, status_and_errors_agree_on_disks)
 {
   int successes = 0;
-  for(const auto& [name, mesh] : hard_disks(GetParam())) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, mesh] : traced(hard_disks(GetParam()))) {
     const Planar_conformal_map map =
       DCM::flatten_to_disk(mesh, CGAL::parameters::number_of_iterations(20));
     check_flat(map, mesh);

@@ -9,17 +9,6 @@
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_map_to_sphere {
 
@@ -174,8 +163,7 @@ Mesh without_a_face(const Mesh& mesh) { return punctured(mesh, {0}); }
 // intrinsic geometry by scaling and flips.
 TEST(Map_to_sphere, brings_inscribed_polyhedra_back)
 {
-  for(unsigned int seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(1, 9)) {
     const Mesh polyhedron = random_sphere(4 + 12 * seed, seed);
     const Triangulation t(polyhedron);
     DCM::Penner_surface<double> surface(t.mesh(), t.length_map());

@@ -2,20 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/testing.h"
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 
 #include <Eigen/Dense>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace Test_minimizers {
 

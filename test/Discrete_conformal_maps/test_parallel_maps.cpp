@@ -9,10 +9,6 @@
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include "../Intrinsic_triangulations/results.h" // after Eigen
 
 namespace Test_parallel_maps {

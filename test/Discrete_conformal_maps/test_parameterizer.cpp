@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../Intrinsic_triangulations/more_generators.h"
 #include "../Intrinsic_triangulations/refined_meshes.h"
 #include "flat_maps.h"
 
@@ -13,15 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <map>
-#include <vector>
 
 namespace Test_parameterizer {
 

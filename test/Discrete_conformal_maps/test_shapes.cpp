@@ -7,17 +7,6 @@
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <limits>
-#include <numeric>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Test_shapes {
 

@@ -8,20 +8,9 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_spherical_energy {
 

@@ -4,7 +4,6 @@
 
 #include "../Intrinsic_triangulations/data_meshes.h"
 #include "../Intrinsic_triangulations/known_surfaces.h"
-#include "../Intrinsic_triangulations/measuring.h"
 
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
@@ -12,18 +11,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_triple_subdivision {
 
@@ -429,37 +417,30 @@ TEST(Chord_crossings, as_by_brute_force)
 
 TEST(Triple_subdivision, numbers)
 {
-  for(const Named_three& t : all_threes()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_three& t : traced(all_threes()))
     check_numbers(t.three.subdivision(), t.three);
-  }
 }
 
 TEST(Triple_subdivision, areas_and_lengths_add_up)
 {
-  for(const Named_three& t : all_threes()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_three& t : traced(all_threes()))
     check_measures(t.three.subdivision(), t.three, 1e-8);
-  }
 }
 
 TEST(Triple_subdivision, vertices_are_where_all_descriptions_say)
 {
-  for(const Named_surface& surface : flat_surfaces())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(surface.name + ", seed " + std::to_string(seed));
-      Flat_three three(surface.surface);
-      three.ab.flip_at_random(500, seed);
-      Flat_triangulation bc = three.next();
-      bc.flip_at_random(500, seed + 100);
-      check_places(Subdivision(Correspondence(*three.ab), Correspondence(*bc)), three.ab, bc);
-    }
+  for(const auto& [surface, seed] : traced(flat_surfaces(), 5)) {
+    Flat_three three(surface.surface);
+    three.ab.flip_at_random(500, seed);
+    Flat_triangulation bc = three.next();
+    bc.flip_at_random(500, seed + 100);
+    check_places(Subdivision(Correspondence(*three.ab), Correspondence(*bc)), three.ab, bc);
+  }
 }
 
 TEST(Triple_subdivision, triangulate)
 {
-  for(const Named_three& t : all_threes()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_three& t : traced(all_threes())) {
     Subdivision s = t.three.subdivision();
     s.triangulate();
     for(Face_index f : s.mesh().faces())
@@ -471,8 +452,7 @@ TEST(Triple_subdivision, triangulate)
 
 TEST(Triple_subdivision, linear_functions_in_the_plane_from_every_layer)
 {
-  for(unsigned int seed = 0; seed < 3; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(3)) {
     Flat_three three(flat_grid(7, 6, seed));
     three.ab.flip_at_random(1000, seed);
     Flat_triangulation bc = three.next();
@@ -505,8 +485,7 @@ TEST(Triple_subdivision, agrees_with_an_arrangement_of_segments)
     return Exact::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
   };
   std::size_t vertices = 0;
-  for(unsigned int seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(30)) {
     Flat_three three(seed % 2 == 0 ? flat_grid(2 + seed % 3, 3, seed)
                                    : flat_polygon(random_points(8 + seed / 2, 1 << 19, seed)));
     if(seed % 3 == 0)
@@ -537,8 +516,7 @@ TEST(Triple_subdivision, agrees_with_an_arrangement_of_segments)
 
 TEST(Triple_subdivision, of_three_equal_triangulations_is_the_input)
 {
-  for(const Named_complex& complex : complexes()) {
-    SCOPED_TRACE(complex.name);
+  for(const Named_complex& complex : traced(complexes())) {
     const Three three(triangulation(complex.mesh, random_lengths(complex.mesh, 1)));
     const Subdivision s = three.subdivision();
     EXPECT_EQ(s.mesh().number_of_vertices(), complex.mesh.number_of_vertices());
@@ -552,8 +530,7 @@ TEST(Triple_subdivision, of_three_equal_triangulations_is_the_input)
 
 TEST(Triple_subdivision, is_that_of_two_if_two_are_equal)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const IT::Common_subdivision<> expected{Correspondence(t.triangulation)};
     const Triangulation a = triangulation(t.triangulation.input_mesh(), [&] {
       std::vector<double> lengths;
@@ -576,9 +553,8 @@ TEST(Triple_subdivision, is_that_of_two_if_two_are_equal)
 // equal places, up to rounding.
 TEST(Triple_subdivision, of_coinciding_edges)
 {
-  for(const Named_surface& surface : flat_surfaces())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(surface.name + ", seed " + std::to_string(seed));
+  for(const Named_surface& surface : traced(flat_surfaces()))
+    for(unsigned int seed : seeds(5)) {
       Triangulation t = triangulation(surface.surface);
       std::vector<Halfedge_index> flipped;
       flip_at_random(t, 200, seed, [&](Halfedge_index h) { flipped.push_back(h); });
@@ -620,25 +596,22 @@ TEST(Triple_subdivision, copies_and_moved_ones_are_independent)
 TEST(Triple_subdivision, in_ideal_geometry)
 {
   std::size_t tested = 0;
-  for(const Named_mesh& m : meshes())
-    for(unsigned int seed = 0; seed < 4; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-      Triangulation ab(m.mesh);
-      if(seed > 0)
-        flip_at_random(ab, 5 * m.mesh.number_of_edges(), seed);
-      IT::make_Delaunay(ab);
-      const Ideal_triangulation bc = ideally_flipped(ab, 0.2 + 0.5 * seed, seed);
-      tested += check_ideal(Subdivision(Correspondence(ab), Ideal_correspondence(bc)), ab, bc);
-    }
+  for(const auto& [m, seed] : traced(meshes(), 4)) {
+    Triangulation ab(m.mesh);
+    if(seed > 0)
+      flip_at_random(ab, 5 * m.mesh.number_of_edges(), seed);
+    IT::make_Delaunay(ab);
+    const Ideal_triangulation bc = ideally_flipped(ab, 0.2 + 0.5 * seed, seed);
+    tested += check_ideal(Subdivision(Correspondence(ab), Ideal_correspondence(bc)), ab, bc);
+  }
   EXPECT_GT(tested, 5000u);
 }
 
 // Each edge is as long as it is in its own triangulation.
 TEST(Triple_subdivision, positions_in_space)
 {
-  for(const Named_mesh& m : meshes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+  for(const Named_mesh& m : traced(meshes()))
+    for(unsigned int seed : seeds(3)) {
       Triangulation ab(m.mesh);
       flip_at_random(ab, 10 * m.mesh.number_of_edges(), seed);
       Three three(ab);
@@ -665,8 +638,7 @@ TEST(Triple_subdivision, positions_in_space)
 // way around it, again and again.
 TEST(Triple_subdivision, of_twisted_edges)
 {
-  for(const int twists : {1, 3, 30}) {
-    SCOPED_TRACE(twists);
+  for(const int twists : traced({1, 3, 30})) {
     Flat_triangulation ab(flat_cylinder(1, twists));
     ab.make_Delaunay();
     Three three(*ab);

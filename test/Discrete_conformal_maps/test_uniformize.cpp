@@ -5,13 +5,6 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace Test_uniformize {
 

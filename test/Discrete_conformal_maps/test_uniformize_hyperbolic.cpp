@@ -2,21 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../Intrinsic_triangulations/more_generators.h"
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 #include <Eigen/LU>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace Test_uniformize_hyperbolic {
 
@@ -319,8 +309,7 @@ Hyperbolic_surface cyclic_cover(const Triangulation& base, const std::vector<Ver
 
 TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
 {
-  for(const int g : {2, 3, 4, 5, 6, 7, 8, 70}) {
-    SCOPED_TRACE(g);
+  for(const int g : traced({2, 3, 4, 5, 6, 7, 8, 70})) {
     const Hyperbolic_surface regular = regular_surface(g, 5);
     const std::size_t n = regular.mesh.number_of_vertices();
     EXPECT_EQ(n, std::size_t(2 + 4 * g));
@@ -456,8 +445,7 @@ TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
 // surfaces close up only if edges are flipped again.
 TEST(Uniformize_hyperbolic, near_degenerate_surfaces_close_up)
 {
-  for(const unsigned int seed : {970007u, 970015u, 970051u}) {
-    SCOPED_TRACE(seed);
+  for(const unsigned int seed : traced({970007u, 970015u, 970051u})) {
     const Mesh mesh = near_degenerate_mesh(seed).mesh;
     const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
     EXPECT_EQ(map.status(), DCM::Map_status::success);
@@ -497,8 +485,7 @@ TEST(Uniformize_hyperbolic, covers_get_the_lifted_metric)
 {
   const Triangulation base(plate_with_holes(2));
   const Hyperbolic_conformal_map map = uniformize({base.mesh(), lengths_of(base)});
-  for(const unsigned int sheets : {2u, 3u}) {
-    SCOPED_TRACE(sheets);
+  for(const unsigned int sheets : traced({2u, 3u})) {
     const Hyperbolic_surface cover = cyclic_cover(base, loop_around_bar(), sheets);
     ASSERT_EQ(cover.mesh.number_of_vertices(), sheets * base.mesh().number_of_vertices());
     const Hyperbolic_conformal_map lifted = uniformize(cover);

@@ -9,15 +9,6 @@
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <string>
-#include <tuple>
-#include <vector>
-
 namespace Test_surfaces {
 
 namespace IS = CGAL::Intrinsic_simplification;

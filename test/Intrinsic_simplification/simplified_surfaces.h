@@ -15,10 +15,6 @@
 #include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 namespace Test_surfaces {
 
 using IS::Surface_level;
@@ -78,20 +74,17 @@ inline Simplified refined_after(Simplified s, double angle)
 template <typename Check>
 void for_each_simplified_random_surface(const Check& check)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const Simplified s(evolving(c.mesh, seed), c.mesh.number_of_vertices() / (seed + 2));
-      check(s, Surface_map(s.surface, s.fine, s.coarse));
-    }
+  for(const auto& [c, seed] : traced(complexes(), 3)) {
+    const Simplified s(evolving(c.mesh, seed), c.mesh.number_of_vertices() / (seed + 2));
+    check(s, Surface_map(s.surface, s.fine, s.coarse));
+  }
 }
 
 template <typename Check>
 void for_each_simplified_surface(const Check& check)
 {
   for_each_simplified_random_surface(check);
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Simplified s(Evolving_surface(m.mesh), 0);
     check(s, Surface_map(s.surface, s.fine, s.coarse));
   }
@@ -103,8 +96,7 @@ auto with_refinement(const Check& check)
 {
   return [&check](const Simplified& s, const Surface_map& map) {
     check(s, map);
-    for(const double angle : {20., 30.}) {
-      SCOPED_TRACE("refined to " + std::to_string(angle));
+    for(const double angle : traced({20., 30.})) {
       const Simplified r = refined_after(s, angle);
       check(r, Surface_map(r.surface, r.fine, r.coarse));
     }
@@ -181,8 +173,7 @@ inline Simplified simplified_inside(const Mesh& mesh)
 template <typename Check>
 void for_each_flat_polygon(const Check& check)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(10)) {
     const Mesh mesh = flat_mesh(seed);
     const Simplified s = simplified_inside(mesh);
     check(mesh, s, Surface_map(s.surface, s.fine, s.coarse));

@@ -12,16 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Test_coarse_mesh {
 

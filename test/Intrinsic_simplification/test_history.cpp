@@ -6,8 +6,6 @@
 
 #include "simplified_surfaces.h"
 
-#include <type_traits>
-
 namespace Test_history {
 
 using namespace Test_surfaces;

@@ -12,8 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
-#include <sstream>
-
 namespace Test_io {
 
 using namespace Test_surfaces;

@@ -10,13 +10,8 @@
 #include <CGAL/Intrinsic_simplification/prolongation_hierarchy.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
-#include <CGAL/Random.h>
-
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
-
-#include <cmath>
-#include <limits>
 
 namespace Test_multigrid {
 

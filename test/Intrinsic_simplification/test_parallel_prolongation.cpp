@@ -2,13 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../Intrinsic_triangulations/generators.h"
 #include "../Intrinsic_triangulations/refined_meshes.h"
 
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
-
-#include <vector>
 
 #include "../Intrinsic_triangulations/results.h" // after Eigen
 

@@ -10,8 +10,6 @@
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/projective_pieces.h>
 
-#include <iterator>
-
 namespace Test_projective_pieces {
 
 using namespace Test_surfaces;
@@ -268,25 +266,22 @@ void expect_linear(const Pieces& pieces)
 
 TEST(Projective_pieces, after_flips_are_the_common_subdivision)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      Evolving_surface surface = evolving(c.mesh, seed);
-      const Surface_level fine(surface);
-      surface.make_Delaunay();
-      const Surface_level coarse(surface);
-      const Surface_map map(surface, fine, coarse);
-      expect_pieces_of_subdivision(map);
-      expect_linear(all_pieces(map));
-    }
+  for(const auto& [c, seed] : traced(complexes(), 5)) {
+    Evolving_surface surface = evolving(c.mesh, seed);
+    const Surface_level fine(surface);
+    surface.make_Delaunay();
+    const Surface_level coarse(surface);
+    const Surface_map map(surface, fine, coarse);
+    expect_pieces_of_subdivision(map);
+    expect_linear(all_pieces(map));
+  }
 }
 
 // Some vertices are flat up to rounding: then there are changes of scale.
 TEST(Projective_pieces, of_flat_polygons_are_the_common_subdivision)
 {
   int isometric = 0;
-  for(unsigned int seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(20)) {
     const Simplified s = simplified_inside(flat_mesh(seed));
     if(!is_isometric(s.surface))
       continue;
@@ -342,8 +337,7 @@ double distance(const Projective_piece& p, const Projective_piece& q)
 // same. Each polygon of the common subdivision is made of pieces.
 TEST(Projective_pieces, are_as_few_as_possible)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(10)) {
     const Simplified s(Evolving_surface(random_sphere(60, seed)), 20);
     const Surface_map map(s.surface, s.fine, s.coarse);
     const Pieces pieces = all_pieces(map);
@@ -361,9 +355,8 @@ TEST(Projective_pieces, are_as_few_as_possible)
 
 TEST(Projective_pieces, of_nearly_degenerate_meshes)
 {
-  for(const double noise : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-16, 1e-20})
-    for(const double stretch : {1., 1e3}) {
-      SCOPED_TRACE("noise " + std::to_string(noise) + ", stretched " + std::to_string(stretch));
+  for(const double noise : traced({1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-16, 1e-20}))
+    for(const double stretch : traced({1., 1e3})) {
       const auto place = [&](double x, double y) {
         return Point(stretch * x, y, x < 3 ? 0 : x - 3);
       };
@@ -383,9 +376,8 @@ TEST(Projective_pieces, with_vertices_as_near_as_rounding)
 {
   CGAL::Random random(2);
   int failures = 0;
-  for(const double distance : {1e-10, 1e-12, 1e-13, 1e-14, 1e-15})
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE("distance " + std::to_string(distance) + ", seed " + std::to_string(seed));
+  for(const double distance : traced({1e-10, 1e-12, 1e-13, 1e-14, 1e-15}))
+    for(unsigned int seed : seeds(5)) {
       const Mesh mesh = with_near_vertices(random_sphere(20, seed), distance, random);
       if(has_equal_ends(mesh))
         continue;

@@ -9,10 +9,6 @@
 #include <CGAL/Intrinsic_simplification/Prolonged_distances.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace Test_prolonged_distances {
 
 using namespace Test_surfaces;

@@ -5,22 +5,12 @@
 // Refinement after simplification, and maps that are composed.
 
 #include "../Intrinsic_triangulations/hard_meshes.h"
-#include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Composed_map.h>
 #include <CGAL/Intrinsic_simplification/Correspondence_map.h>
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
-#include <CGAL/Intrinsic_simplification/refine.h>
-#include <CGAL/Random.h>
-#include <boost/property_map/function_property_map.hpp>
-
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace Test_refine {
 
@@ -224,8 +214,7 @@ TEST(Refine, takes_turns_with_simplification)
 // the subdivision ends and has the areas of both levels.
 TEST(Refine, subdivides_with_curves_that_do_not_separate)
 {
-  for(const unsigned int seed : {3u, 10u, 77u, 211u}) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(const unsigned int seed : traced({3u, 10u, 77u, 211u})) {
     const Mesh mesh = near_degenerate_mesh(seed).mesh;
     Evolving_surface surface(mesh);
     const Surface_level fine(surface);
@@ -281,8 +270,7 @@ TEST(Refine, starts_anew_with_exact_decisions)
     int restarts = 0;
   };
   Restart_counter counter;
-  for(unsigned seed : {1u, 4u, 5u, 9u, 10u}) {
-    SCOPED_TRACE(seed);
+  for(unsigned seed : traced({1u, 4u, 5u, 9u, 10u})) {
     Evolving_surface surface(hard_mesh(seed).mesh);
     const Surface_level fine(surface);
     IS::refine(surface,
@@ -315,8 +303,7 @@ TEST(Refine, with_exact_decisions)
 // a refinement of that by integer coordinates.
 TEST(Composed_map, of_integer_coordinates_and_histories)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     IT::Intrinsic_triangulation<> start(m.mesh);
     IT::refine(start);
     start.collect_garbage();

@@ -24,9 +24,8 @@ std::vector<double> flattened_lengths(const Evolving_surface& s, const Flattened
 template <typename Check>
 void for_each_flattened_star(const Check& check)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+  for(const Named_complex& c : traced(complexes()))
+    for(unsigned int seed : seeds(5)) {
       const Evolving_surface s = evolving(c.mesh, seed);
       Flattened_star star;
       for(Vertex_index v : s.mesh().vertices())
@@ -190,13 +189,11 @@ std::size_t remove_all(Evolving_surface& s)
 TEST(Removal, keeps_the_surface_valid)
 {
   std::size_t removed = 0;
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      Evolving_surface s = evolving(c.mesh, seed);
-      s.make_Delaunay();
-      removed += remove_all(s);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 5)) {
+    Evolving_surface s = evolving(c.mesh, seed);
+    s.make_Delaunay();
+    removed += remove_all(s);
+  }
   EXPECT_GT(removed, 500u);
 }
 
@@ -227,8 +224,7 @@ TEST(Removal, the_last_vertex_of_a_torus_is_one)
 
 TEST(Removal, in_a_flat_polygon_nothing_moves)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(10)) {
     const Mesh mesh = planar_mesh(random_points(40, 1000, seed));
     Evolving_surface s(mesh);
     s.make_Delaunay();

@@ -10,16 +10,6 @@
 
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_simplify {
 
@@ -150,31 +140,28 @@ TEST(Simplification, goes_on)
 // of the vertices that are left none can be removed, each for a reason
 TEST(Simplification, ends_where_nothing_can_be_removed)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      Evolving_surface s = evolving(c.mesh, seed);
-      const int characteristic = euler_characteristic(c.mesh);
-      const Simplification_result result = simplify(s, number_of_vertices(std::size_t(0)));
-      expect_valid(s, characteristic);
-      std::array<std::size_t, IS::number_of_removal_statuses> skipped{};
-      Flattened_star star;
-      for(Vertex_index v : s.mesh().vertices()) {
-        Removal_status status = s.flatten(v, star);
-        if(status == Removal_status::possible)
-          status = s.remove(star);
-        ASSERT_NE(status, Removal_status::possible);
-        ++skipped[static_cast<std::size_t>(status)];
-      }
-      EXPECT_EQ(result.skipped, skipped);
+  for(const auto& [c, seed] : traced(complexes(), 5)) {
+    Evolving_surface s = evolving(c.mesh, seed);
+    const int characteristic = euler_characteristic(c.mesh);
+    const Simplification_result result = simplify(s, number_of_vertices(std::size_t(0)));
+    expect_valid(s, characteristic);
+    std::array<std::size_t, IS::number_of_removal_statuses> skipped{};
+    Flattened_star star;
+    for(Vertex_index v : s.mesh().vertices()) {
+      Removal_status status = s.flatten(v, star);
+      if(status == Removal_status::possible)
+        status = s.remove(star);
+      ASSERT_NE(status, Removal_status::possible);
+      ++skipped[static_cast<std::size_t>(status)];
     }
+    EXPECT_EQ(result.skipped, skipped);
+  }
 }
 
 // The surface follows the flips of the triangulation, and the history has them.
 TEST(Simplification, starts_from_an_exactly_Delaunay_triangulation)
 {
-  for(std::uint64_t seed : {0u, 1u, 2u, 3u, 5u, 9u, 13u, 25u, 26u}) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : traced({0u, 1u, 2u, 3u, 5u, 9u, 13u, 25u, 26u})) {
     IT::Intrinsic_triangulation<> tri(hard_mesh(seed).mesh), alone = tri;
     Evolving_surface s(tri);
     s.make_exactly_Delaunay(tri);
@@ -406,10 +393,9 @@ Mesh mesh_of(const Cell_polygon& p, int n)
 // Flat vertices can be removed without changing the surface, so the area tells whether others were.
 TEST(Simplification, keeps_corners_of_flat_surfaces_by_default)
 {
-  for(const Cell_polygon& p : cell_polygons())
-    for(const int n : {1, 2, 5})
-      for(const std::size_t more : {0, 1, 2, 5, 10}) {
-        SCOPED_TRACE(p.name + ", " + std::to_string(n) + ", " + std::to_string(more));
+  for(const Cell_polygon& p : traced(cell_polygons()))
+    for(const int n : traced({1, 2, 5}))
+      for(const std::size_t more : traced({0, 1, 2, 5, 10})) {
         Evolving_surface s(mesh_of(p, n));
         const double area = area_of(s);
         simplify(s, number_of_vertices(p.corners + more));

@@ -10,12 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
-#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
-
-#include <array>
-#include <cmath>
-#include <vector>
 
 namespace Test_subdivision {
 
@@ -286,9 +281,8 @@ TEST(Subdivision, with_vertices_as_near_as_rounding)
 {
   std::size_t checked = 0;
   CGAL::Random random(1);
-  for(const double distance : {1e-12, 1e-13, 1e-14, 1e-15, 1e-16})
-    for(unsigned int seed = 0; seed < 20; ++seed) {
-      SCOPED_TRACE("distance " + std::to_string(distance) + ", seed " + std::to_string(seed));
+  for(const double distance : traced({1e-12, 1e-13, 1e-14, 1e-15, 1e-16}))
+    for(unsigned int seed : seeds(20)) {
       const Mesh mesh = with_near_vertices(random_sphere(20, seed), distance, random);
       if(has_equal_ends(mesh))
         continue;

@@ -9,8 +9,6 @@
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-#include <functional>
-
 namespace Test_surface_map {
 
 using namespace Test_surfaces;

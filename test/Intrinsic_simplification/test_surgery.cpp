@@ -12,18 +12,6 @@
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
-#include <CGAL/Random.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace Test_surgery {
 
@@ -115,8 +103,7 @@ void expect_unchanged(const Surface_surgery& s, const Triangulation& input)
 TEST(Surface_surgery, closes_all_loops)
 {
   for(unsigned seed = 0; seed < 5; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name);
+    for(const Named_complex& c : traced(complexes())) {
       const Triangulation input = triangulation(c.mesh, random_lengths(c.mesh, seed));
       Surface_surgery s(input);
       const auto before = IT::topological_type(c.mesh);
@@ -179,8 +166,7 @@ TEST(Surface_surgery, disks_of_long_edges_are_cones)
 TEST(Loop_signatures, against_cutting)
 {
   std::size_t separating = 0, others = 0;
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     const IT::Loop_signatures signatures(c.mesh);
     CGAL::Random random(3);
     for(int i = 0; i < 60; ++i) {
@@ -307,8 +293,7 @@ std::size_t pinch_all(const Triangulation& input)
 
 TEST(Pinch_handles, all_handles)
 {
-  for(int genus : {0, 1, 2, 5, 9}) {
-    SCOPED_TRACE(genus);
+  for(int genus : traced({0, 1, 2, 5, 9})) {
     EXPECT_EQ(pinch_all(Triangulation(plate_with_holes(genus))), 0u);
     EXPECT_EQ(pinch_all(Triangulation(straight_plate_with_holes(genus))), 0u);
   }
@@ -370,8 +355,7 @@ TEST(Pinch_handles, effort_at_high_genus)
 TEST(Pinch_handles, all_complexes)
 {
   for(unsigned seed = 0; seed < 5; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name);
+    for(const Named_complex& c : traced(complexes())) {
       const std::size_t left = pinch_all(triangulation(c.mesh, random_lengths(c.mesh, seed)));
       EXPECT_TRUE(left == 0 || IT::topological_type(c.mesh).boundary_loops > 0);
     }
@@ -380,8 +364,7 @@ TEST(Pinch_handles, all_complexes)
 // The bound is compared with the shortest of all closed walks of edges.
 TEST(Pinch_handles, flat_tori_of_known_length)
 {
-  for(unsigned seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned seed : seeds(20)) {
     const Triangulation input = triangulation(flat_torus(4 + int(seed % 3), 5, seed));
     const double length = shortest_loop(Surface_surgery(input));
     for(double bound : {length * (1 - 1e-9), length * (1 + 1e-9)}) {
@@ -424,8 +407,7 @@ std::vector<Halfedge_index> make_geodesic(Surface_surgery& s)
 // A closed geodesic of a flat torus is as long as a vector of its lattice.
 TEST(Surface_surgery, cuts_along_geodesics)
 {
-  for(unsigned seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned seed : seeds(20)) {
     const Flat_surface torus = flat_torus(4 + int(seed % 3), 5 + int(seed % 4), seed);
     const Triangulation input = triangulation(torus);
     Surface_surgery s(input);

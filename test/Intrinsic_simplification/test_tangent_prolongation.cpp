@@ -43,8 +43,7 @@ TEST(Tangent_prolongation, has_the_absolute_values_of_that_of_functions)
 
 TEST(Tangent_prolongation, of_one_level_is_the_identity)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     const Evolving_surface surface = evolving(c.mesh, 0);
     const Surface_level level(surface), same(surface);
     const Matrix p = tangent_prolongation(Surface_map(surface, level, same));

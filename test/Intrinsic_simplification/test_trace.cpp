@@ -7,11 +7,8 @@
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/trace.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
-
-#include <set>
 
 namespace Test_trace {
 
@@ -206,33 +203,31 @@ typedef std::tuple<Vertex_index, Vertex_index, std::vector<Edge_index>> Crossed;
 
 TEST(Trace, after_flips_agrees_with_integer_coordinates)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      auto tri = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      Evolving_surface surface(tri);
-      const Surface_level fine(surface);
-      surface.make_Delaunay();
-      IT::make_Delaunay(tri);
-      const Surface_level coarse(surface);
-      const Surface_map map(surface, fine, coarse);
-      std::multiset<Crossed> expected, found;
-      for(Halfedge_index h : tri.mesh().halfedges()) {
-        std::vector<Edge_index> crossed;
-        const auto trace = IT::trace_intrinsic_edge(tri, h);
-        for(std::size_t n = 1; n + 1 < trace.size(); ++n)
-          crossed.push_back(tri.input_mesh().edge(trace[n].on_input.halfedge));
-        expected.insert({tri.mesh().source(h), tri.mesh().target(h), crossed});
-      }
-      for(Halfedge_index h : coarse.mesh().halfedges()) {
-        const Trace trace = IS::trace_coarse_edge(h, map);
-        std::vector<Edge_index> crossed;
-        for(std::size_t n = 0; n + 1 < trace.size(); ++n)
-          crossed.push_back(fine.mesh().edge(edge_point(trace[n], 1, fine.mesh()).halfedge));
-        found.insert({coarse.mesh().source(h), coarse.mesh().target(h), crossed});
-      }
-      EXPECT_EQ(expected, found);
+  for(const auto& [c, seed] : traced(complexes(), 5)) {
+    auto tri = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    Evolving_surface surface(tri);
+    const Surface_level fine(surface);
+    surface.make_Delaunay();
+    IT::make_Delaunay(tri);
+    const Surface_level coarse(surface);
+    const Surface_map map(surface, fine, coarse);
+    std::multiset<Crossed> expected, found;
+    for(Halfedge_index h : tri.mesh().halfedges()) {
+      std::vector<Edge_index> crossed;
+      const auto trace = IT::trace_intrinsic_edge(tri, h);
+      for(std::size_t n = 1; n + 1 < trace.size(); ++n)
+        crossed.push_back(tri.input_mesh().edge(trace[n].on_input.halfedge));
+      expected.insert({tri.mesh().source(h), tri.mesh().target(h), crossed});
     }
+    for(Halfedge_index h : coarse.mesh().halfedges()) {
+      const Trace trace = IS::trace_coarse_edge(h, map);
+      std::vector<Edge_index> crossed;
+      for(std::size_t n = 0; n + 1 < trace.size(); ++n)
+        crossed.push_back(fine.mesh().edge(edge_point(trace[n], 1, fine.mesh()).halfedge));
+      found.insert({coarse.mesh().source(h), coarse.mesh().target(h), crossed});
+    }
+    EXPECT_EQ(expected, found);
+  }
 }
 
 // ---- Flat surfaces ----

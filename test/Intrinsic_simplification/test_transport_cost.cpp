@@ -8,11 +8,6 @@
 
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
 
-#include <algorithm>
-#include <array>
-#include <complex>
-#include <map>
-
 namespace Test_transport_cost {
 
 using namespace Test_surfaces;
@@ -74,8 +69,7 @@ bool has_repeated_neighbors(const Flattened_star& star)
 TEST(Transport_cost, first_removal_is_a_transport_of_curvature)
 {
   int checked = 0;
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Evolving_surface s(m.mesh);
     const std::vector<double> curvature = curvatures(s);
     double sum = 0;
@@ -162,8 +156,7 @@ std::vector<double> flux_by_gradients(const Mesh& mesh, const std::vector<double
 
 TEST(Transport_cost, masses_of_a_function_are_its_laplacian)
 {
-  for(unsigned int seed = 0; seed < 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(5)) {
     const Mesh mesh = random_sphere(50, seed);
     std::vector<double> value;
     CGAL::Random random(seed);
@@ -242,8 +235,7 @@ TEST(Transport_cost, mass_is_kept)
 
 TEST(Transport_cost, change_of_area)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Evolving_surface s(m.mesh);
     Transport_cost cost(s);
     cost.add_area_change(s, 3);
@@ -363,8 +355,7 @@ std::vector<double> random_masses(std::size_t n, unsigned int seed)
 
 TEST(Transport_cost, on_a_flat_torus_vectors_lead_to_centers_of_mass)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(10)) {
     const Flat_surface torus = flat_torus(5, 4, seed);
     Evolving_surface s(triangulation(torus));
     s.make_Delaunay();

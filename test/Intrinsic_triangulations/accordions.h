@@ -7,10 +7,6 @@
 
 #include "generators.h"
 
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 // Strips of panels that are folded along parallel lines. A panel is as wide as the root of a whole
 // number, so that the unfolded strip is as wide as a sum of roots. Four points at two heights on
 // its ends are the corners of a rectangle: a tie with all these roots.

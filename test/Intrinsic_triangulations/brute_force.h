@@ -7,10 +7,6 @@
 
 #include "generators.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-
 // Counting on flat surfaces, in integers.
 namespace Test_surfaces {
 

@@ -8,14 +8,8 @@
 #include "generators.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <gtest/gtest.h>
 
 #include <cctype>
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
 
 namespace Test_surfaces {
 

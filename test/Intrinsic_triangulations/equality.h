@@ -8,12 +8,8 @@
 #include "more_generators.h"
 
 #include <CGAL/Intrinsic_triangulations/io.h>
-#include <gtest/gtest.h>
 
 #include <locale>
-#include <sstream>
-#include <string>
-#include <vector>
 
 // Triangulations that are equal to the bit.
 namespace Test_surfaces {

@@ -9,12 +9,6 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 // Flips with exact decisions, and of flat surfaces with the exact vectors of their edges.
 namespace Test_surfaces {

@@ -7,15 +7,6 @@
 
 #include "flat_insertion.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <vector>
-
 // Random operations on flat surfaces.
 namespace Test_flat_changes {
 

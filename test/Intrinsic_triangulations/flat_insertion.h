@@ -9,15 +9,6 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <set>
-#include <vector>
 
 // T2 with more vertices over a flat T1, with the exact places of all vertices.
 namespace Test_surfaces {

@@ -8,11 +8,6 @@
 #include "brute_force.h"
 
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <gtest/gtest.h>
-
-#include <utility>
-#include <vector>
 
 namespace Test_surfaces {
 

@@ -5,28 +5,14 @@
 #ifndef INTRINSIC_TRIANGULATIONS_TEST_GENERATORS_H
 #define INTRINSIC_TRIANGULATIONS_TEST_GENERATORS_H
 
+#include "testing.h"
+
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Random.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/convex_hull_3.h>
-#include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 // Surfaces to test with, all small, all from a seed.
 namespace Test_surfaces {

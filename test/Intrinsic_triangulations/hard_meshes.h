@@ -7,17 +7,6 @@
 
 #include "near_degenerate_meshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <set>
-#include <vector>
-
 // Meshes at the limits of `double`: needles and caps down to 1e-16 of an edge, vertices as near as
 // the rounding of their coordinates, faces of zero area. They have 20 to 3000 faces, are manifold
 // and oriented, and no two vertices coincide, so that none have distance zero on the surface. None

@@ -8,15 +8,6 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
-#include <stdexcept>
-#include <vector>
 
 // Surfaces whose geodesics have formulas.
 namespace Test_surfaces {

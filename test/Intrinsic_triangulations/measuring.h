@@ -9,14 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/boost/graph/iterator.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
 
 // Lengths and areas in flat faces, from the edge lengths once more.
 namespace Test_surfaces {

@@ -9,12 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
 // Pairs of triangulations: surfaces with some flips.
 namespace Test_surfaces {
 

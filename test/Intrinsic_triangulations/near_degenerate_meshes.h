@@ -9,14 +9,6 @@
 #include "refined_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 // Meshes as bad as they come from scanners, boolean operations and CAD, with 30 to 900 faces, in
 // families of which each has its own way to be bad. All are manifold and have no edge of zero

@@ -8,13 +8,6 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 // Whether paths are connected and as long as they say.
 namespace Test_surfaces {

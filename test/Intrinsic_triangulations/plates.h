@@ -7,12 +7,6 @@
 
 #include "generators.h"
 
-#include <array>
-#include <cstddef>
-#include <map>
-#include <utility>
-#include <vector>
-
 namespace Test_surfaces {
 
 // A plate of cubes with `genus` square holes in a row.

@@ -9,11 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <string>
-#include <vector>
 
 // Triangulations of all test surfaces with vertices inserted at random.
 namespace Test_surfaces {
@@ -122,16 +117,10 @@ inline Triangulation changed(Triangulation t, unsigned int seed, int steps)
 template <typename Check>
 void for_each_triangulation(const Check& check)
 {
-  for(const Named_mesh& m : meshes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-      check(Triangulation(m.mesh), seed);
-    }
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      check(triangulation(c.mesh, random_lengths(c.mesh, seed)), seed);
-    }
+  for(const auto& [m, seed] : traced(meshes(), 3))
+    check(Triangulation(m.mesh), seed);
+  for(const auto& [c, seed] : traced(complexes(), 3))
+    check(triangulation(c.mesh, random_lengths(c.mesh, seed)), seed);
 }
 
 } // namespace Test_surfaces

@@ -7,11 +7,6 @@
 
 #include "generators.h"
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <vector>
-
 // Meshes of one shape, as fine as asked for.
 namespace Test_surfaces {
 

@@ -7,16 +7,7 @@
 
 #include "measuring.h"
 
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <set>
-#include <vector>
 
 // The angles that a refinement leaves, and its excuses, by measures independent of the library: in
 // long double, by the law of cosines, on the input and on the common subdivision.

@@ -5,17 +5,14 @@
 #ifndef INTRINSIC_TRIANGULATIONS_TEST_RESULTS_H
 #define INTRINSIC_TRIANGULATIONS_TEST_RESULTS_H
 
+#include "testing.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
-#include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <type_traits>
-#include <vector>
 
 namespace Test_surfaces {
 

@@ -7,14 +7,6 @@
 
 #include "generators.h"
 
-#include <CGAL/Random.h>
-
-#include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <utility>
-#include <vector>
-
 // Triangles that need not be a surface, all from a seed.
 namespace Test_surfaces {
 

@@ -7,16 +7,6 @@
 
 #include "measuring.h"
 
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
-
 // Whether a common subdivision is one of both triangulations.
 namespace Test_surfaces {
 

@@ -9,15 +9,6 @@
 #include "refined_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 // Surfaces with curves on them whose distances have formulas.
 namespace Test_surfaces {

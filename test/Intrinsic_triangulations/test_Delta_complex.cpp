@@ -7,14 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Test_Delta_complex {
 
@@ -93,10 +86,8 @@ bool isomorphic(const Delta_complex& a, const Delta_complex& b)
 
 void for_each_complex(const std::function<void(const Delta_complex&)>& check)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes()))
     check(c.mesh);
-  }
 }
 
 bool in_one_face(Halfedge_index h, const Delta_complex& mesh)

@@ -4,16 +4,11 @@
 
 // Elementary operations allocate nothing, and objects take the memory that the manual says.
 
+#include "testing.h"
+
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
 
 // counted_new.cpp
 std::size_t number_of_allocations();

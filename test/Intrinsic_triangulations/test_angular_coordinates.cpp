@@ -7,19 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/Angular_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace Test_angular_coordinates {
 
@@ -316,21 +307,18 @@ Complex holonomy_around(Vertex_index v, const Angles& angles)
 
 TEST(Angular_coordinates, of_vectors_in_the_plane)
 {
-  for(const Named_surface& s : flat_surfaces())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
-      Flat_triangulation flat(s.surface);
-      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
-      const IT::Tangent_frames<> frames(flat->input());
-      for(Halfedge_index h : flat->mesh().halfedges())
-        expect_same_direction(IT::angle_on_input(*flat, h), angle_in_plane(h, flat, frames), 1e-12);
-    }
+  for(const auto& [s, seed] : traced(flat_surfaces(), 3)) {
+    Flat_triangulation flat(s.surface);
+    flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+    const IT::Tangent_frames<> frames(flat->input());
+    for(Halfedge_index h : flat->mesh().halfedges())
+      expect_same_direction(IT::angle_on_input(*flat, h), angle_in_plane(h, flat, frames), 1e-12);
+  }
 }
 
 TEST(Angular_coordinates, of_crossings)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     const Triangulation& t = named.triangulation;
     const IT::Tangent_frames<> frames(t.input());
     const Angles angles(t);
@@ -347,9 +335,8 @@ TEST(Angular_coordinates, of_crossings)
 
 TEST(Angular_coordinates, kept_through_flips)
 {
-  for(const Named_triangulation& named : triangulations())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(named.name + ", seed " + std::to_string(seed));
+  for(const Named_triangulation& named : traced(triangulations()))
+    for(unsigned int seed : seeds(3)) {
       Triangulation t = named.triangulation;
       Angles angles(t);
       flip_at_random(t, 40 * t.mesh().number_of_edges(), seed,
@@ -376,8 +363,7 @@ TEST(Angular_coordinates, errors_do_not_grow)
 
 TEST(Angular_coordinates, visitor_of_make_Delaunay)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     Triangulation t = named.triangulation;
     Angles angles(t);
     IT::make_Delaunay(t, CGAL::parameters::visitor(std::ref(angles)));
@@ -388,8 +374,7 @@ TEST(Angular_coordinates, visitor_of_make_Delaunay)
 // Transport in either frames is the same.
 TEST(Angular_coordinates, tangent_vectors_across)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     const Triangulation& t = named.triangulation;
     const IT::Tangent_frames<> frames(t.intrinsic());
     const Angles angles(t);
@@ -416,49 +401,44 @@ TEST(Angular_coordinates, tangent_vectors_across)
 TEST(Angular_coordinates, of_vectors_between_inserted_vertices_in_the_plane)
 {
   std::array<std::size_t, 3> counts{};
-  for(const Named_surface& s : flat_surfaces())
-    for(unsigned int seed = 0; seed < 10; ++seed) {
-      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
-      const Flat_triangulation flat(s.surface);
-      Triangulation t = *flat;
-      Plane_vectors vectors(flat, t);
-      Random_changes<Plane_vectors> changes(t, seed, vectors);
-      changes.change(20 * s.surface.mesh.number_of_edges());
-      for(std::size_t k = 0; k < 3; ++k)
-        counts[k] += changes.counts[k];
-      for(Halfedge_index h : t.mesh().halfedges()) {
-        const double angle = angle_in_plane(h, vectors, flat);
-        expect_same_direction(IT::angle_on_input(t, h), angle, 1e-9);
-        expect_same_direction(vectors.angle(h), angle, 1e-9);
-      }
+  for(const auto& [s, seed] : traced(flat_surfaces(), 10)) {
+    const Flat_triangulation flat(s.surface);
+    Triangulation t = *flat;
+    Plane_vectors vectors(flat, t);
+    Random_changes<Plane_vectors> changes(t, seed, vectors);
+    changes.change(20 * s.surface.mesh.number_of_edges());
+    for(std::size_t k = 0; k < 3; ++k)
+      counts[k] += changes.counts[k];
+    for(Halfedge_index h : t.mesh().halfedges()) {
+      const double angle = angle_in_plane(h, vectors, flat);
+      expect_same_direction(IT::angle_on_input(t, h), angle, 1e-9);
+      expect_same_direction(vectors.angle(h), angle, 1e-9);
     }
+  }
   for(std::size_t count : counts)
     EXPECT_GT(count, 100u);
 }
 
 TEST(Angular_coordinates, kept_through_insertions_and_removals)
 {
-  for(const Named_triangulation& named : triangulations())
-    for(unsigned int seed = 0; seed < 2; ++seed) {
-      SCOPED_TRACE(named.name + ", seed " + std::to_string(seed));
-      Triangulation t = named.triangulation;
-      Angles_only angles(t);
-      Random_changes<Angles_only>(t, seed, angles).change(10 * t.mesh().number_of_edges());
-      for(Halfedge_index h : t.mesh().halfedges())
-        expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-9);
-      t.collect_garbage();
-      angles.recompute();
-      check_kept(angles, t, 0);
-      for(Halfedge_index h : t.mesh().halfedges())
-        expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-14);
-      check_by_walking(t, angles);
-    }
+  for(const auto& [named, seed] : traced(triangulations(), 2)) {
+    Triangulation t = named.triangulation;
+    Angles_only angles(t);
+    Random_changes<Angles_only>(t, seed, angles).change(10 * t.mesh().number_of_edges());
+    for(Halfedge_index h : t.mesh().halfedges())
+      expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-9);
+    t.collect_garbage();
+    angles.recompute();
+    check_kept(angles, t, 0);
+    for(Halfedge_index h : t.mesh().halfedges())
+      expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-14);
+    check_by_walking(t, angles);
+  }
 }
 
 TEST(Angular_coordinates, visitor_of_refine)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     Triangulation t = named.triangulation;
     Angles angles(t);
     IT::refine(t, CGAL::parameters::visitor(std::ref(angles)));
@@ -471,8 +451,7 @@ TEST(Angular_coordinates, visitor_of_refine)
 TEST(Angular_coordinates, holonomy_is_curvature)
 {
   int loops = 0;
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     Angles angles(t);
     IT::refine(
@@ -491,8 +470,7 @@ TEST(Angular_coordinates, holonomy_is_curvature)
 
 TEST(Angular_coordinates, tangent_vectors_across_at_inserted_vertices)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     Triangulation t = named.triangulation;
     IT::refine(t);
     const IT::Tangent_frames<> frames(t.intrinsic());
@@ -529,8 +507,7 @@ void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
 
 TEST(Angular_coordinates, at_inserted_vertices)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     IT::refine(t, IT::parameters::minimum_angle(28.));
     const IT::Angular_coordinates<> angles(t);
@@ -541,8 +518,7 @@ TEST(Angular_coordinates, at_inserted_vertices)
 
 TEST(Angular_coordinates, kept_through_insertions_and_flips)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     IT::make_Delaunay(t);
     IT::Angular_coordinates<> angles(t);

@@ -5,24 +5,13 @@
 #include "exact_flips.h"
 #include "measuring.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/element_across.h>
 #include <CGAL/Intrinsic_triangulations/enclose_crossing.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-#include <CGAL/Simple_cartesian.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <variant>
-#include <vector>
 
 namespace Test_certified_places {
 
@@ -147,8 +136,7 @@ void check_crossings(const Exact_triangulation& t, const Mesh& mesh)
 TEST(Certified_places, crossings_on_planar_meshes)
 {
   std::size_t crossings = 0;
-  for(unsigned int seed = 0; seed < 12; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(12)) {
     Portable_random random(seed);
     const Mesh mesh = sheared(planar_mesh(random_points(12 + seed, 1000, seed)),
                               seed % 2 == 0 ? 0 : std::ldexp(1., 2 * static_cast<int>(seed)));
@@ -165,8 +153,7 @@ TEST(Certified_places, crossings_on_planar_meshes)
 // A place next to the end of an edge takes as many digits as its exponent says: here more than 512.
 TEST(Certified_places, crossings_close_to_a_vertex)
 {
-  for(const int exponent : {100, 500, 650, 900}) {
-    SCOPED_TRACE(exponent);
+  for(const int exponent : traced({100, 500, 650, 900})) {
     const double place = std::ldexp(1., -exponent);
     Mesh mesh;
     for(const Point& p :
@@ -188,8 +175,7 @@ TEST(Certified_places, crossings_close_to_a_vertex)
 // Squared lengths alone: each triangle has a root of its own.
 TEST(Certified_places, crossings_on_abstract_surfaces)
 {
-  for(unsigned int seed = 0; seed < 6; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(6)) {
     Portable_random random(seed);
     Mesh mesh = planar_mesh(random_points(14, 300, seed));
     auto square = mesh.add_property_map<Edge_index, Rational>("e:square").first;
@@ -209,8 +195,7 @@ TEST(Certified_places, crossings_on_abstract_surfaces)
 TEST(Certified_places, rounded_places_in_thin_faces)
 {
   std::size_t crossings = 0;
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(10)) {
     Mesh mesh = planar_mesh(random_points(20 + seed, 1000, seed));
     for(Vertex_index v : mesh.vertices())
       mesh.point(v) = Point(mesh.point(v).x(),
@@ -265,12 +250,9 @@ void check_rounded_places(const Mesh& mesh)
 
 TEST(Certified_places, rounded_places_on_hard_meshes)
 {
-  for(std::uint64_t seed = 0; seed < 24; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(24))
     check_rounded_places(hard_mesh(seed).mesh);
-  }
-  for(unsigned int seed = 0; seed < 4; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(4)) {
     Mesh mesh = perturbed(embedded_torus(12, 9), 0.2, seed);
     for(Vertex_index v : mesh.vertices()) {
       const Point p = mesh.point(v);
@@ -286,8 +268,7 @@ TEST(Certified_places, rounded_places_on_hard_meshes)
 // integers say.
 TEST(Certified_places, crossings_on_hard_meshes_are_in_order)
 {
-  for(std::uint64_t seed = 0; seed < 24; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(24)) {
     Exact_triangulation t(hard_mesh(seed).mesh);
     IT::make_Delaunay(t);
     const Exact_correspondence c(t);
@@ -337,8 +318,7 @@ std::array<std::size_t, 3> check_elements(const Exact_triangulation& t, const Me
 TEST(Certified_places, elements_on_planar_meshes)
 {
   std::array<std::size_t, 3> sum{};
-  for(unsigned int seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(20)) {
     Portable_random random(seed);
     const Mesh mesh =
       sheared(planar_mesh(random_points(5 + seed, 12 + static_cast<int>(seed), seed)), seed % 5);
@@ -355,8 +335,7 @@ TEST(Certified_places, elements_on_planar_meshes)
 TEST(Certified_places, elements_with_inserted_vertices)
 {
   std::array<std::size_t, 3> sum{};
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(10)) {
     Portable_random random(seed);
     const Mesh mesh = sheared(planar_mesh(random_points(6 + seed, 20, seed)), seed % 3);
     Exact_triangulation t(mesh);

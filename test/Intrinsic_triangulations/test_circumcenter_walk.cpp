@@ -5,12 +5,6 @@
 #include "hard_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace Test_circumcenter_walk {
 

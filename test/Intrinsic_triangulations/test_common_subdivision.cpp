@@ -7,18 +7,7 @@
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace Test_common_subdivision {
 
@@ -95,8 +84,7 @@ void check_copies(const Any_subdivision& s, const Triangulation& t)
 
 TEST(Common_subdivision, numbers_and_pieces)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Correspondence c(t.triangulation);
     const Subdivision s(c);
     check_numbers(s, c);
@@ -106,16 +94,13 @@ TEST(Common_subdivision, numbers_and_pieces)
 
 TEST(Common_subdivision, faces_look_the_same_in_both_parents)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_measures(Subdivision(Correspondence(t.triangulation)), t.triangulation);
-  }
 }
 
 TEST(Common_subdivision, triangulate)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     Subdivision s{Correspondence(t.triangulation)};
     check_triangles(s, t.triangulation);
   }
@@ -123,8 +108,7 @@ TEST(Common_subdivision, triangulate)
 
 TEST(Common_subdivision, of_equal_triangulations_is_the_input)
 {
-  for(const Named_complex& complex : complexes()) {
-    SCOPED_TRACE(complex.name);
+  for(const Named_complex& complex : traced(complexes())) {
     const Triangulation t = triangulation(complex.mesh, random_lengths(complex.mesh, 1));
     const Subdivision s{Correspondence(t)};
     EXPECT_EQ(s.mesh().number_of_vertices(), complex.mesh.number_of_vertices());
@@ -168,8 +152,7 @@ TEST(Common_subdivision, isolated_vertices_keep_their_numbers)
 // The coordinates at each corner are one of the places that its vertex has in the face.
 TEST(Common_subdivision, coordinates_at_corners)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Subdivision s{Correspondence(t.triangulation)};
     for(Side side : both_sides) {
       const Flat_faces faces(side, t.triangulation);
@@ -189,8 +172,7 @@ TEST(Common_subdivision, coordinates_at_corners)
 
 TEST(Common_subdivision, positions_in_space)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     flip_at_random(t, 20 * m.mesh.number_of_edges(), 1);
     const Correspondence c(t);
@@ -213,8 +195,7 @@ TEST(Common_subdivision, positions_in_space)
 
 TEST(Common_subdivision, linear_functions_in_the_plane_from_either_side)
 {
-  for(unsigned int seed = 0; seed < 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(5)) {
     Flat_triangulation flat(flat_grid(7, 6, seed));
     flat.flip_at_random(2000, seed);
     const Correspondence c(*flat);
@@ -244,8 +225,7 @@ TEST(Common_subdivision, agrees_with_an_arrangement_of_segments)
   const auto exact = [](const Vector& p) {
     return Exact::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
   };
-  for(unsigned int seed = 0; seed < 6; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(6)) {
     Flat_triangulation flat(seed % 2 == 0 ? flat_grid(5, 4, seed)
                                           : flat_polygon(random_points(40, 1 << 19, seed)));
     if(seed % 2 == 0)

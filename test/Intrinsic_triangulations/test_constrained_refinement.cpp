@@ -8,16 +8,6 @@
 
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-#include <boost/property_map/function_property_map.hpp>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <set>
-#include <vector>
 
 namespace Test_constrained_refinement {
 
@@ -95,9 +85,8 @@ std::set<std::size_t> feature_edges(const Mesh& mesh)
 TEST(Constrained_refinement, random_edges_inside)
 {
   Portable_random random(7);
-  for(unsigned int seed = 0; seed < 8; ++seed)
+  for(unsigned int seed : seeds(8))
     for(bool is_exact : {false, true}) {
-      SCOPED_TRACE(seed);
       const Mesh mesh = random_sphere(419, seed);
       expect_refined(mesh, random_edges(mesh, 41, random), is_exact);
     }
@@ -130,8 +119,7 @@ TEST(Constrained_refinement, feature_edges_of_data_meshes)
 TEST(Constrained_refinement, random_edges_of_hard_meshes)
 {
   Portable_random random(9);
-  for(std::uint64_t seed : {3u, 9u, 10u, 13u, 25u, 27u}) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : traced({3u, 9u, 10u, 13u, 25u, 27u})) {
     const Mesh mesh = hard_mesh(seed).mesh;
     const auto marked = random_edges(mesh, 5, random);
     const auto is_constrained = boost::make_function_property_map<Mesh::Edge_index>(

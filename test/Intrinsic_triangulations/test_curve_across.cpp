@@ -9,20 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_curve_across {
 
@@ -221,8 +210,7 @@ TEST(Curve_across, in_the_plane)
 
 TEST(Curve_across, without_inserted_vertices)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     check_paths(t, 1);
     flip_at_random(t, 2 * t.mesh().number_of_edges(), 2);
@@ -252,8 +240,7 @@ TEST(Curve_across, after_random_insertions_and_flips)
 
 TEST(Curve_across, after_refinement)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     IT::refine(t, IT::parameters::minimum_angle(25));
     check_paths(t, 1);
@@ -293,8 +280,7 @@ TEST(Curve_across, on_data_meshes)
 TEST(Curve_across, through_inserted_vertices)
 {
   std::size_t passed = 0;
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     IT::refine(t, IT::parameters::minimum_angle(25));
     const Correspondence c(t);

@@ -5,19 +5,9 @@
 #include "hard_meshes.h"
 #include "known_surfaces.h"
 #include "path_checks.h"
-#include "refined_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 // Distances from curves.
 namespace Test_curve_distances {
@@ -119,23 +109,19 @@ void check_by_minima(Side side, const Triangulation& t, unsigned int seed)
 
 TEST(Curve_distances, are_least_distances)
 {
-  for(const Named_mesh& m : small_meshes())
-    for(unsigned int seed = 0; seed < 8; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-      Triangulation t(m.mesh);
-      check_by_minima(Side::input, t, seed);
-      flip_at_random(t, 10, seed);
-      check_by_minima(Side::intrinsic, t, seed);
-    }
+  for(const auto& [m, seed] : traced(small_meshes(), 8)) {
+    Triangulation t(m.mesh);
+    check_by_minima(Side::input, t, seed);
+    flip_at_random(t, 10, seed);
+    check_by_minima(Side::intrinsic, t, seed);
+  }
 }
 
 TEST(Curve_distances, are_least_distances_on_Delta_complexes)
 {
-  for(const auto& [name, mesh] : glued_complexes())
-    for(unsigned int seed = 0; seed < 8; ++seed) {
-      SCOPED_TRACE(name + std::string(", seed ") + std::to_string(seed));
+  for(const auto& [name, mesh] : traced(glued_complexes()))
+    for(unsigned int seed : seeds(8))
       check_by_minima(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
-    }
 }
 
 // ---- Closed forms ----

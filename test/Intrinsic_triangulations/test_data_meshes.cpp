@@ -6,22 +6,10 @@
 #include "measuring.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <iostream>
-#include <set>
-#include <sstream>
-#include <string>
-#include <system_error>
-#include <vector>
 
 namespace Test_data_meshes {
 

@@ -10,7 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/draw_intrinsic_triangulation.h>
 #include <CGAL/version.h>
-#include <gtest/gtest.h>
 
 namespace Test_draw {
 

@@ -4,12 +4,9 @@
 
 // Numbers of marks and pieces along edges.
 
-#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
-#include <gtest/gtest.h>
+#include "testing.h"
 
-#include <limits>
-#include <set>
-#include <vector>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 
 namespace Test_edge_marks {
 

@@ -11,14 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <string>
-#include <vector>
 
 // Geodesics by flips stay in their homotopy class, and are what they are on the exact surface.
 
@@ -260,19 +252,14 @@ void check_classes(const Mesh& mesh, int n, std::uint64_t seed)
 
 TEST(Edge_path_classes, are_kept)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes()))
     check_classes(m.mesh, 40, 1);
-  }
 }
 
 TEST(Edge_path_classes, are_kept_on_hard_meshes)
 {
-  for(std::uint64_t seed = 0; seed < 48; ++seed) {
-    const Named_mesh m = hard_mesh(seed);
-    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+  for(const auto& [m, seed] : traced(48, hard_mesh))
     check_classes(m.mesh, 10, seed);
-  }
 }
 
 TEST(Edge_path_classes, are_kept_on_data_meshes)
@@ -291,9 +278,7 @@ TEST(Edge_path_classes, are_kept_on_data_meshes)
 // angles rounding does not tell.
 TEST(Edge_path_classes, are_exact_on_hard_meshes)
 {
-  for(std::uint64_t seed = 0; seed < 36; ++seed) {
-    const Named_mesh m = hard_mesh(seed);
-    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+  for(const auto& [m, seed] : traced(36, hard_mesh)) {
     Triangulation rounded(m.mesh);
     Exact_triangulation exact(m.mesh);
     Portable_random random(seed);
@@ -319,8 +304,7 @@ TEST(Edge_path_classes, are_exact_on_hard_meshes)
 // is shorter by more.
 TEST(Edge_path_classes, are_shortest_in_flat_disks)
 {
-  for(std::uint64_t seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(20)) {
     Portable_random random(seed);
     Triangulation t(saw_teeth(20, 5, random.get_double(0.001, 0.9), false, random));
     for(int i = 0; i < 10; ++i) {

@@ -4,7 +4,6 @@
 
 #include "data_meshes.h"
 #include "known_surfaces.h"
-#include "near_degenerate_meshes.h"
 #include "tied_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
@@ -12,15 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_edge_paths {
 
@@ -119,27 +109,20 @@ void check_random_paths(Triangulation t, int n, unsigned int seed)
 
 TEST(Edge_paths, random_paths)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes()))
     check_random_paths(Triangulation(m.mesh), 50, 1);
-  }
 }
 
 TEST(Edge_paths, random_paths_after_flips)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_random_paths(t.triangulation, 10, 2);
-  }
 }
 
 TEST(Edge_paths, random_paths_on_near_degenerate_meshes)
 {
-  for(unsigned int seed = 0; seed < 40; ++seed) {
-    const Named_mesh m = near_degenerate_mesh(seed);
-    SCOPED_TRACE(m.name);
+  for(const auto& [m, seed] : traced(40, near_degenerate_mesh))
     check_random_paths(Triangulation(m.mesh), 10, seed);
-  }
 }
 
 TEST(Edge_paths, random_paths_on_data_meshes)
@@ -207,8 +190,7 @@ TEST(Edge_paths, on_flat_tori_and_cylinders)
 TEST(Edge_paths, exact)
 {
   using Traits = IT::Exact_Euclidean_geometry_traits<>;
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     IT::Intrinsic_triangulation<Traits> t(m.mesh);
     Triangulation rounded(m.mesh);
     CGAL::Random random(5);
@@ -232,8 +214,7 @@ TEST(Edge_paths, exact)
 // Many equal angles, and angles of exactly pi.
 TEST(Edge_paths, exact_with_ties)
 {
-  for(std::uint64_t seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(20)) {
     IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> t(tied_mesh(seed).mesh);
     CGAL::Random random(static_cast<unsigned int>(seed));
     for(int i = 0; i < 3; ++i) {
@@ -248,8 +229,7 @@ TEST(Edge_paths, exact_with_ties)
 // Side by side: at a vertex with a small angle sum, they go to either side.
 TEST(Edge_paths, doubled_paths)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     CGAL::Random random(6);
     for(int i = 0; i < 10; ++i) {

@@ -7,27 +7,12 @@
 #include "tied_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Sqrt_extension.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_exact_Delaunay {
 
@@ -293,11 +278,9 @@ void check_flat_surface(const Flat_surface& surface, std::uint64_t seed)
 
 TEST(Exact_Delaunay, flat_tori)
 {
-  for(unsigned int seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(20))
     check_flat_surface(
       flat_torus(static_cast<int>(1 + seed % 5), static_cast<int>(1 + seed / 5), seed), seed);
-  }
 }
 
 TEST(Exact_Delaunay, flat_cylinders)
@@ -310,8 +293,7 @@ TEST(Exact_Delaunay, flat_cylinders)
 
 TEST(Exact_Delaunay, flat_polygons)
 {
-  for(unsigned int seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(20)) {
     const int n = 8 + 4 * static_cast<int>(seed);
     // a narrow range of coordinates has many cocircular points
     const int range = seed % 2 == 0 ? n : 1000;
@@ -324,9 +306,7 @@ TEST(Exact_Delaunay, flat_polygons)
 // whatever the triangulation before
 TEST(Exact_Delaunay, finds_all_ties)
 {
-  for(std::uint64_t seed = 0; seed < 105; ++seed) {
-    const Tied_mesh tied = tied_mesh(seed);
-    SCOPED_TRACE(tied.name + " " + std::to_string(seed));
+  for(const auto& [tied, seed] : traced(105, tied_mesh)) {
     Exact_triangulation t(tied.mesh);
     EXPECT_EQ(IT::make_Delaunay(t), 0u); // ties keep the edge
     EXPECT_EQ(IT::certify_Delaunay(t).ties.size(), tied.ties);
@@ -372,9 +352,7 @@ void check_kernel(const Tied_mesh& tied)
 
 TEST(Exact_Delaunay, positions_in_exact_kernels)
 {
-  for(std::uint64_t seed = 0; seed < 14; ++seed) {
-    const Tied_mesh tied = tied_mesh(seed);
-    SCOPED_TRACE(tied.name);
+  for(const auto& [tied, seed] : traced(14, tied_mesh)) {
     check_kernel<CGAL::Simple_cartesian<Exact_rational>>(tied);
     check_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(tied);
   }
@@ -413,9 +391,7 @@ TEST(Exact_Delaunay, octagon_with_lengths_in_an_extension)
 
 TEST(Exact_Delaunay, certified_on_hard_meshes)
 {
-  for(std::uint64_t seed = 0; seed < 240; ++seed) {
-    const Named_mesh hard = hard_mesh(seed);
-    SCOPED_TRACE(hard.name + " " + std::to_string(seed));
+  for(const auto& [hard, seed] : traced(240, hard_mesh)) {
     Exact_triangulation t(hard.mesh);
     IT::make_Delaunay(t);
     EXPECT_TRUE(IT::is_Delaunay(t));
@@ -440,11 +416,8 @@ void expect_certified_in_double(const Mesh& mesh)
 
 TEST(Exact_Delaunay, double_is_certified_on_hard_meshes)
 {
-  for(std::uint64_t seed = 0; seed < 240; ++seed) {
-    const Named_mesh hard = hard_mesh(seed);
-    SCOPED_TRACE(hard.name + " " + std::to_string(seed));
+  for(const auto& [hard, seed] : traced(240, hard_mesh))
     expect_certified_in_double(hard.mesh);
-  }
 }
 
 std::array<Exact_rational, 3> exact_sides(Face_index f, const Triangulation& t)
@@ -460,9 +433,7 @@ std::array<Exact_rational, 3> exact_sides(Face_index f, const Triangulation& t)
 TEST(Exact_Delaunay, rounded_lengths_are_those_of_triangles)
 {
   std::size_t shortened = 0;
-  for(std::uint64_t seed = 0; seed < 120; ++seed) {
-    const Named_mesh hard = hard_mesh(seed);
-    SCOPED_TRACE(hard.name + " " + std::to_string(seed));
+  for(const auto& [hard, seed] : traced(120, hard_mesh)) {
     const Triangulation by_points(hard.mesh);
     Triangulation t(hard.mesh, IT::parameters::edge_length_map(by_points.length_map()));
     for(Edge_index e : t.input_mesh().edges()) {
@@ -509,9 +480,7 @@ TEST(Exact_Delaunay, rounded_squared_lengths_of_flat_triangles)
 
 TEST(Exact_Delaunay, double_is_certified_on_ties)
 {
-  for(std::uint64_t seed = 0; seed < 105; ++seed) {
-    const Tied_mesh tied = tied_mesh(seed);
-    SCOPED_TRACE(tied.name + " " + std::to_string(seed));
+  for(const auto& [tied, seed] : traced(105, tied_mesh)) {
     expect_certified_in_double(tied.mesh);
     Triangulation t(tied.mesh);
     EXPECT_EQ(IT::make_Delaunay(t, exactly), 0u); // ties keep the edge
@@ -602,8 +571,7 @@ TEST(Exact_Delaunay, certified_on_data_meshes)
 // Filters and multiprecision decide alike, also where edges are not Delaunay or bent.
 TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
 {
-  for(std::uint64_t seed : {5u, 23u, 112u, 155u, 167u, 187u, 196u, 199u}) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : traced({5u, 23u, 112u, 155u, 167u, 187u, 196u, 199u})) {
     Triangulation t(hard_mesh(seed).mesh);
     IT::make_Delaunay(t);
     auto decisions = IT::internal::exact_decisions(t);
@@ -645,9 +613,8 @@ Exact_triangulation by_squares(const Exact_triangulation& t, const Mesh& mesh)
 TEST(Exact_Delaunay, planes_decide_as_triangles_do)
 {
   std::array<int, 3> signs{};
-  for(std::uint64_t seed = 0; seed < 70; ++seed) {
+  for(std::uint64_t seed : seeds(70)) {
     const Tied_mesh tied = tied_mesh(seed);
-    SCOPED_TRACE(tied.name + " " + std::to_string(seed));
     Exact_triangulation t(tied.mesh), other = by_squares(t, tied.mesh);
     Portable_random random(seed);
     shuffle(t, 2 * t.mesh().number_of_edges(), random, [&](Halfedge_index h) { other.flip(h); });

@@ -9,18 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Test_exact_refinement {
 
@@ -207,8 +195,7 @@ TEST(Exact_refinement, in_double_is_certified_on_ordinary_meshes)
 // Also where it needs more vertices than exact decisions from the beginning.
 TEST(Exact_refinement, in_double_is_certified_on_hard_meshes)
 {
-  for(std::uint64_t seed = 30; seed < 62; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(30, 62)) {
     const Mesh mesh = hard_mesh(seed).mesh;
     if(mesh.number_of_faces() > 600)
       continue;
@@ -311,8 +298,7 @@ TEST(Exact_refinement, bent_edges_between_inserted_vertices_are_repaired)
 {
   Portable_random random(9);
   std::size_t bent = 0;
-  for(std::uint64_t seed = 0; seed < 24; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(24)) {
     Mesh mesh = seed % 2 == 0 ? hard_base(random) : hard_mesh(seed).mesh;
     auto is_constrained = mesh.add_property_map<Edge_index, bool>("e:constrained", false).first;
     for(Edge_index e : mesh.edges())

@@ -4,11 +4,9 @@
 
 #include "exact_flips.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
 #include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
-#include <gtest/gtest.h>
 
 #ifdef CGAL_USE_GMP
 #ifndef CGAL_USE_CORE
@@ -16,18 +14,6 @@
 #endif
 #include <CGAL/CORE_Expr.h>
 #endif
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <functional>
-#include <iostream>
-#include <map>
-#include <set>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace Test_exact_truth {
 
@@ -97,10 +83,8 @@ void check_square_torus(int n, int shear, unsigned int seed)
 
 TEST(Exact_truth, Delaunay_triangulations_of_flat_tori)
 {
-  for(unsigned int seed = 0; seed < 24; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(24))
     check_square_torus(1 + static_cast<int>(seed) % 5, static_cast<int>(seed) % 3 - 1, seed);
-  }
 }
 
 // ---- Numbers with roots ----

@@ -10,18 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
-#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <filesystem>
-#include <functional>
-#include <iterator>
-#include <string>
-#include <vector>
 
 namespace Test_exponential_map {
 
@@ -303,14 +291,12 @@ Flat_surface needles(int n, int width, int height)
 
 TEST(Exponential_map, straight_in_the_plane_and_around_a_torus)
 {
-  for(const Named_surface& s : flat_surfaces())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
-      Flat_triangulation flat(s.surface);
-      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
-      for(Side side : both_sides)
-        check_flat(side, flat, seed);
-    }
+  for(const auto& [s, seed] : traced(flat_surfaces(), 3)) {
+    Flat_triangulation flat(s.surface);
+    flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+    for(Side side : both_sides)
+      check_flat(side, flat, seed);
+  }
 }
 
 TEST(Exponential_map, back_to_the_start) { check_all(check_reverse); }
@@ -323,16 +309,13 @@ TEST(Exponential_map, path_in_pieces) { check_all(check_path); }
 
 TEST(Exponential_map, same_on_both_triangulations)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_independence(t.triangulation, 40, 1e-9);
-  }
 }
 
 TEST(Exponential_map, same_on_both_triangulations_from_inserted_vertices)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     Triangulation t = named.triangulation;
     IT::refine(t);
     check_independence(t, 100, 1e-9);

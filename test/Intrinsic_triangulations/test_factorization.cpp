@@ -4,21 +4,15 @@
 
 // Sparse Cholesky factorizations of both libraries, against dense products.
 
+#include "testing.h"
+
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Simplicial_Cholesky.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
 #endif
 
-#include <CGAL/Random.h>
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <vector>
 
 namespace Test_factorization {
 

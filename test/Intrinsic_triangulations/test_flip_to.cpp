@@ -9,11 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/rebase.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace Test_flip_to {
 
@@ -121,20 +116,18 @@ void expect_lengths(Triangulation over, const Triangulation& t3)
 
 TEST(Flip_to, all_complexes)
 {
-  for(unsigned seed = 0; seed < 10; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const Triangulation t1 = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      Triangulation t2(t1), t3(t1);
-      // Of few edges more flips make slivers, whose lengths are all rounding.
-      const int tries = static_cast<int>(std::min(3 * c.mesh.number_of_edges(), 100u));
-      random_flips(t2, tries, seed);
-      random_flips(t3, tries, seed + 100);
-      expect_lengths(IT::rebase(t2, t3), t3);
-      Triangulation t(t2);
-      flip_to(t, t3);
-      expect_same_triangulation(t, t3);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 10)) {
+    const Triangulation t1 = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    Triangulation t2(t1), t3(t1);
+    // Of few edges more flips make slivers, whose lengths are all rounding.
+    const int tries = static_cast<int>(std::min(3 * c.mesh.number_of_edges(), 100u));
+    random_flips(t2, tries, seed);
+    random_flips(t3, tries, seed + 100);
+    expect_lengths(IT::rebase(t2, t3), t3);
+    Triangulation t(t2);
+    flip_to(t, t3);
+    expect_same_triangulation(t, t3);
+  }
 }
 
 TEST(Flip_to, flips_to_a_neighbor_at_once)

@@ -7,21 +7,11 @@
 #include "flat_pair.h"
 #include "more_generators.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/rebase.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_flip_to_inserted {
 
@@ -242,29 +232,26 @@ void expect_lengths(const Triangulation& t2, const Triangulation& t3)
 
 TEST(Flip_to_inserted, all_complexes)
 {
-  for(unsigned seed = 0; seed < 8; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      Triangulation t2 = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      CGAL::Random random(seed);
-      const int tries = static_cast<int>(std::min(2 * c.mesh.number_of_edges(), 60u));
-      random_flips(t2, tries, seed);
-      random_insertions(t2, 6, random);
-      Triangulation t3(t2);
-      random_flips(t2, tries, seed + 100);
-      random_insertions(t3, 6, random);
-      random_flips(t3, tries, seed + 200);
-      expect_lengths(t2, t3);
-      Triangulation t(t2);
-      IT::flip_to(t, t3);
-      EXPECT_EQ(sorted_lengths(t), sorted_lengths(t3));
-    }
+  for(const auto& [c, seed] : traced(complexes(), 8)) {
+    Triangulation t2 = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    CGAL::Random random(seed);
+    const int tries = static_cast<int>(std::min(2 * c.mesh.number_of_edges(), 60u));
+    random_flips(t2, tries, seed);
+    random_insertions(t2, 6, random);
+    Triangulation t3(t2);
+    random_flips(t2, tries, seed + 100);
+    random_insertions(t3, 6, random);
+    random_flips(t3, tries, seed + 200);
+    expect_lengths(t2, t3);
+    Triangulation t(t2);
+    IT::flip_to(t, t3);
+    EXPECT_EQ(sorted_lengths(t), sorted_lengths(t3));
+  }
 }
 
 TEST(Flip_to_inserted, refined_surfaces)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t2(m.mesh);
     IT::make_Delaunay(t2);
     IT::refine(t2, IT::parameters::minimum_angle(20));
@@ -286,8 +273,7 @@ TEST(Flip_to_inserted, refined_surfaces)
 TEST(Flip_to_inserted, ties)
 {
   const Mesh mesh = grid(8, 8, [](double x, double y) { return Point(x, y, 0); });
-  for(unsigned seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned seed : seeds(20)) {
     Triangulation t2(mesh);
     IT::Vertex_inserter<> inserter(t2);
     for(Edge_index e : t2.input_mesh().edges())

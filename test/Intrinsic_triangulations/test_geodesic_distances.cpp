@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "generators.h"
 #include "known_surfaces.h"
 #include "refined_meshes.h"
 #include "unfolding.h"
@@ -13,15 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 // Distances by the method that is right for the surface.
 namespace Test_geodesic_distances {

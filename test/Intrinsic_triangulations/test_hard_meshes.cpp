@@ -2,24 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hard_meshes.h"
 #include "tied_meshes.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
-#include <gtest/gtest.h>
-
-#include <CGAL/boost/graph/helpers.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <string>
-#include <utility>
 
 namespace Test_hard_meshes {
 

@@ -11,16 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/vector_heat.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_heat {
 
@@ -358,8 +348,7 @@ TEST(Heat_distance, sources_and_components)
 // least nor the mean of the values at the sources.
 TEST(Heat_distance, many_sources_in_closed_form)
 {
-  for(const Known_distances& known : known_distances()) {
-    SCOPED_TRACE(known.name);
+  for(const Known_distances& known : traced(known_distances())) {
     const Values computed = IT::heat_distance(known.t.intrinsic(), known.sources);
     for(Vertex_index source : known.sources)
       EXPECT_EQ(computed[source.idx()], 0);
@@ -409,8 +398,7 @@ TEST(Heat_distance, far_away)
 
 TEST(Heat_distance, all_complexes)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Values distance = IT::heat_distance(t.triangulation.intrinsic(), vertex(0));
     EXPECT_TRUE(distance.allFinite());
     EXPECT_EQ(distance[0], 0);
@@ -534,8 +522,7 @@ TEST(Vector_heat, sources)
 
 TEST(Vector_heat, all_complexes)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const IT::Vector_heat<> heat(t.triangulation.intrinsic());
     const Field field = heat.transport(vertex(0), Complex(1));
     EXPECT_TRUE(field.allFinite());

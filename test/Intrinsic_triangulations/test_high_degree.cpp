@@ -6,12 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace Test_high_degree {
 
@@ -127,8 +121,7 @@ Mesh stretched(Mesh mesh, double factor)
 
 TEST(High_degree, hub_of_four_thousand)
 {
-  for(unsigned int seed = 0; seed < 2; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(2)) {
     const Mesh mesh = rough_bipyramid(4000, seed);
     Triangulation t(mesh);
     EXPECT_EQ(t.outgoing_halfedges().degree(Vertex_index(4000)), 4000u);
@@ -187,8 +180,7 @@ TEST(High_degree, cylinder_of_a_thousand_twists)
 
 TEST(Near_degenerate, thin_faces)
 {
-  for(double width : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
-    SCOPED_TRACE(width);
+  for(double width : traced({1e-1, 1e-3, 1e-6, 1e-9, 1e-12})) {
     check(thin_faces(width));
     EXPECT_GT(check(cap(width)), 0u);
   }
@@ -196,20 +188,16 @@ TEST(Near_degenerate, thin_faces)
 
 TEST(Near_degenerate, fans)
 {
-  for(double flatness : {1., 1e-2, 1e-5})
-    for(std::size_t corners : {5u, 50u, 500u}) {
-      SCOPED_TRACE(std::to_string(corners) + " corners, flattened to " + std::to_string(flatness));
+  for(double flatness : traced({1., 1e-2, 1e-5}))
+    for(std::size_t corners : traced({5u, 50u, 500u}))
       check(fan(corners, flatness));
-    }
 }
 
 TEST(Near_degenerate, stretched)
 {
-  for(double factor : {1e-5, 1e-3, 1e3, 1e5})
-    for(const Named_mesh& m : meshes()) {
-      SCOPED_TRACE(m.name + ", stretched by " + std::to_string(factor));
+  for(double factor : traced({1e-5, 1e-3, 1e3, 1e5}))
+    for(const Named_mesh& m : traced(meshes()))
       check(stretched(perturbed(m.mesh, 0.02, 1), factor));
-    }
 }
 
 TEST(Near_degenerate, near_coincident_vertices)

@@ -10,17 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
 #include <CGAL/Intrinsic_triangulations/homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_homology_basis {
 
@@ -139,8 +128,7 @@ void expect_basis(const std::vector<Halfedges>& loops, const Delta_complex& mesh
 // Shortest paths by Bellman and Ford add the same lengths in the same order.
 TEST(Dijkstra_search, against_relaxation)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     const auto lengths = random_lengths(c.mesh, 1);
     const auto t = triangulation(c.mesh, lengths);
     const Delta_complex& mesh = t.mesh();
@@ -240,8 +228,7 @@ void expect_trees(const IT::Tree_cotree& trees, const Delta_complex& mesh, std::
 
 TEST(Tree_cotree, all_surfaces)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     const std::size_t borders = number_of_borders(c.mesh), faces = c.mesh.number_of_faces();
     const std::size_t twice_genus = rank(c.mesh) + 1 - (std::max)(borders, std::size_t(1));
     expect_trees(IT::Tree_cotree(c.mesh), c.mesh, faces + borders, twice_genus);
@@ -267,8 +254,7 @@ TEST(Tree_cotree, all_surfaces)
 // Edges are closed until no vertex but a terminal has only one that is open.
 TEST(Cut_graph, ends_are_closed)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     std::vector<char> is_terminal(c.mesh.num_vertices(), 0);
     is_terminal.front() = is_terminal.back() = 1;
     IT::Tree_cotree trees(c.mesh);
@@ -332,13 +318,11 @@ TEST(Cut_graph, corners_lie_between_seams)
 
 TEST(Homology_basis, all_surfaces)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 10; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const auto lengths = random_lengths(c.mesh, seed);
-      const auto t = triangulation(c.mesh, lengths);
-      expect_basis(IT::homology_basis(t), t.mesh(), rank(t.mesh()));
-    }
+  for(const auto& [c, seed] : traced(complexes(), 10)) {
+    const auto lengths = random_lengths(c.mesh, seed);
+    const auto t = triangulation(c.mesh, lengths);
+    expect_basis(IT::homology_basis(t), t.mesh(), rank(t.mesh()));
+  }
 }
 
 // What the loops of the torus go along.
@@ -442,13 +426,11 @@ double length_of_shortest_basis(const IT::Intrinsic_triangulation<>& t)
 
 TEST(Homology_basis, is_shortest)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const auto t = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      const double expected = length_of_shortest_basis(t);
-      EXPECT_NEAR(sum_of_lengths(IT::homology_basis(t), t), expected, 1e-12 * expected);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 3)) {
+    const auto t = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    const double expected = length_of_shortest_basis(t);
+    EXPECT_NEAR(sum_of_lengths(IT::homology_basis(t), t), expected, 1e-12 * expected);
+  }
 }
 
 double geodesic_length(const Halfedges& loop, const IT::Intrinsic_triangulation<>& t)
@@ -504,8 +486,7 @@ TEST(Homology_basis, inner_equator)
 
 TEST(Homology_basis, all_loops_become_geodesics)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     IT::Intrinsic_triangulation<> t(m.mesh);
     for(const Halfedges& loop : IT::homology_basis(t)) {
       IT::Intrinsic_triangulation<> copy = t;

@@ -4,18 +4,9 @@
 
 #include "data_meshes.h"
 #include "equality.h"
-#include "generators.h"
-#include "more_generators.h"
 
 #include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace Test_input_with_inserted_vertices {
 
@@ -98,8 +89,7 @@ void expect_same_Delaunay_triangulation(const Triangulation& r)
 TEST(Input_with_inserted_vertices, of_all_surfaces)
 {
   std::size_t inserted = 0;
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     const Triangulation r = refined(triangulation(c.mesh, random_lengths(c.mesh, 1)));
     inserted += r.number_of_inserted_vertices();
     check(r);
@@ -110,8 +100,7 @@ TEST(Input_with_inserted_vertices, of_all_surfaces)
 
 TEST(Input_with_inserted_vertices, is_the_input_without_any)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Triangulation input(m.mesh);
     Triangulation flipped(m.mesh);
     IT::make_Delaunay(flipped);
@@ -131,8 +120,7 @@ Point place(Vertex_index v, const Triangulation& t, const Mesh& mesh)
 
 TEST(Input_with_inserted_vertices, is_straight_in_space)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     double size = 0;
     for(const Point& p : m.mesh.points())
       size = (std::max)(size, std::sqrt(CGAL::squared_distance(p, Point(0, 0, 0))));

@@ -3,30 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "equality.h"
-#include "generators.h"
 #include "measuring.h"
-#include "more_generators.h"
 #include "random_changes.h"
 
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
-#include <CGAL/Intrinsic_triangulations/io.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
-
-#include <CGAL/Random.h>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace Test_insertion {
 

@@ -9,21 +9,10 @@
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
-#include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <iostream>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace Test_insertion_exact {
 
@@ -186,8 +175,7 @@ TEST(Insertion_exact, correspondence_on_flat_surfaces)
 
 TEST(Insertion_exact, correspondence_after_refinement)
 {
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     Triangulation t(named.triangulation);
     IT::refine(t);
     check_subdivision(t);
@@ -253,15 +241,13 @@ void insert_and_flip_at_random(Triangulation& t, unsigned int seed)
 TEST(Insertion_exact, points_across_where_input_faces_have_no_area)
 {
   const Mesh mesh = sliding_triangles();
-  for(double radius : {10., 1., 0.3, 0.1}) {
-    SCOPED_TRACE("largest circumradius " + std::to_string(radius));
+  for(double radius : traced({10., 1., 0.3, 0.1})) {
     Triangulation t(mesh);
     IT::refine(t, IT::parameters::maximum_circumradius(radius));
     EXPECT_TRUE(t.is_valid(true));
     check_there_and_back(t, mesh, 2000);
   }
-  for(unsigned int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(100)) {
     Triangulation t(mesh);
     IT::make_Delaunay(t);
     insert_and_flip_at_random(t, seed);
@@ -347,9 +333,8 @@ TEST(Insertion_exact, overflow_changes_nothing)
 // Strips that start as good as on the first edge they cross do not lose half of the digits.
 TEST(Insertion_exact, points_on_curves)
 {
-  for(const Named_mesh& m : meshes())
-    for(int ulps : {-1, 0, 1}) {
-      SCOPED_TRACE(m.name + ", " + std::to_string(ulps) + " ulps off");
+  for(const Named_mesh& m : traced(meshes()))
+    for(int ulps : traced({-1, 0, 1})) {
       Triangulation t(m.mesh);
       flip_at_random(t, 10 * m.mesh.number_of_edges(), 1);
       const Triangulation before(t);

@@ -5,16 +5,8 @@
 #include "equality.h"
 #include "flat_pair.h"
 
-#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <gtest/gtest.h>
-
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_integer_coordinates {
 
@@ -169,15 +161,13 @@ double length_difference(const IT::Intrinsic_triangulation<Traits>& a,
 template <typename Check>
 void for_each_flipped(const Check& check)
 {
-  for(unsigned int seed = 0; seed < 4; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const Triangulation before = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      Triangulation after(before);
-      const std::vector<Halfedge_index> flipped = random_flips(after, 300, seed);
-      EXPECT_TRUE(after.is_valid(true));
-      check(before, after, flipped);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 4)) {
+    const Triangulation before = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    Triangulation after(before);
+    const std::vector<Halfedge_index> flipped = random_flips(after, 300, seed);
+    EXPECT_TRUE(after.is_valid(true));
+    check(before, after, flipped);
+  }
 }
 
 // ---- Large numbers ----

@@ -8,19 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
-#include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Sqrt_extension.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <locale>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 #ifdef __linux__
 #include <sys/resource.h>
 #endif
@@ -184,10 +174,8 @@ void for_each_replacement(const std::string& text, const Check& check)
 
 TEST(IO, round_trip)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_round_trip(t.triangulation);
-  }
   for(const Triangulation& t : small_triangulations())
     check_round_trip(t);
   check_round_trip(Triangulation());
@@ -195,8 +183,7 @@ TEST(IO, round_trip)
 
 TEST(IO, round_trip_with_constraints)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const auto third =
       boost::make_function_property_map<Edge_index>([](Edge_index e) { return e.idx() % 3 == 0; });
     Triangulation t(m.mesh, CGAL::parameters::edge_is_constrained_map(third));

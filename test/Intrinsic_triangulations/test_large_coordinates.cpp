@@ -7,20 +7,13 @@
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <gtest/gtest.h>
 
 #ifdef CGAL_USE_MPFR
 #include <CGAL/Gmpfr.h>
 #endif
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 
 namespace Test_large_coordinates {
 
@@ -117,8 +110,7 @@ struct Long_torus
 TEST(Large_coordinates, Delaunay_triangulation_far_from_the_input)
 {
   const auto before = Gmpfr::set_default_precision(1000);
-  for(int steps : {10, 95, 200}) {
-    SCOPED_TRACE(steps);
+  for(int steps : traced({10, 95, 200})) {
     const Long_torus torus(steps);
     auto t = torus.triangulation();
     const std::size_t flips = IT::make_Delaunay(t);

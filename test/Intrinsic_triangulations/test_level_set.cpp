@@ -8,15 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/level_set.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Random.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Test_level_set {
 
@@ -71,15 +62,13 @@ void expect_level_set(const std::vector<Curve>& curves, const Delta_complex& mes
 
 TEST(Level_set, all_surfaces)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 10; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const auto lengths = random_lengths(c.mesh, seed);
-      const auto t = triangulation(c.mesh, lengths);
-      const auto values = random_values(t.mesh().number_of_vertices(), seed);
-      for(const double level : {-1., 0., 0.25, 0.5, 0.77, 1., 3.})
-        expect_level_set(IT::level_set(t, values, level), t.mesh(), values, level);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 10)) {
+    const auto lengths = random_lengths(c.mesh, seed);
+    const auto t = triangulation(c.mesh, lengths);
+    const auto values = random_values(t.mesh().number_of_vertices(), seed);
+    for(const double level : {-1., 0., 0.25, 0.5, 0.77, 1., 3.})
+      expect_level_set(IT::level_set(t, values, level), t.mesh(), values, level);
+  }
 }
 
 double length_of_gradient(const Triangulation& t, Face_index f, const std::vector<double>& values)
@@ -97,8 +86,7 @@ double length_of_gradient(const Triangulation& t, Face_index f, const std::vecto
 // at vertices they are linear in the level.
 TEST(Level_set, lengths)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Triangulation t(m.mesh);
     auto values = random_values(t.mesh().number_of_vertices(), 2);
     double expected = 0, sum = 0;
@@ -116,8 +104,7 @@ TEST(Level_set, lengths)
 // Curves on the intrinsic triangulation are brought to the input with their lengths.
 TEST(Level_set, across)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     IT::make_Delaunay(t);
     const IT::Correspondence correspondence(t);

@@ -12,13 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <Eigen/Eigenvalues>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
 
 namespace Test_local_triangulations {
 

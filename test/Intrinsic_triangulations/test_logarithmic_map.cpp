@@ -10,14 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_logarithmic_map {
 
@@ -186,10 +178,8 @@ TEST(Logarithmic_map, of_all_vertices) { check_all(check_all_at_once); }
 
 TEST(Logarithmic_map, distances_as_in_CGAL)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes()))
     check_with_CGAL(m.mesh);
-  }
 }
 
 TEST(Logarithmic_map, distances_as_in_CGAL_on_data_meshes)

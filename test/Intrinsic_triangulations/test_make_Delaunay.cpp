@@ -3,10 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
-#include "generators.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
@@ -14,22 +12,11 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/boost/graph/io.h>
-#include <gtest/gtest.h>
 #ifdef CGAL_USE_OPENMESH
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numeric>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_make_Delaunay {
 
@@ -268,8 +255,7 @@ bool contains(const std::string& text, const std::string& part)
 
 TEST(Make_Delaunay, meshes)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     check_Delaunay(t, 1e-7);
   }
@@ -278,19 +264,16 @@ TEST(Make_Delaunay, meshes)
 TEST(Make_Delaunay, random_metrics_on_all_complexes)
 {
   std::size_t flips = 0;
-  for(unsigned int seed = 0; seed < 20; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      Triangulation t = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      flips += check_Delaunay(t);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 20)) {
+    Triangulation t = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    flips += check_Delaunay(t);
+  }
   EXPECT_GT(flips, 300u);
 }
 
 TEST(Make_Delaunay, agrees_with_the_planar_triangulation)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(10)) {
     const std::vector<Vector> points = random_points(20 + 30 * seed, 1 << 19, seed);
     Triangulation t(planar_mesh(points));
     EXPECT_GT(IT::make_Delaunay(t), 0u);
@@ -312,8 +295,7 @@ TEST(Make_Delaunay, lengths_are_distances_in_the_plane)
 
 TEST(Make_Delaunay, sheared_cylinders_come_back_to_short_edges)
 {
-  for(int twists : {0, 1, 10, 1000}) {
-    SCOPED_TRACE(twists);
+  for(int twists : traced({0, 1, 10, 1000})) {
     Triangulation t = triangulation(flat_cylinder(1, twists));
     check_Delaunay(t, 1e-5);
     for(Edge_index e : t.mesh().edges()) // 1000, |(300, 700)| and |(700, 700)|
@@ -413,9 +395,8 @@ TEST(Make_Delaunay, caps_of_no_area_on_either_side)
 
 TEST(Make_Delaunay, ties_are_kept)
 {
-  for(double step : {1., 0.1, 1e-5, 3e7})
-    for(double angle : {0., 0.3, 1.}) {
-      SCOPED_TRACE(std::to_string(step) + ", turned by " + std::to_string(angle));
+  for(double step : traced({1., 0.1, 1e-5, 3e7}))
+    for(double angle : traced({0., 0.3, 1.})) {
       const double c = std::cos(angle), s = std::sin(angle);
       Triangulation t(grid(20, 20, [&](double x, double y) {
         return Point(step * (c * x - s * y), step * (s * x + c * y), 0);
@@ -439,8 +420,7 @@ TEST(Make_Delaunay, ties_that_are_sheared)
 
 TEST(Make_Delaunay, needles_and_nearly_flat_triangles)
 {
-  for(double height : {1e-3, 1e-6, 1e-9, 1e-12}) {
-    SCOPED_TRACE(height);
+  for(double height : traced({1e-3, 1e-6, 1e-9, 1e-12}))
     for(unsigned int seed = 0; seed < 5; ++seed) {
       CGAL::Random random(seed);
       Triangulation t(grid(10, 10, [&](double x, double y) {
@@ -450,7 +430,6 @@ TEST(Make_Delaunay, needles_and_nearly_flat_triangles)
       EXPECT_TRUE(t.is_valid(true));
       expect_Delaunay(t);
     }
-  }
 }
 
 TEST(Make_Delaunay, is_deterministic)
@@ -530,8 +509,7 @@ TEST(Intrinsic_triangulation, from_OpenMesh)
 
 TEST(Intrinsic_triangulation, from_lengths_alone)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     const std::vector<double> lengths = random_lengths(c.mesh, 1);
     const Triangulation t = triangulation(c.mesh, lengths);
     EXPECT_TRUE(t.is_valid(true));

@@ -2,26 +2,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "testing.h"
+
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
-#include <CGAL/Random.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 // The signed distance on a band that has one side, by its cover.
 
 namespace Test_moebius_distance {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+using Test_surfaces::traced;
 typedef std::array<double, 2> Place;
 typedef IT::Surface_curve<double> Curve;
 
@@ -153,9 +146,8 @@ Curve line(const Band& band, const Cover& cover, const IT::Delta_complex& mesh, 
 TEST(Signed_heat_distance, moebius_band)
 {
   constexpr double distance = 0.37;
-  for(const unsigned int seed : {1u, 2u, 3u})
-    for(const std::size_t n : {16u, 32u, 64u}) {
-      SCOPED_TRACE(std::to_string(n) + ", seed " + std::to_string(seed));
+  for(const unsigned int seed : traced({1u, 2u, 3u}))
+    for(const std::size_t n : traced({16u, 32u, 64u})) {
       const Band band(n, seed);
       const auto cover = IT::tufted_cover(band.number_of_vertices(), band.triangles());
       const auto lengths = band.lengths();

@@ -6,14 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <string>
-#include <vector>
 
 namespace Test_mollify {
 
@@ -67,24 +59,21 @@ double mollified(const Delta_complex& mesh, std::vector<double>& lengths, double
 
 TEST(Mollify, adds_the_missing_slack_and_no_more)
 {
-  for(unsigned int seed = 0; seed < 20; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      std::vector<double> lengths = wild_lengths(c.mesh, seed);
-      const std::vector<double> before = lengths;
-      const double wanted = 1e-3 * mean(before), slack = least_slack(c.mesh, before);
-      const double added = mollified(c.mesh, lengths, 1e-3);
-      EXPECT_NEAR(added, (std::max)(0., wanted - slack), 1e-15);
-      EXPECT_GE(least_slack(c.mesh, lengths), wanted - 1e-15);
-      for(std::size_t e = 0; e < lengths.size(); ++e)
-        EXPECT_EQ(lengths[e], before[e] + added);
-    }
+  for(const auto& [c, seed] : traced(complexes(), 20)) {
+    std::vector<double> lengths = wild_lengths(c.mesh, seed);
+    const std::vector<double> before = lengths;
+    const double wanted = 1e-3 * mean(before), slack = least_slack(c.mesh, before);
+    const double added = mollified(c.mesh, lengths, 1e-3);
+    EXPECT_NEAR(added, (std::max)(0., wanted - slack), 1e-15);
+    EXPECT_GE(least_slack(c.mesh, lengths), wanted - 1e-15);
+    for(std::size_t e = 0; e < lengths.size(); ++e)
+      EXPECT_EQ(lengths[e], before[e] + added);
+  }
 }
 
 TEST(Mollify, changes_nothing_where_nothing_is_missing)
 {
-  for(const Named_complex& c : complexes()) {
-    SCOPED_TRACE(c.name);
+  for(const Named_complex& c : traced(complexes())) {
     std::vector<double> lengths = random_lengths(c.mesh, 3); // slack at least 0.1
     const std::vector<double> before = lengths;
     EXPECT_EQ(mollified(c.mesh, lengths, 0.05), 0);
@@ -103,8 +92,7 @@ TEST(Mollify, twice_is_once)
 TEST(Mollify, scales_with_the_lengths)
 {
   const Delta_complex mesh = Triangulation(embedded_torus(5, 4)).mesh();
-  for(double scale : {1e-100, 1e-8, 1e8, 1e100}) {
-    SCOPED_TRACE(scale);
+  for(double scale : traced({1e-100, 1e-8, 1e8, 1e100})) {
     std::vector<double> lengths = wild_lengths(mesh, 6), scaled = lengths;
     for(double& x : scaled)
       x *= scale;
@@ -132,8 +120,7 @@ TEST(Mollify, coincident_vertices_become_apart)
 
 TEST(Mollify, edge_lengths_are_distances)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Mesh mesh = m.mesh;
     auto length = mesh.add_property_map<Edge_index, double>("e:length", 0).first;
     IT::compute_edge_lengths(mesh, length);

@@ -6,18 +6,9 @@
 
 #include "generators.h"
 
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-
-#include <boost/property_map/function_property_map.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <type_traits>
 
 namespace Test_named_parameters {
 

@@ -2,25 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "measuring.h"
 #include "near_degenerate_meshes.h"
 #include "refinement_checks.h"
 
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-
-#include <gtest/gtest.h>
-
-#include <CGAL/boost/graph/helpers.h>
-
-#include <algorithm>
-#include <array>
-#include <iostream>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Test_near_degenerate {
 
@@ -167,11 +153,8 @@ IT::Refinement_status check_refinement(const Mesh& mesh)
 template <typename Check>
 void for_each_mesh(const Check& check, unsigned int number = number_of_meshes)
 {
-  for(unsigned int seed = 0; seed < number; ++seed) {
-    const Named_mesh m = near_degenerate_mesh(seed);
-    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+  for(const auto& [m, seed] : traced(number, near_degenerate_mesh))
     EXPECT_NO_THROW(check(m.mesh));
-  }
 }
 
 // What the generator promises.

@@ -13,15 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <string>
-#include <vector>
 
 namespace Test_operators {
 
@@ -181,8 +172,7 @@ TEST(Operators, equilateral_triangle)
 
 TEST(Operators, laplacian_is_semidefinite_with_constants_as_kernel)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Matrix l = IT::cotan_laplacian(t.triangulation.intrinsic());
     const double size = largest(l);
     EXPECT_EQ(largest_distance(l, l.transpose()), 0);
@@ -199,8 +189,7 @@ TEST(Operators, laplacian_is_semidefinite_with_constants_as_kernel)
 
 TEST(Operators, Delaunay_weights_are_not_negative)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     Triangulation t(m.mesh);
     IT::make_Delaunay(t);
     if(!CGAL::is_closed(m.mesh))
@@ -243,21 +232,18 @@ TEST(Operators, gradient_of_linear_functions)
 
 TEST(Operators, divergence_of_gradient_is_the_laplacian)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     for(Side side : both_sides) {
       const Matrix l = IT::cotan_laplacian(t.triangulation.surface(side));
       const Matrix product = IT::divergence_matrix(t.triangulation.surface(side)) *
                              IT::gradient_matrix(t.triangulation.surface(side));
       EXPECT_LE(largest_distance(-product, l), 1e-14 * (1 + largest(l)));
     }
-  }
 }
 
 TEST(Operators, masses)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Matrix lumped = IT::lumped_mass_matrix(t.triangulation.intrinsic());
     const Matrix mass = IT::mass_matrix(t.triangulation.intrinsic());
     const double area = static_cast<double>(Flat_faces(Side::intrinsic, t.triangulation).area());
@@ -317,8 +303,7 @@ TEST(Operators, faces_of_zero_area)
 
 TEST(Operators, unit_of_length)
 {
-  for(const Named_complex& complex : complexes()) {
-    SCOPED_TRACE(complex.name);
+  for(const Named_complex& complex : traced(complexes())) {
     const auto lengths = random_lengths(complex.mesh, 3);
     const Triangulation t = triangulation(complex.mesh, lengths);
     for(double factor : {1e-30, 1e-3, 1e30}) {
@@ -347,8 +332,7 @@ TEST(Operators, long_double)
 
 TEST(Tangent_frames, Gauss_Bonnet)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Delta_complex& mesh = t.triangulation.mesh();
     const IT::Tangent_frames<> frames(t.triangulation.intrinsic());
     double sum = 0;
@@ -363,8 +347,7 @@ TEST(Tangent_frames, Gauss_Bonnet)
 
 TEST(Tangent_frames, angles)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Delta_complex& mesh = t.triangulation.mesh();
     const Flat_faces faces(Side::intrinsic, t.triangulation);
     const IT::Tangent_frames<> frames(t.triangulation.intrinsic());
@@ -552,8 +535,7 @@ TEST(Poisson, wave_on_a_flat_torus)
 // The solution of the discrete problem does not ask on which component or in which unit.
 TEST(Poisson, on_all_complexes)
 {
-  for(const Named_complex& complex : complexes()) {
-    SCOPED_TRACE(complex.name);
+  for(const Named_complex& complex : traced(complexes())) {
     const auto lengths = random_lengths(complex.mesh, 5);
     const Triangulation t = triangulation(complex.mesh, lengths),
                         s = scaled(complex.mesh, lengths, 1e-20);

@@ -10,12 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
 #include <atomic>
-#include <stdexcept>
-#include <string>
 
 #include "results.h" // after Eigen
 
@@ -146,12 +143,10 @@ Results results(const IT::Correspondence<Traits>& c)
 
 TEST(Parallel, correspondence)
 {
-  for(const Named_triangulation& t : large_triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(large_triangulations()))
     expect_same_results([&](auto tag) {
       return results(IT::Correspondence<>(t.triangulation, IT::parameters::concurrency_tag(tag)));
     });
-  }
 }
 
 // where crossings have scales
@@ -167,8 +162,7 @@ TEST(Parallel, ideal_correspondence)
 
 TEST(Parallel, common_subdivision)
 {
-  for(const Named_triangulation& t : large_triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(large_triangulations())) {
     const IT::Correspondence<> correspondence(t.triangulation);
     expect_same_results([&](auto tag) {
       Results results;
@@ -181,8 +175,7 @@ TEST(Parallel, common_subdivision)
 
 TEST(Parallel, matrices)
 {
-  for(const Named_triangulation& t : large_triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(large_triangulations())) {
     const IT::Correspondence<> correspondence(t.triangulation);
     const IT::Common_subdivision<> subdivision(correspondence);
     expect_same_results([&](auto tag) {
@@ -244,10 +237,8 @@ TEST(Parallel, certificates)
   all.push_back({"ties", Triangulation(grid(60, 60, [](double x, double y) {
                    return Point(3 * x - 4 * y, 4 * x + 3 * y, 0);
                  }))});
-  for(const Named_triangulation& t : all) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(all))
     expect_same_results([&](auto tag) { return certificate_results(t.triangulation, tag); });
-  }
 }
 
 } // namespace Test_parallel

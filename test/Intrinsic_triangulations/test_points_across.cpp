@@ -6,14 +6,6 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/point_across.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_points_across {
 
@@ -305,10 +297,8 @@ void check_by_geodesics(Triangulation t, unsigned int seed)
 // Applies a check to each of the triangulations.
 void check_all(void (&check)(const Triangulation&))
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check(t.triangulation);
-  }
 }
 
 // The vertices of add_face() and of vertices_around_face() belong to the coordinates 1, 2, 0.
@@ -346,15 +336,13 @@ TEST(Point_across, continuous_across_edges) { check_all(check_continuity); }
 
 TEST(Point_across, places_on_flat_surfaces)
 {
-  for(const Named_surface& s : flat_surfaces())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
-      Flat_triangulation flat(s.surface);
-      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
-      check_flat(flat);
-      flat.make_Delaunay();
-      check_flat(flat);
-    }
+  for(const auto& [s, seed] : traced(flat_surfaces(), 5)) {
+    Flat_triangulation flat(s.surface);
+    flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+    check_flat(flat);
+    flat.make_Delaunay();
+    check_flat(flat);
+  }
 }
 
 TEST(Point_across, ends_of_geodesics)
@@ -373,8 +361,7 @@ TEST(Point_across, ends_of_geodesics)
 
 TEST(Point_across, boundary_stays_boundary)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Correspondence c(t.triangulation);
     for(Side side : both_sides) {
       const Delta_complex& mesh = c.mesh(side);

@@ -4,35 +4,15 @@
 
 #include "data_meshes.h"
 #include "equality.h"
-#include "generators.h"
-#include "measuring.h"
-#include "more_generators.h"
 #include "near_degenerate_meshes.h"
-#include "refined_meshes.h"
 #include "refinement_checks.h"
 
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-
-#include <boost/property_map/function_property_map.hpp>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace Test_refine {
 
@@ -103,8 +83,7 @@ double highest_bound(const Triangulation& t)
 
 TEST(Refine, small_meshes)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const Triangulation t(m.mesh);
     check_refined(t, highest_bound(t));
   }
@@ -112,20 +91,16 @@ TEST(Refine, small_meshes)
 
 TEST(Refine, Delta_complexes)
 {
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 4; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      const Triangulation t = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      check_refined(t, highest_bound(t));
-    }
+  for(const auto& [c, seed] : traced(complexes(), 4)) {
+    const Triangulation t = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    check_refined(t, highest_bound(t));
+  }
 }
 
 TEST(Refine, triangulations_far_from_Delaunay)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_refined(t.triangulation, 25);
-  }
 }
 
 TEST(Refine, data_meshes)
@@ -292,8 +267,7 @@ void check_stopped(const Triangulation& given, std::size_t limit)
 TEST(Refine, visitor_sees_everything)
 {
   std::size_t removals = 0;
-  for(const Named_triangulation& named : triangulations()) {
-    SCOPED_TRACE(named.name);
+  for(const Named_triangulation& named : traced(triangulations())) {
     Triangulation t = named.triangulation, silent = named.triangulation;
     Counter<std::runtime_error> counter(0);
     const auto result = IT::refine(t, CGAL::parameters::visitor(std::ref(counter)));
@@ -343,8 +317,7 @@ TEST(Refine, narrow_cone)
 // wedge that is not narrow are refined.
 TEST(Refine, narrow_wedges)
 {
-  for(const double degrees : {1., 20., 59., 61.}) {
-    SCOPED_TRACE(degrees);
+  for(const double degrees : traced({1., 20., 59., 61.})) {
     const double x = std::cos(degrees * pi / 180), y = std::sin(degrees * pi / 180);
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {x, y, 0}}, {{0, 1, 2}});
     Triangulation t(mesh);
@@ -359,8 +332,7 @@ TEST(Refine, narrow_wedges)
 
 TEST(Refine, constrained_edges_stay)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     const auto is_constrained = boost::make_function_property_map<Mesh::Edge_index>(
       [](Mesh::Edge_index e) { return e.idx() % 5 == 0; });
     Triangulation t(m.mesh, CGAL::parameters::edge_is_constrained_map(is_constrained));

@@ -5,22 +5,9 @@
 #include "accordions.h"
 #include "exact_flips.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 // Sums of square roots, and decisions about surfaces that involve many of them.
 namespace Test_roots {
@@ -151,8 +138,7 @@ std::size_t size_of_tower(const std::vector<Square>& squares, const K& factor)
 // their size.
 TEST(Roots, towers_have_the_rank_of_the_roots)
 {
-  for(unsigned int seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(60)) {
     Portable_random random(seed);
     std::vector<Square> squares;
     for(int i = random.get_int(3, 16); i > 0; --i)
@@ -202,10 +188,8 @@ void check_random_signs(unsigned int seed, int number_of_primes)
 
 TEST(Roots, signs_of_random_polynomials)
 {
-  for(unsigned int seed = 0; seed < 24; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(24))
     check_random_signs<Exact_ring>(seed, 2 + int(seed) % 8);
-  }
   for(unsigned int seed = 0; seed < 6; ++seed)
     check_random_signs<Exact_rational>(seed, 2 + int(seed) % 4);
 }
@@ -213,8 +197,7 @@ TEST(Roots, signs_of_random_polynomials)
 // Powers of units, such as of sqrt(2) - 1, are sums with large terms and next to nothing.
 TEST(Roots, signs_of_powers_of_units)
 {
-  for(int power : {20, 100, 300}) {
-    SCOPED_TRACE(power);
+  for(int power : traced({20, 100, 300})) {
     Roots<Exact_ring> roots;
     auto product = roots.number(Exact_ring(1));
     for(int n : {1, 2, 6}) { // of 2, 5 and 37
@@ -312,8 +295,7 @@ std::vector<Panel> some_panels(const std::vector<Panel>& panels, std::size_t cou
 
 TEST(Roots, rectangles_over_many_folds_are_ties)
 {
-  for(unsigned int seed = 0; seed < 24; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(24)) {
     Portable_random random(seed);
     const bool are_independent = seed % 3 == 0;
     Accordion a{some_panels(are_independent ? independent_panels : dependent_panels,

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
-#include "hard_meshes.h"
 #include "known_surfaces.h"
 #include "path_checks.h"
 #include "tied_meshes.h"
@@ -11,19 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace Test_shortest_paths {
 
@@ -72,9 +62,8 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
 
 TEST(Shortest_paths, as_by_unfolding_all_sequences_of_faces)
 {
-  for(const Named_mesh& m : small_meshes())
+  for(const Named_mesh& m : traced(small_meshes()))
     for(unsigned int seed = 0; seed < 2; ++seed) {
-      SCOPED_TRACE(m.name);
       Triangulation t(m.mesh);
       check_by_unfolding(Side::input, t, seed);
       flip_at_random(t, 10, seed);
@@ -84,11 +73,9 @@ TEST(Shortest_paths, as_by_unfolding_all_sequences_of_faces)
 
 TEST(Shortest_paths, as_by_unfolding_on_Delta_complexes)
 {
-  for(const auto& [name, mesh] : glued_complexes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(name);
+  for(const auto& [name, mesh] : traced(glued_complexes()))
+    for(unsigned int seed = 0; seed < 3; ++seed)
       check_by_unfolding(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
-    }
 }
 
 // ---- CGAL's shortest paths ----
@@ -147,11 +134,9 @@ void check_itself(const Triangulation& t, Side side)
 
 TEST(Shortest_paths, from_three_points_as_in_CGAL)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes()))
     for(unsigned int seed = 0; seed < 3; ++seed)
       check_with_CGAL(m.mesh, seed);
-  }
 }
 
 TEST(Shortest_paths, on_data_meshes_as_in_CGAL)
@@ -163,20 +148,15 @@ TEST(Shortest_paths, on_data_meshes_as_in_CGAL)
 
 TEST(Shortest_paths, on_near_degenerate_meshes)
 {
-  for(unsigned int seed = 0; seed < 60; ++seed) {
-    const Named_mesh m = near_degenerate_mesh(seed);
-    SCOPED_TRACE(m.name);
+  for(const auto& [m, seed] : traced(60, near_degenerate_mesh))
     check_itself(Triangulation(m.mesh), Side::input);
-  }
 }
 
 // Down to angle sums of zero: no failure, no NaN, and distances between those in space and those
 // along edges, up to half of the digits: lengths say no more of a flat triangle.
 TEST(Shortest_paths, on_hard_meshes)
 {
-  for(std::uint64_t seed = 0; seed < 120; ++seed) {
-    const Named_mesh m = hard_mesh(seed);
-    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+  for(const auto& [m, seed] : traced(120, hard_mesh)) {
     const Triangulation t(m.mesh);
     const auto surface = t.input();
     const Vertex_index source(static_cast<unsigned>(7 * seed % m.mesh.number_of_vertices()));
@@ -240,10 +220,8 @@ TEST(Shortest_paths, that_pass_vertices_within_rounding)
 // Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.
 TEST(Shortest_paths, with_ties)
 {
-  for(std::uint64_t seed = 0; seed < 40; ++seed) {
-    SCOPED_TRACE(seed);
+  for(std::uint64_t seed : seeds(40))
     check_itself(Triangulation(tied_mesh(seed).mesh), Side::input);
-  }
 }
 
 Mesh box(double x, double y, double z)

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "flat_pair.h"
-#include "generators.h"
 #include "hard_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
@@ -11,18 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
-
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/helpers.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Test_simplicial {
 
@@ -66,24 +53,20 @@ void expect_simplicial(IT::Intrinsic_triangulation<Traits> tri, double angle)
 
 TEST(Simplicial, definition)
 {
-  for(unsigned seed = 0; seed < 20; ++seed)
-    for(const Named_complex& c : complexes()) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      Triangulation tri = triangulation(c.mesh, random_lengths(c.mesh, seed));
-      EXPECT_EQ(IT::is_simplicial(tri.mesh()), has_distinct_simplices(tri.mesh()));
-      random_flips(tri, 10, seed);
-      EXPECT_EQ(IT::is_simplicial(tri.mesh()), has_distinct_simplices(tri.mesh()));
-    }
+  for(const auto& [c, seed] : traced(complexes(), 20)) {
+    Triangulation tri = triangulation(c.mesh, random_lengths(c.mesh, seed));
+    EXPECT_EQ(IT::is_simplicial(tri.mesh()), has_distinct_simplices(tri.mesh()));
+    random_flips(tri, 10, seed);
+    EXPECT_EQ(IT::is_simplicial(tri.mesh()), has_distinct_simplices(tri.mesh()));
+  }
 }
 
 TEST(Simplicial, all_complexes)
 {
-  for(unsigned seed = 0; seed < 20; ++seed)
-    for(const Named_complex& c : complexes())
-      for(double angle : {0., 25., 30.}) {
-        SCOPED_TRACE(c.name + ", seed " + std::to_string(seed) + ", " + std::to_string(angle));
+  for(unsigned seed : seeds(20))
+    for(const Named_complex& c : traced(complexes()))
+      for(double angle : traced({0., 25., 30.}))
         expect_simplicial(triangulation(c.mesh, random_lengths(c.mesh, seed)), angle);
-      }
 }
 
 // Two triangles on each other, with one angle after another. However thin they are, few vertices
@@ -91,14 +74,13 @@ TEST(Simplicial, all_complexes)
 TEST(Simplicial, pointed_pillows)
 {
   const Delta_complex pillow = glue({{1, 2, 3}, {-3, -2, -1}});
-  for(double degrees : {0.001, 0.1, 1., 10., 29.9, 30.1, 37.5, 44., 45.5, 60., 89., 120., 179.})
-    for(double angle : {0., 20., 25., 30.}) {
-      SCOPED_TRACE(std::to_string(degrees) + ", " + std::to_string(angle));
+  for(double degrees :
+      traced({0.001, 0.1, 1., 10., 29.9, 30.1, 37.5, 44., 45.5, 60., 89., 120., 179.}))
+    for(double angle : traced({0., 20., 25., 30.})) {
       const double opposite = 2 * std::sin(degrees * std::acos(-1.) / 360);
       expect_simplicial(triangulation(pillow, {1, 1, opposite}), angle);
     }
-  for(double height : {1e-1, 1e-2, 1e-3, 1e-4}) {
-    SCOPED_TRACE(height);
+  for(double height : traced({1e-1, 1e-2, 1e-3, 1e-4})) {
     Triangulation tri = triangulation(pillow, {1, 1, 2 * std::sqrt(1 - height * height)});
     IT::refine(tri, IT::parameters::simplicial(true));
     EXPECT_LT(tri.number_of_inserted_vertices(), 20u);
@@ -107,16 +89,13 @@ TEST(Simplicial, pointed_pillows)
 
 TEST(Simplicial, hard_meshes)
 {
-  for(unsigned seed : {11u, 15u}) {
-    SCOPED_TRACE(seed);
+  for(unsigned seed : traced({11u, 15u}))
     expect_simplicial(Triangulation(hard_mesh(seed).mesh), 25);
-  }
 }
 
 TEST(Simplicial, exact_decisions)
 {
-  for(const Named_mesh& m : meshes()) {
-    SCOPED_TRACE(m.name);
+  for(const Named_mesh& m : traced(meshes())) {
     IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> tri(m.mesh);
     IT::refine(tri, IT::parameters::minimum_angle(25).simplicial(true));
     EXPECT_TRUE(has_distinct_simplices(tri.mesh()));

@@ -17,11 +17,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <gtest/gtest.h>
-
-#include <complex>
-#include <type_traits>
-
 namespace Test_surface {
 
 using namespace Test_surfaces;

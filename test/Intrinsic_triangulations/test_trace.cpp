@@ -5,18 +5,9 @@
 #include "hard_meshes.h"
 #include "measuring.h"
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace Test_trace {
 
@@ -220,17 +211,14 @@ Point place_in_space(const Edge_place& p, const Mesh& mesh)
 
 TEST(Trace, every_trace_is_a_chain_through_flat_faces)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_traces(t.triangulation);
-  }
 }
 
 TEST(Trace, both_sides_tell_the_same_crossings)
 {
   std::size_t crossings = 0;
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Correspondence c(t.triangulation);
     const auto from_input = traced_crossings(Side::input, c);
     expect_same(from_input, traced_crossings(Side::intrinsic, c), 1e-15);
@@ -242,59 +230,52 @@ TEST(Trace, both_sides_tell_the_same_crossings)
 
 TEST(Trace, lengths_in_space)
 {
-  for(const Named_mesh& m : meshes())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-      Triangulation t(m.mesh);
-      flip_at_random(t, 20 * m.mesh.number_of_edges(), seed);
-      const Correspondence c(t);
-      for(Edge_index e : t.mesh().edges()) {
-        const Trace trace = IT::trace_edge(Side::intrinsic, t.mesh().halfedge(e), c);
-        double sum = 0;
-        for(std::size_t k = 0; k + 1 < trace.size(); ++k)
-          sum += std::sqrt(CGAL::squared_distance(place_in_space(trace[k].on_input, m.mesh),
-                                                  place_in_space(trace[k + 1].on_input, m.mesh)));
-        EXPECT_NEAR(sum / t.length(e), 1, 1e-9);
-      }
+  for(const auto& [m, seed] : traced(meshes(), 5)) {
+    Triangulation t(m.mesh);
+    flip_at_random(t, 20 * m.mesh.number_of_edges(), seed);
+    const Correspondence c(t);
+    for(Edge_index e : t.mesh().edges()) {
+      const Trace trace = IT::trace_edge(Side::intrinsic, t.mesh().halfedge(e), c);
+      double sum = 0;
+      for(std::size_t k = 0; k + 1 < trace.size(); ++k)
+        sum += std::sqrt(CGAL::squared_distance(place_in_space(trace[k].on_input, m.mesh),
+                                                place_in_space(trace[k + 1].on_input, m.mesh)));
+      EXPECT_NEAR(sum / t.length(e), 1, 1e-9);
     }
+  }
 }
 
 TEST(Trace, exact_crossings_on_flat_surfaces)
 {
   std::size_t crossings = 0;
-  for(const Named_surface& s : flat_surfaces())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
-      Flat_triangulation flat(s.surface);
-      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
-      expect_exact(flat, 1e-12);
-      crossings += Correspondence(*flat).number_of_crossings();
-      flat.make_Delaunay();
-      expect_exact(flat, 1e-12);
-    }
+  for(const auto& [s, seed] : traced(flat_surfaces(), 5)) {
+    Flat_triangulation flat(s.surface);
+    flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+    expect_exact(flat, 1e-12);
+    crossings += Correspondence(*flat).number_of_crossings();
+    flat.make_Delaunay();
+    expect_exact(flat, 1e-12);
+  }
   EXPECT_GT(crossings, 1000u);
 }
 
 TEST(Trace, recomputed_lengths_are_exact_on_flat_surfaces)
 {
-  for(const Named_surface& s : flat_surfaces())
-    for(unsigned int seed = 0; seed < 5; ++seed) {
-      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
-      Flat_triangulation flat(s.surface);
-      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
-      Triangulation t(*flat);
-      t.recompute_lengths();
-      EXPECT_TRUE(t.is_valid(true));
-      for(Edge_index e : t.mesh().edges())
-        EXPECT_NEAR(t.length(e) / length(flat.vector(t.mesh().halfedge(e))), 1, 1e-13);
-    }
+  for(const auto& [s, seed] : traced(flat_surfaces(), 5)) {
+    Flat_triangulation flat(s.surface);
+    flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+    Triangulation t(*flat);
+    t.recompute_lengths();
+    EXPECT_TRUE(t.is_valid(true));
+    for(Edge_index e : t.mesh().edges())
+      EXPECT_NEAR(t.length(e) / length(flat.vector(t.mesh().halfedge(e))), 1, 1e-13);
+  }
 }
 
 // Which edges cross is exact even where the places are not.
 TEST(Trace, exact_crossings_with_slivers)
 {
-  for(unsigned int seed = 0; seed < 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(5)) {
     Flat_triangulation flat(flat_polygon(random_points(60, 1 << 19, seed)));
     flat.make_Delaunay();
     EXPECT_GT(Correspondence(*flat).number_of_crossings(), 100u);
@@ -306,8 +287,7 @@ TEST(Trace, exact_crossings_with_slivers)
 // and an edge v of T1 meet at the multiples of 1 / det(v, w), in units of the lattice.
 TEST(Trace, closed_form_on_a_torus_with_one_vertex)
 {
-  for(unsigned int seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(30)) {
     Flat_triangulation flat(flat_torus(1, 1, 0));
     flat.flip_at_random(40, seed);
     const Correspondence c(*flat);

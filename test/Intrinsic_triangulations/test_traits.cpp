@@ -8,17 +8,12 @@
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <gtest/gtest.h>
 #if defined(CGAL_USE_CORE) || defined(CGAL_USE_LEDA)
 #define HAS_EXACT_SQUARE_ROOTS
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #endif
 
-#include <cmath>
-#include <limits>
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace Test_traits {
 
@@ -235,8 +230,7 @@ template <typename Traits, typename Check>
 void for_each_small_triangulation(const Check& check)
 {
   std::size_t flips = 0;
-  for(const auto& [name, mesh, lengths] : small_metrics()) {
-    SCOPED_TRACE(name);
+  for(const auto& [name, mesh, lengths] : traced(small_metrics())) {
     auto t = triangulation<Traits>(mesh, lengths);
     auto reference = triangulation(mesh, lengths);
     check(t, reference);
@@ -457,8 +451,7 @@ TEST(Exact_geometry_traits, whole_triangulations_as_with_double)
 
 TEST(Exact_geometry_traits, from_positions)
 {
-  for(unsigned int seed = 0; seed < 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(5)) {
     const std::vector<Vector> points = random_points(8, 1000, seed);
     IT::Intrinsic_triangulation<Exact_traits> exact(planar_mesh(points));
     IT::Intrinsic_triangulation<> approximate(planar_mesh(points));

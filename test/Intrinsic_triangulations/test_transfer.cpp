@@ -8,12 +8,6 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace Test_transfer {
 
@@ -129,8 +123,7 @@ void check_adjoint(const Triangulation& t)
 
 TEST(Transfer, interpolation_matrices)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Correspondence c(t.triangulation);
     const Subdivision s(c);
     for(Side side : both_sides) {
@@ -150,48 +143,39 @@ TEST(Transfer, interpolation_matrices)
 
 TEST(Transfer, mass_matrices)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_matrices(t.triangulation);
-  }
 }
 
 // The sum over the subdivision is laid out by corners, hence only on meshes without self-edges.
 TEST(Transfer, mixed_mass_matrix_is_the_integral_over_the_subdivision)
 {
-  for(const Named_mesh& m : meshes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-      Triangulation t(m.mesh);
-      flip_at_random(t, 20 * m.mesh.number_of_edges(), seed);
-      const Correspondence c(t);
-      const std::size_t n = m.mesh.number_of_vertices();
-      const Values f = random_values(n, seed), g = random_values(n, seed + 100);
-      const double expected = integral_of_product(f, g, c);
-      EXPECT_NEAR(g.dot(IT::mixed_mass_matrix(c) * f) / expected, 1, 1e-7);
-    }
+  for(const auto& [m, seed] : traced(meshes(), 3)) {
+    Triangulation t(m.mesh);
+    flip_at_random(t, 20 * m.mesh.number_of_edges(), seed);
+    const Correspondence c(t);
+    const std::size_t n = m.mesh.number_of_vertices();
+    const Values f = random_values(n, seed), g = random_values(n, seed + 100);
+    const double expected = integral_of_product(f, g, c);
+    EXPECT_NEAR(g.dot(IT::mixed_mass_matrix(c) * f) / expected, 1, 1e-7);
+  }
 }
 
 TEST(Transfer, closest_function)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_closest(t.triangulation);
-  }
 }
 
 TEST(Transfer, adjoint)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations()))
     check_adjoint(t.triangulation);
-  }
 }
 
 TEST(Transfer, identity_where_nothing_was_flipped)
 {
-  for(const Named_complex& complex : complexes()) {
-    SCOPED_TRACE(complex.name);
+  for(const Named_complex& complex : traced(complexes())) {
     const Triangulation t = triangulation(complex.mesh, random_lengths(complex.mesh, 2));
     const Correspondence c(t);
     const Values f = random_values(t.mesh().number_of_vertices(), 2);
@@ -202,8 +186,7 @@ TEST(Transfer, identity_where_nothing_was_flipped)
 
 TEST(Transfer, linear_functions_in_the_plane_stay)
 {
-  for(unsigned int seed = 0; seed < 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for(unsigned int seed : seeds(5)) {
     Flat_triangulation flat(flat_grid(7, 6, seed));
     flat.flip_at_random(2000, seed);
     const Correspondence c(*flat);
@@ -218,8 +201,7 @@ TEST(Transfer, linear_functions_in_the_plane_stay)
 
 TEST(Transfer, constants_stay_everywhere)
 {
-  for(const Named_triangulation& t : triangulations()) {
-    SCOPED_TRACE(t.name);
+  for(const Named_triangulation& t : traced(triangulations())) {
     const Correspondence c(t.triangulation);
     const Values f =
       Values::Constant(Eigen::Index(t.triangulation.mesh().number_of_vertices()), 2.5);

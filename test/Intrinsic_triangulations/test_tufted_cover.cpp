@@ -8,18 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numeric>
-#include <set>
-#include <string>
-#include <vector>
-
 namespace Test_tufted_cover {
 
 using namespace Test_surfaces;
@@ -164,8 +152,7 @@ TEST(Tufted_cover, vertices_are_fans)
 
 TEST(Tufted_cover, follows_angles)
 {
-  for(unsigned int seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(100)) {
     const Soup soup = random_soup(seed);
     const Cover cover = IT::tufted_cover(soup.points, soup.triangles);
     expect_maps(cover, soup.triangles);
@@ -217,8 +204,7 @@ TEST(Tufted_cover, knows_half_planes)
 // Equal triangles lie on each other like sheets, however they name their corners.
 TEST(Tufted_cover, stacks_equal_triangles)
 {
-  for(unsigned int seed = 0; seed < 50; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(50)) {
     CGAL::Random random(seed);
     Soup soup{{{0, 0, 0}, {1, 0.25, 0.5}, {0.25, 1, 0.25}}, {}};
     for(int i = random.get_int(1, 7); i > 0; --i) {
@@ -270,8 +256,7 @@ TEST(Tufted_cover, without_positions_follows_indices)
 
 TEST(Tufted_cover, without_positions_follows_indices_in_any_soup)
 {
-  for(unsigned int seed = 0; seed < 50; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(50)) {
     const Soup soup = random_soup(seed);
     const auto cover = IT::tufted_cover(soup.points.size(), soup.triangles);
     expect_maps(cover, soup.triangles);

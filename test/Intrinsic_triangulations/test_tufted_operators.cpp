@@ -13,15 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/vector_heat.h>
 #include <Eigen/Eigenvalues>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <numeric>
-#include <type_traits>
-#include <vector>
 
 namespace Test_tufted_operators {
 
@@ -104,8 +95,7 @@ void expect_equal_operators(const Surface& a,
 
 TEST(Tufted_operators, are_the_ordinary_ones_of_closed_meshes)
 {
-  for(unsigned int seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(20)) {
     CGAL::Random random(seed);
     const Mesh mesh = random_sphere(5 + 10 * seed, seed);
     Triangulation ordinary(mesh);
@@ -137,8 +127,7 @@ TEST(Tufted_operators, have_distances_of_closed_meshes)
 
 TEST(Tufted_operators, without_flips_are_sums_over_triangles)
 {
-  for(unsigned int seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(30)) {
     const Soup soup = random_soup(seed);
     const Matrix expected = sum_of_laplacians(soup);
     EXPECT_LT(largest_distance(IT::cotan_laplacian(Tufted(soup, false).surface()), expected),
@@ -183,8 +172,7 @@ Values expect_good_results(const Soup& soup)
 
 TEST(Tufted_operators, of_300_soups)
 {
-  for(unsigned int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(300)) {
     const Values distance = expect_good_results(random_soup(seed));
     EXPECT_TRUE(distance.allFinite());
     EXPECT_GT(distance.maxCoeff(), 0);
@@ -193,8 +181,7 @@ TEST(Tufted_operators, of_300_soups)
 
 TEST(Tufted_operators, of_300_spoiled_meshes)
 {
-  for(unsigned int seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(300)) {
     const Mesh torus = perturbed(embedded_torus(3 + seed % 7, 3 + seed % 5), 0.1, seed);
     expect_good_results(spoiled(torus, seed));
   }
@@ -203,8 +190,7 @@ TEST(Tufted_operators, of_300_spoiled_meshes)
 // Without ties, the surface depends on neither orientations nor the order of faces and vertices.
 TEST(Tufted_operators, do_not_depend_on_numbers)
 {
-  for(unsigned int seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE(seed);
+  for(unsigned int seed : seeds(30)) {
     CGAL::Random random(seed);
     Soup soup = random_part(0, random);
     move_points(soup, 0.02, random);
@@ -386,8 +372,7 @@ TEST(Tufted_operators, of_lengths_alone)
 // Two pages are a plane when they are unfolded.
 TEST(Tufted_operators, have_distances_of_unfolded_books)
 {
-  for(const std::size_t pages : {2u, 3u, 4u, 7u}) {
-    SCOPED_TRACE(pages);
+  for(const std::size_t pages : traced({2u, 3u, 4u, 7u})) {
     std::vector<double> angles;
     for(std::size_t i = 0; i < pages; ++i)
       angles.push_back(6 * double(i * i + 1) / double(pages * pages + 1));

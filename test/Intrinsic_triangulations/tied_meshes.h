@@ -7,15 +7,6 @@
 
 #include "hard_meshes.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <vector>
-
 // Surfaces with exact ties: neighbors that are cocircular in exact arithmetic. All coordinates are
 // integers or integers times a power of two, so that nothing has been rounded. The meshes are
 // Delaunay as they are made.

@@ -9,14 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <vector>
-
 // Distances by brute force: straight lines from every vertex over all sequences of faces, nothing
 // pruned but what is out of sight or too far.
 namespace Test_surfaces {
