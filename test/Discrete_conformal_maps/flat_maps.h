@@ -36,25 +36,13 @@ inline bool has_border(const Delta_complex& mesh)
   return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) { return mesh.is_border(x); });
 }
 
-inline double angle_at_source(const Delta_complex& mesh, const std::vector<double>& length,
-                              Halfedge_index h)
-{
-  const double a = length[mesh.edge(h)], b = length[mesh.edge(mesh.prev(h))],
-               c = length[mesh.edge(mesh.next(h))];
-  return std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1., 1.));
-}
-
 // curvatures of vertices inside, exterior angles of those on the boundary
 inline std::vector<double> curvatures(const Triangulation& t)
 {
   const Delta_complex& mesh = t.mesh();
-  const std::vector<double> length = lengths_of(t);
-  std::vector<double> result;
+  std::vector<double> result = angle_sums(mesh, t.length_map());
   for(Vertex_index v : mesh.vertices())
-    result.push_back(mesh.is_isolated(v) ? 0 : mesh.is_border(v) ? pi : 2 * pi);
-  for(Halfedge_index h : mesh.halfedges())
-    if(!mesh.is_border(h))
-      result[mesh.source(h)] -= angle_at_source(mesh, length, h);
+    result[v] = (mesh.is_isolated(v) ? 0 : mesh.is_border(v) ? pi : 2 * pi) - result[v];
   return result;
 }
 
@@ -178,10 +166,7 @@ inline void check_conditions(const Planar_conformal_map& map, const Delta_comple
 {
   const Delta_complex& mesh = mesh_C(map);
   const std::vector<double> length = scaled_lengths(map);
-  std::vector<double> angle(mesh.number_of_vertices(), 0);
-  for(Halfedge_index h : mesh.halfedges())
-    if(!mesh.is_border(h))
-      angle[mesh.source(h)] += angle_at_source(mesh, length, h);
+  const std::vector<double> angle = angle_sums(mesh, length);
   for(Vertex_index v : mesh.vertices()) {
     const Vertex_index front = map.input_vertex(v);
     const auto& [quantity, value] = condition[front];

@@ -339,18 +339,6 @@ std::vector<Named_complex> small_complexes()
 }
 
 template <typename Traits>
-void flip_at_random(IT::Intrinsic_triangulation<Traits>& t, std::size_t attempts, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  for(std::size_t i = 0; i < attempts; ++i) {
-    const Halfedge_index h(static_cast<Delta_complex::size_type>(
-      random.get_int(0, static_cast<int>(t.mesh().number_of_halfedges()))));
-    if(t.is_flippable(h))
-      t.flip(h);
-  }
-}
-
-template <typename Traits>
 void flip_to_Delaunay_at_random(IT::Intrinsic_triangulation<Traits>& t, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -396,7 +384,7 @@ TEST(Ideal_geometry, every_order_of_flips_gives_the_same_delaunay_triangulation)
       Exact_triangulation a = start, b = start, c = start;
       flips += IT::make_Delaunay(a);
       flip_to_Delaunay_at_random(b, seed);
-      flip_at_random(c, 2 * mesh.number_of_edges(), seed);
+      random_flips(c, 2 * mesh.number_of_edges(), seed);
       flip_to_Delaunay_at_random(c, seed + 1);
       EXPECT_TRUE(a.is_valid(true) && b.is_valid(true) && c.is_valid(true));
       EXPECT_EQ(passages(a), passages(b));
@@ -446,16 +434,7 @@ TEST(Ideal_geometry, flips_back_to_the_input_are_exact)
     const auto start =
       triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, 1));
     Exact_triangulation t = start;
-    std::vector<Halfedge_index> flipped;
-    CGAL::Random random(7);
-    for(std::size_t i = 0; i < 2 * mesh.number_of_edges(); ++i) {
-      const Halfedge_index h(static_cast<Delta_complex::size_type>(
-        random.get_int(0, static_cast<int>(mesh.number_of_halfedges()))));
-      if(t.is_flippable(h)) {
-        t.flip(h);
-        flipped.push_back(h);
-      }
-    }
+    const std::vector<Halfedge_index> flipped = random_flips(t, 2 * mesh.number_of_edges(), 7);
     Exact_triangulation u = t;
     u.recompute_lengths(); // along T1, without the flips in between
     for(Edge_index e : mesh.edges())
@@ -533,7 +512,7 @@ std::vector<std::pair<std::string, Exact_triangulation>> exact_triangulations()
     auto t = triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, 9));
     IT::make_Delaunay(t);
     result.emplace_back(name + ", Delaunay", t);
-    flip_at_random(t, mesh.number_of_edges(), 10);
+    random_flips(t, mesh.number_of_edges(), 10);
     result.emplace_back(name + ", flipped", t);
   }
   return result;
@@ -547,8 +526,7 @@ std::vector<IT::Face_location<typename Traits::FT>> sample(const Delta_complex& 
   std::vector<IT::Face_location<typename Traits::FT>> result;
   for(std::size_t i = 0; i < n; ++i) {
     typedef typename Traits::FT FT;
-    const Face_index f(static_cast<Delta_complex::size_type>(
-      random.get_int(0, static_cast<int>(mesh.number_of_faces()))));
+    const auto f = random_index<Face_index>(mesh.number_of_faces(), random);
     const FT u(random.get_int(0, 100)), v(random.get_int(1, 100)), w(random.get_int(1, 100));
     result.push_back(
       {f, {v / (u + v + w), FT(1 - v / (u + v + w) - w / (u + v + w)), w / (u + v + w)}});

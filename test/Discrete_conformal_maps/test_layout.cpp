@@ -209,8 +209,7 @@ TEST(Layout, is_Delaunay)
       if(mesh.is_border(e)) // the mirror image of one that is not
         continue;
       const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
-      EXPECT_LT(angle_at_source(mesh, length, mesh.prev(h)) +
-                  angle_at_source(mesh, length, mesh.prev(o)),
+      EXPECT_LT(angle_at(mesh.prev(h), mesh, length) + angle_at(mesh.prev(o), mesh, length),
                 pi + 1e-9)
         << e;
     }

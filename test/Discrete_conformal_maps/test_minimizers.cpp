@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../Intrinsic_triangulations/testing.h"
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>

@@ -19,11 +19,6 @@ using DCM::Layer;
 
 constexpr std::array<Layer, 3> layers{Layer::A, Layer::B, Layer::C};
 
-Mesh large_torus() { return perturbed(embedded_torus(60, 50), 0.05, 3); }
-
-// with boundary loops
-Mesh large_square() { return punctured(unit_square(55, 4), {1000, 3000, 5000}); }
-
 Results map_results(const DCM::Discrete_conformal_map& map)
 {
   Results results;

@@ -16,40 +16,9 @@ using IS::Evolving_surface;
 using IS::Flattened_star;
 using IS::Removal_status;
 
-constexpr double pi = IT::pi<double>();
-
-// ---- Measuring, straight from the law of cosines ----
-
-// the angle at the source of h, for lengths that a function tells
-template <typename Length>
-double angle_at(Halfedge_index h, const Delta_complex& mesh, const Length& length)
-{
-  const long double a = length(mesh.edge(h)), b = length(mesh.edge(mesh.prev(h)));
-  const long double c = length(mesh.edge(mesh.next(h)));
-  const long double cosine = (a * a + b * b - c * c) / (2 * a * b);
-  return static_cast<double>(std::acos((std::min)((std::max)(cosine, -1.0L), 1.0L)));
-}
-
-// at each vertex
-template <typename Length>
-std::vector<double> angle_sums(const Delta_complex& mesh, const Length& length)
-{
-  std::vector<double> result(mesh.num_vertices(), 0);
-  for(Halfedge_index h : mesh.halfedges())
-    if(!mesh.is_border(h))
-      result[mesh.source(h)] += angle_at(h, mesh, length);
-  return result;
-}
-
 inline auto lengths_of(const Evolving_surface& s)
 {
   return [&s](Edge_index e) { return s.surface().length(e); };
-}
-
-inline int euler_characteristic(const Delta_complex& mesh)
-{
-  return static_cast<int>(mesh.number_of_vertices()) - static_cast<int>(mesh.number_of_edges()) +
-         static_cast<int>(mesh.number_of_faces());
 }
 
 inline bool is_on_border(Vertex_index v, const Delta_complex& mesh)
@@ -64,18 +33,6 @@ inline std::vector<double> curvatures(const Evolving_surface& s)
   for(Vertex_index v : s.mesh().vertices())
     result[v] = (is_on_border(v, s.mesh()) ? 1 : 2) * pi - result[v];
   return result;
-}
-
-template <typename Length>
-double area_of(const Delta_complex& mesh, const Length& length)
-{
-  double sum = 0;
-  for(Face_index f : mesh.faces()) {
-    const Halfedge_index h = mesh.halfedge(f);
-    sum += length(mesh.edge(h)) * length(mesh.edge(mesh.prev(h))) *
-           std::sin(angle_at(h, mesh, length)) / 2;
-  }
-  return sum;
 }
 
 inline double area_of(const Evolving_surface& s) { return area_of(s.mesh(), lengths_of(s)); }
@@ -112,7 +69,7 @@ inline void expect_triangles(const Evolving_surface& s)
 inline void expect_valid(const Evolving_surface& s, int characteristic)
 {
   ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh(), true));
-  EXPECT_EQ(euler_characteristic(s.mesh()), characteristic);
+  EXPECT_EQ(Euler_characteristic(s.mesh()), characteristic);
   expect_triangles(s);
   expect_Delaunay(s);
   const std::vector<double> curvature = curvatures(s);

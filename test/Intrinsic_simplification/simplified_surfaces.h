@@ -7,6 +7,7 @@
 #ifndef INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H
 #define INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H
 
+#include "../Intrinsic_triangulations/hard_meshes.h"
 #include "evolving_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
@@ -20,7 +21,6 @@ namespace Test_surfaces {
 using IS::Surface_level;
 using IS::Surface_map;
 using IS::parameters::number_of_vertices;
-using Location = Surface_map::Location;
 using Coordinates = std::array<double, 3>;
 
 // a surface, before and after its simplification
@@ -80,9 +80,12 @@ void for_each_simplified_random_surface(const Check& check)
   }
 }
 
+// Among them are two levels of a hierarchy.
 template <typename Check>
 void for_each_simplified_surface(const Check& check)
 {
+  const Simplified twice = simplified_twice();
+  check(twice, Surface_map(twice.surface, twice.fine, twice.coarse));
   for_each_simplified_random_surface(check);
   for(const Named_mesh& m : traced(meshes())) {
     const Simplified s(Evolving_surface(m.mesh), 0);
@@ -149,12 +152,8 @@ inline void expect_same_place(const Location& p, const Location& q, const Delta_
 
 inline Point place(const Location& p, const Surface_level& level, const Mesh& mesh)
 {
-  Kernel::Vector_3 sum(0, 0, 0);
-  const auto sides = IT::sides(p.first, level.mesh());
-  for(std::size_t s = 0; s < 3; ++s)
-    sum = sum + p.second[s] *
-                  (mesh.point(level.surface_vertex(level.mesh().source(sides[s]))) - CGAL::ORIGIN);
-  return CGAL::ORIGIN + sum;
+  return place_in_space(p, level.mesh(),
+                        [&](Vertex_index v) { return mesh.point(level.surface_vertex(v)); });
 }
 
 // a polygon in the plane
@@ -217,14 +216,6 @@ inline Mesh with_near_vertices(const Mesh& mesh, double distance, CGAL::Random& 
     triangles.insert(triangles.end(), {{a, b, near_a}, {b, c, near_a}, {c, a, near_a}});
   }
   return make_mesh(points, triangles);
-}
-
-inline bool has_equal_ends(const Mesh& mesh)
-{
-  for(Edge_index e : mesh.edges())
-    if(mesh.point(mesh.vertex(e, 0)) == mesh.point(mesh.vertex(e, 1)))
-      return true;
-  return false;
 }
 
 } // namespace Test_surfaces

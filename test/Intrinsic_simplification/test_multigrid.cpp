@@ -46,39 +46,15 @@ struct System
 };
 
 // a torus of which the tube has n vertices around
-Mesh torus(std::size_t n)
-{
-  const std::size_t m = 3 * n;
-  std::vector<Point> points;
-  Triangles triangles;
-  for(std::size_t j = 0; j < m; ++j)
-    for(std::size_t i = 0; i < n; ++i) {
-      const double a = 2 * pi * double(i) / double(n), b = 2 * pi * double(j) / double(m);
-      const double radius = 3 + std::cos(a) * (1 + 0.1 * std::sin(5 * b));
-      points.emplace_back(radius * std::cos(b), radius * std::sin(b), std::sin(a));
-      const std::size_t right = (i + 1) % n, above = (j + 1) % m * n;
-      triangles.push_back({n * j + i, above + i, above + right});
-      triangles.push_back({n * j + i, above + right, n * j + right});
-    }
-  return make_mesh(points, triangles);
-}
+Mesh torus(std::size_t n) { return perturbed(embedded_torus(3 * n, n), 0.3 / double(n), 1); }
 
 // a square with hills, and a boundary
 Mesh hills(std::size_t n)
 {
-  std::vector<Point> points;
-  Triangles triangles;
-  for(std::size_t j = 0; j <= n; ++j)
-    for(std::size_t i = 0; i <= n; ++i) {
-      const double x = double(i) / double(n), y = double(j) / double(n);
-      points.emplace_back(x, y, 0.1 * std::sin(9 * x + 2 * y) * std::cos(7 * y));
-      const std::size_t a = (n + 1) * j + i;
-      if(i < n && j < n) {
-        triangles.push_back({a, a + 1, a + n + 2});
-        triangles.push_back({a, a + n + 2, a + n + 1});
-      }
-    }
-  return make_mesh(points, triangles);
+  return grid(n, n, [n](double i, double j) {
+    const double x = i / double(n), y = j / double(n);
+    return Point(x, y, 0.1 * std::sin(9 * x + 2 * y) * std::cos(7 * y));
+  });
 }
 
 Vector random_vector(Eigen::Index size, unsigned int seed)

@@ -25,20 +25,9 @@ std::vector<Location> points(const IS::Surface_level& level)
   return result;
 }
 
-void add(const std::vector<Location>& images, Results& results)
-{
-  for(const Location& p : images) {
-    results.add(p.first.idx());
-    for(double x : p.second)
-      results.add(x);
-  }
-}
-
 TEST(Parallel, maps_between_levels)
 {
-  const Mesh torus = perturbed(embedded_torus(60, 50), 0.05, 3);
-  const Mesh square = punctured(unit_square(55, 4), {1000, 3000, 5000});
-  for(const Mesh& mesh : {torus, square}) {
+  for(const Mesh& mesh : {large_torus(), large_square()}) {
     IS::Evolving_surface surface(mesh);
     const IS::Surface_level fine(surface);
     IS::simplify(surface, IS::parameters::number_of_vertices(mesh.number_of_vertices() / 4));
@@ -49,8 +38,8 @@ TEST(Parallel, maps_between_levels)
       const auto np = IS::parameters::concurrency_tag(tag);
       Results results;
       results.add_matrix(IS::prolongation_matrix(map, np));
-      add(map.to_coarse(on_fine, np), results);
-      add(map.to_fine(on_coarse, np), results);
+      results.add_locations(map.to_coarse(on_fine, np));
+      results.add_locations(map.to_fine(on_coarse, np));
       return results;
     });
     const std::vector<Location> images = map.to_coarse(on_fine);

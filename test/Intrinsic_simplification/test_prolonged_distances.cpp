@@ -4,53 +4,26 @@
 
 // Geodesic distances on a coarse level, taken to the fine one.
 
-#include "evolving_surfaces.h"
+#include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Prolonged_distances.h>
-#include <CGAL/Intrinsic_simplification/simplify.h>
 
 namespace Test_prolonged_distances {
 
 using namespace Test_surfaces;
 using IS::Prolonged_distances;
-using IS::Surface_level;
-using IS::Surface_map;
 
-struct Coarsened
+struct Coarsened : Simplified
 {
-  Evolving_surface surface;
-  Surface_level fine, coarse;
   Surface_map map;
   Eigen::SparseMatrix<double, Eigen::RowMajor> prolongation;
 
   Coarsened(const Mesh& mesh, std::size_t vertices)
-    : surface(mesh),
-      fine(surface),
-      coarse(simplified(surface, vertices)),
+    : Simplified(Evolving_surface(mesh), vertices),
       map(surface, fine, coarse),
       prolongation(IS::prolongation_matrix(map))
   {}
-
-  static Surface_level simplified(Evolving_surface& surface, std::size_t vertices)
-  {
-    IS::simplify(surface, IS::parameters::number_of_vertices(vertices));
-    return Surface_level(surface);
-  }
-
-  double longest_edge() const
-  {
-    double result = 0;
-    for(Edge_index e : coarse.mesh().edges())
-      result = (std::max)(result, coarse.length_map()[e]);
-    return result;
-  }
 };
-
-Mesh square(int times)
-{
-  return subdivided(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}),
-                    times);
-}
 
 double distance(Vertex_index v, Vertex_index w, const Mesh& mesh)
 {
@@ -61,10 +34,12 @@ double distance(Vertex_index v, Vertex_index w, const Mesh& mesh)
 // interpolation takes values from corners of the same face.
 TEST(Prolonged_distances, on_a_square)
 {
-  const Mesh mesh = square(4);
+  const Mesh mesh = subdivided(square(), 4);
   const Coarsened c(mesh, 60);
   const Prolonged_distances distances(c.coarse, c.prolongation);
-  const double edge = c.longest_edge();
+  double edge = 0;
+  for(Edge_index e : c.coarse.mesh().edges())
+    edge = (std::max)(edge, c.coarse.length_map()[e]);
   for(Vertex_index v : mesh.vertices()) {
     const Eigen::VectorXd from_source = IS::prolonged_distances_from(v, c.map, c.prolongation);
     for(Vertex_index w : mesh.vertices()) {

@@ -4,7 +4,6 @@
 
 // Refinement after simplification, and maps that are composed.
 
-#include "../Intrinsic_triangulations/hard_meshes.h"
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Composed_map.h>
@@ -54,10 +53,8 @@ void for_each_random_point(const Delta_complex& mesh, const Visit& visit)
 {
   CGAL::Random random(3);
   for(Face_index f : mesh.faces())
-    for(int n = 0; n < 3; ++n) {
-      const double x = random.get_double(), y = random.get_double(0, 1 - x);
-      visit(Location{f, {x, y, 1 - x - y}});
-    }
+    for(int n = 0; n < 3; ++n)
+      visit(Location{f, random_coordinates(random)});
 }
 
 // Points go there and back, and by way of the surface between.
@@ -87,7 +84,7 @@ TEST(Refine, obeys_the_bound)
       EXPECT_NE(result.status, Refinement_status::no_room);
       EXPECT_EQ(surface.mesh().number_of_vertices(),
                 s.coarse.mesh().number_of_vertices() + result.insertions - result.removals);
-      EXPECT_EQ(euler_characteristic(surface.mesh()), euler_characteristic(s.coarse.mesh()));
+      EXPECT_EQ(Euler_characteristic(surface.mesh()), Euler_characteristic(s.coarse.mesh()));
       const double area = area_of(s.surface.mesh(), lengths_of(s.surface));
       EXPECT_NEAR(area_of(surface.mesh(), lengths_of(surface)), area, 1e-9 * area);
     }
@@ -205,7 +202,7 @@ TEST(Refine, takes_turns_with_simplification)
       });
       const IS::Surface_subdivision<> subdivision(map,
                                                   IS::Surface_subdivision<>::Bends::of_all_edges);
-      EXPECT_EQ(euler_characteristic(subdivision.mesh()), euler_characteristic(fine.mesh()));
+      EXPECT_EQ(Euler_characteristic(subdivision.mesh()), Euler_characteristic(fine.mesh()));
     }
   }
 }
@@ -222,16 +219,13 @@ TEST(Refine, subdivides_with_curves_that_do_not_separate)
     IS::refine(surface, IS::parameters::minimum_angle(20).maximum_number_of_insertions(3000));
     const Surface_level coarse(surface);
     const IS::Surface_subdivision<> subdivision(Surface_map(surface, fine, coarse));
-    EXPECT_EQ(euler_characteristic(subdivision.mesh()), euler_characteristic(fine.mesh()));
+    EXPECT_EQ(Euler_characteristic(subdivision.mesh()), Euler_characteristic(fine.mesh()));
     for(const IS::Level side : {IS::Level::fine, IS::Level::coarse}) {
-      double parts = 0, whole = 0;
+      double parts = 0;
       for(Face_index f : subdivision.mesh().faces())
         parts += subdivision.signed_area(side, f);
       const Surface_level& level = side == IS::Level::fine ? fine : coarse;
-      for(Face_index f : level.mesh().faces()) {
-        const auto [a, b, c] = IT::internal::side_lengths(level.mesh().halfedge(f), level);
-        whole += IT::quadrupled_area(a, b, c) / 4;
-      }
+      const double whole = area_of(level.mesh(), level.length_map());
       EXPECT_NEAR(parts, whole, 1e-7 * whole);
     }
   }

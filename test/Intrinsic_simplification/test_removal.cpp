@@ -163,7 +163,7 @@ TEST(Flattening, every_status_has_its_text)
 // Removes vertices while one can be removed; the number of vertices removed.
 std::size_t remove_all(Evolving_surface& s)
 {
-  const int characteristic = euler_characteristic(s.mesh());
+  const int characteristic = Euler_characteristic(s.mesh());
   Flattened_star star;
   std::size_t removed = 0;
   for(bool has_changed = true; has_changed;) {

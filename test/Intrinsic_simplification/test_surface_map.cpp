@@ -7,20 +7,10 @@
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/prolongation.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 namespace Test_surface_map {
 
 using namespace Test_surfaces;
-
-Location random_location(const Delta_complex& mesh, CGAL::Random& random)
-{
-  Location p{Face_index(static_cast<unsigned int>(
-               random.get_int(0, static_cast<int>(mesh.number_of_faces())))),
-             {random.get_double(), random.get_double(), random.get_double()}};
-  IS::internal::normalize(p.second);
-  return p;
-}
 
 void expect_near(const Location& p, const Location& q, double tolerance)
 {
@@ -207,10 +197,7 @@ TEST(Prolongation, rows_are_barycentric_coordinates)
 
 TEST(Prolongation, of_linear_functions_on_a_flat_polygon_is_exact)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    const Mesh mesh = flat_mesh(seed);
-    const Simplified s = simplified_inside(mesh);
-    const Surface_map map(s.surface, s.fine, s.coarse);
+  for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     Eigen::VectorXd fine(mesh.number_of_vertices()), coarse(s.coarse.mesh().number_of_vertices());
     const auto value = [&](Vertex_index v) {
       return mesh.point(v).x() - 2 * mesh.point(v).y() + 3;
@@ -220,7 +207,7 @@ TEST(Prolongation, of_linear_functions_on_a_flat_polygon_is_exact)
     for(Vertex_index v : s.coarse.mesh().vertices())
       coarse[v.idx()] = value(s.coarse.surface_vertex(v));
     EXPECT_LT((IS::prolongation_matrix(map) * coarse - fine).cwiseAbs().maxCoeff(), 1e-7);
-  }
+  });
 }
 
 TEST(Prolongation, restriction_is_a_mean_that_keeps_integrals)

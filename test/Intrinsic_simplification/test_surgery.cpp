@@ -18,7 +18,6 @@ namespace Test_surgery {
 using namespace Test_surfaces;
 using IS::Surface_surgery;
 using Triangulation = IT::Intrinsic_triangulation<>;
-using Location = Surface_surgery::Location;
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
@@ -27,22 +26,7 @@ auto lengths_of(const Surface_surgery& s)
   return [&s](Edge_index e) { return get(s.length_map(), e); };
 }
 
-double area(Face_index f, const Surface_surgery& s)
-{
-  const auto side = IT::sides(f, s.mesh());
-  const auto l = lengths_of(s);
-  return IT::quadrupled_area(l(Edge_index(side[0])), l(Edge_index(side[1])),
-                             l(Edge_index(side[2]))) /
-         4;
-}
-
-double area(const Surface_surgery& s)
-{
-  double sum = 0;
-  for(Face_index f : s.mesh().faces())
-    sum += area(f, s);
-  return sum;
-}
+double area(const Surface_surgery& s) { return area_of(s.mesh(), lengths_of(s)); }
 
 double total_curvature(const Surface_surgery& s)
 {
@@ -56,7 +40,7 @@ double total_curvature(const Surface_surgery& s)
 void expect_valid(const Surface_surgery& s, double area_before, double tolerance = 1e-9)
 {
   ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh(), true));
-  EXPECT_NEAR(total_curvature(s), 2 * pi * euler_characteristic(s.mesh()), 1e-6);
+  EXPECT_NEAR(total_curvature(s), 2 * pi * Euler_characteristic(s.mesh()), 1e-6);
   EXPECT_NEAR(area(s), area_before + s.filled_area(), tolerance * area(s));
   EXPECT_TRUE(s.triangulation().is_valid(true));
 }
@@ -65,10 +49,7 @@ void expect_valid(const Surface_surgery& s, double area_before, double tolerance
 void expect_map(const Surface_surgery& s, const Triangulation& input, double tolerance = 1e-9)
 {
   CGAL::Random random(1);
-  const auto random_point = [&](Face_index f) {
-    const double x = random.get_double(), y = random.get_double(0, 1 - x);
-    return Location{f, {x, y, 1 - x - y}};
-  };
+  const auto random_point = [&](Face_index f) { return Location{f, random_coordinates(random)}; };
   for(Face_index f : input.mesh().faces()) {
     const Location p = random_point(f);
     const auto back = s.preimage(s.image(p));
@@ -79,7 +60,7 @@ void expect_map(const Surface_surgery& s, const Triangulation& input, double tol
   }
   double filled = 0;
   for(Face_index f : s.mesh().faces())
-    filled += s.preimage(random_point(f)) ? 0 : area(f, s);
+    filled += s.preimage(random_point(f)) ? 0 : area_of(f, s.mesh(), lengths_of(s));
   EXPECT_LE(filled, s.filled_area() * (1 + 1e-9));
   std::size_t apexes = 0;
   for(Vertex_index v : s.mesh().vertices())
@@ -376,18 +357,14 @@ TEST(Pinch_handles, flat_tori_of_known_length)
   }
 }
 
-double norm(double i, double j, const Vector& a, const Vector& b)
-{
-  return std::hypot(i * double(a.x) + j * double(b.x), i * double(a.y) + j * double(b.y));
-}
-
 // how far a length is from the closest one of a vector of the lattice, relatively
 double deviation_from_lattice(double length, const Flat_surface& torus)
 {
   double result = no_bound;
   for(int i = -5; i <= 5; ++i)
     for(int j = -5; j <= 5; ++j)
-      result = (std::min)(result, std::abs(norm(i, j, torus.a, torus.b) / length - 1));
+      result =
+        (std::min)(result, std::abs(Test_surfaces::length(i * torus.a + j * torus.b) / length - 1));
   return result;
 }
 

@@ -53,8 +53,6 @@ TEST(Tangent_prolongation, of_one_level_is_the_identity)
   }
 }
 
-Complex complex(const Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-
 // the direction of a coarse halfedge on a flat surface, from its first piece
 Complex direction(Halfedge_index h, const Surface_map& map, const Flat_surface& flat)
 {
@@ -94,14 +92,8 @@ TEST(Tangent_prolongation, of_a_constant_field_on_a_flat_torus_is_exact)
 // rotation.
 TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
 {
-  const Mesh mesh = subdivided(octahedron(), 4);
-  std::vector<Point> points;
-  for(const Point& p : mesh.points())
-    points.push_back(CGAL::ORIGIN +
-                     (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length()));
-  Mesh sphere = mesh;
-  for(Vertex_index v : mesh.vertices())
-    sphere.point(v) = points[v];
+  const Mesh sphere = unit_sphere(16);
+  const auto points = sphere.points();
   // seen in the tangent plane with the first outgoing halfedge of the fine mesh ahead
   const auto value = [&](Vertex_index v) {
     const Kernel::Vector_3 n = points[v] - CGAL::ORIGIN, field(-n.y(), n.x(), 0);

@@ -7,7 +7,6 @@
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/trace.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
 namespace Test_trace {

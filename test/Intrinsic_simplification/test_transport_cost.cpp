@@ -187,24 +187,15 @@ TEST(Transport_cost, a_constant_function_has_no_mass)
 // On a square of four by four cells a linear function flows in on one side and out on the other.
 TEST(Transport_cost, a_linear_function_has_mass_at_the_boundary_only)
 {
-  std::vector<Point> points;
-  Triangles triangles;
+  const Mesh mesh = grid(4, 4, [](double x, double y) { return Point(x, y, 0); });
   std::vector<double> value;
-  for(unsigned int j = 0; j <= 4; ++j)
-    for(unsigned int i = 0; i <= 4; ++i) {
-      points.emplace_back(i, j, 0);
-      value.push_back(1 - 2. * i);
-      if(i < 4 && j < 4) {
-        const unsigned int v = 5 * j + i;
-        triangles.push_back({v, v + 1, v + 6});
-        triangles.push_back({v, v + 6, v + 5});
-      }
-    }
-  const Evolving_surface s(make_mesh(points, triangles));
+  for(const Point& p : mesh.points())
+    value.push_back(1 - 2 * p.x());
+  const Evolving_surface s(mesh);
   Transport_cost cost(s);
   cost.add_function(s, value);
   for(Vertex_index v : s.mesh().vertices()) {
-    const unsigned int i = v % 5, j = v / 5;
+    const unsigned int i = v / 5, j = v % 5;
     const double share = i % 4 == 0 ? (j % 4 == 0 ? 1. / 16 : 1. / 8) : 0;
     EXPECT_NEAR(cost.mass(v, 0) + cost.mass(v, 1), share, 1e-15);
     EXPECT_NEAR(std::abs(cost.mass(v, 0) - cost.mass(v, 1)), share, 1e-15);
@@ -268,8 +259,6 @@ TEST(Transport_cost, of_a_flat_surface_without_data_is_zero)
 
 using Complex = std::complex<double>;
 
-Complex to_complex(const Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-
 class Flat_transport
 {
 public:
@@ -285,7 +274,7 @@ public:
     double closest = 1e9;
     for(int a = -6; a <= 6; ++a)
       for(int b = -6; b <= 6; ++b) {
-        const Complex z = to_complex(to - from + a * m_torus.a + b * m_torus.b);
+        const Complex z = complex(to - from + a * m_torus.a + b * m_torus.b);
         if(const double error = std::abs(std::abs(z) - s.surface().length(h)); error < closest) {
           closest = error;
           best = z;

@@ -68,12 +68,6 @@ inline bool is_before(const Vector& d, const Vector& u, const Vector& v)
   return in_second_half(u) != in_second_half(v) ? in_second_half(v) : det(u, v) > 0;
 }
 
-inline Halfedge_index random_halfedge(const Delta_complex& mesh, CGAL::Random& random)
-{
-  const int size = static_cast<int>(mesh.number_of_halfedges());
-  return Halfedge_index(static_cast<Delta_complex::size_type>(random.get_int(0, size)));
-}
-
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_BRUTE_FORCE_H

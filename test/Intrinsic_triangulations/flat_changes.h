@@ -32,12 +32,6 @@ enum Operation
 
 using Counts = std::array<std::size_t, number_of_operations>;
 
-template <typename Index>
-Index random_index(std::size_t count, CGAL::Random& random)
-{
-  return Index(static_cast<Delta_complex::size_type>(random.get_int(0, static_cast<int>(count))));
-}
-
 inline bool operate(Operation operation, Flat_insertion& flat, CGAL::Random& random)
 {
   const Delta_complex& mesh = flat.triangulation().mesh();

@@ -120,21 +120,6 @@ std::size_t random_flips(Flat_pair<Integer>& pair, int tries, unsigned int seed)
   return flips;
 }
 
-inline std::vector<Halfedge_index> random_flips(IT::Intrinsic_triangulation<>& t, int tries,
-                                                unsigned int seed)
-{
-  CGAL::Random random(seed);
-  std::vector<Halfedge_index> flipped;
-  for(int i = 0; i < tries; ++i) {
-    const Halfedge_index h = random_halfedge(t.mesh(), random);
-    if(!t.is_flippable(h))
-      continue;
-    t.flip(h);
-    flipped.push_back(h);
-  }
-  return flipped;
-}
-
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_FLAT_PAIR_H

@@ -28,6 +28,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
+const double pi = std::acos(-1.);
 
 // ---- Embedded meshes ----
 
@@ -54,6 +55,12 @@ inline Mesh octahedron()
   return make_mesh(
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
     {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
+}
+
+// The unit square.
+inline Mesh square()
+{
+  return make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
 // Two triangles for each side.
@@ -272,6 +279,65 @@ inline Delta_complex double_torus()
   return glue({{1, 2, 5}, {-5, -1, 6}, {-6, -2, 7}, {-7, 3, 8}, {-8, 4, 9}, {-9, -3, -4}});
 }
 
+// ---- Points of faces ----
+
+using Location = IT::Face_location<double>;
+
+inline std::array<double, 3> random_coordinates(CGAL::Random& random)
+{
+  const double u = random.get_double(), v = random.get_double();
+  return u + v > 1 ? std::array{u + v - 1, 1 - u, 1 - v} : std::array{1 - u - v, u, v};
+}
+
+template <typename Index, typename Random>
+Index random_index(std::size_t count, Random& random)
+{
+  return Index(static_cast<Delta_complex::size_type>(random.get_int(0, static_cast<int>(count))));
+}
+
+template <typename Random>
+Halfedge_index random_halfedge(const Delta_complex& mesh, Random& random)
+{
+  return random_index<Halfedge_index>(mesh.number_of_halfedges(), random);
+}
+
+template <typename Random>
+Vertex_index random_vertex(const Delta_complex& mesh, Random& random)
+{
+  return random_index<Vertex_index>(mesh.number_of_vertices(), random);
+}
+
+inline Location random_location(const Delta_complex& mesh, CGAL::Random& random)
+{
+  const auto f = random_index<Face_index>(mesh.number_of_faces(), random);
+  return {f, random_coordinates(random)};
+}
+
+// A point in a face of a triangulation whose vertex v is at `position(v)`.
+template <typename Any_mesh, typename Position>
+Point place_in_space(const Location& p, const Any_mesh& mesh, const Position& position)
+{
+  Kernel::Vector_3 sum(0, 0, 0);
+  Halfedge_index h = mesh.halfedge(p.first);
+  for(double weight : p.second) {
+    sum = sum + weight * (position(mesh.source(h)) - CGAL::ORIGIN);
+    h = mesh.next(h);
+  }
+  return CGAL::ORIGIN + sum;
+}
+
+inline Point place_in_space(const Location& p, const Delta_complex& mesh, const Mesh& positions)
+{
+  return place_in_space(p, mesh, [&](Vertex_index v) { return positions.point(v); });
+}
+
+inline Point place_in_space(const Location& p, const Mesh& mesh)
+{
+  return place_in_space(p, mesh, [&](Vertex_index v) { return mesh.point(v); });
+}
+
+// ---- Random numbers ----
+
 inline std::vector<double> random_values(std::size_t n, double bound, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -300,6 +366,23 @@ IT::Intrinsic_triangulation<Traits> triangulation(const Delta_complex& mesh,
   return IT::Intrinsic_triangulation<Traits>(mesh, IT::parameters::edge_length_map(map));
 }
 
+// Flips what can be flipped, and returns it.
+template <typename Traits>
+std::vector<Halfedge_index> random_flips(IT::Intrinsic_triangulation<Traits>& t, std::size_t tries,
+                                         unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Halfedge_index> result;
+  for(std::size_t i = 0; i < tries; ++i) {
+    const Halfedge_index h = random_halfedge(t.mesh(), random);
+    if(!t.is_flippable(h))
+      continue;
+    t.flip(h);
+    result.push_back(h);
+  }
+  return result;
+}
+
 // ---- Flat surfaces with exact coordinates ----
 
 struct Vector
@@ -314,6 +397,11 @@ struct Vector
   friend std::int64_t dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
   friend std::int64_t det(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
 };
+
+inline std::complex<double> complex(const Vector& v)
+{
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
 
 inline double length(const Vector& v) { return std::sqrt(static_cast<double>(dot(v, v))); }
 
@@ -487,13 +575,74 @@ inline Mesh planar_mesh(const std::vector<Vector>& points)
   return make_mesh(placed, swept_triangles(points));
 }
 
+// ---- Angles and areas, by textbook formulas from the lengths once more ----
+
+// Maps, vectors and functions of edges can be lengths.
+template <typename Length>
+long double length_of(Edge_index e, const Length& length)
+{
+  if constexpr(std::is_invocable_v<const Length&, Edge_index>)
+    return length(e);
+  else
+    return length[e];
+}
+
+// At the source of `h`; 0 or pi if rounding has pressed the face beyond flat.
+template <typename Length>
+double angle_at(Halfedge_index h, const Delta_complex& mesh, const Length& length)
+{
+  const long double a = length_of(mesh.edge(h), length),
+                    b = length_of(mesh.edge(mesh.prev(h)), length),
+                    c = length_of(mesh.edge(mesh.next(h)), length);
+  return static_cast<double>(
+    std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1.L, 1.L)));
+}
+
+// At each vertex.
+template <typename Length>
+std::vector<double> angle_sums(const Delta_complex& mesh, const Length& length)
+{
+  std::vector<double> result(mesh.num_vertices(), 0);
+  for(Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      result[mesh.source(h)] += angle_at(h, mesh, length);
+  return result;
+}
+
+// Heron's formula in Kahan's form.
+inline long double area_of_triangle(std::array<long double, 3> l)
+{
+  std::sort(l.begin(), l.end());
+  const auto [c, b, a] = l;
+  const long double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return std::sqrt((std::max)(0.L, product)) / 4;
+}
+
+template <typename Length>
+double area_of(Face_index f, const Delta_complex& mesh, const Length& length)
+{
+  const auto [a, b, c] = IT::sides(f, mesh);
+  return static_cast<double>(
+    area_of_triangle({length_of(mesh.edge(a), length), length_of(mesh.edge(b), length),
+                      length_of(mesh.edge(c), length)}));
+}
+
+template <typename Length>
+double area_of(const Delta_complex& mesh, const Length& length)
+{
+  double sum = 0;
+  for(Face_index f : mesh.faces())
+    sum += area_of(f, mesh, length);
+  return sum;
+}
+
 // ---- Counts ----
 
 template <typename Any_mesh>
-std::int64_t Euler_characteristic(const Any_mesh& mesh)
+int Euler_characteristic(const Any_mesh& mesh)
 {
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
+  return static_cast<int>(mesh.number_of_vertices()) - static_cast<int>(mesh.number_of_edges()) +
+         static_cast<int>(mesh.number_of_faces());
 }
 
 // The area of a flat polygon, which need not be convex.
@@ -512,6 +661,36 @@ std::int64_t number_of_border_edges(const Any_mesh& mesh)
 {
   const auto e = mesh.edges();
   return std::count_if(e.begin(), e.end(), [&](Edge_index x) { return mesh.is_border(x); });
+}
+
+inline std::size_t border_loops(const Delta_complex& mesh)
+{
+  std::set<Halfedge_index> seen;
+  std::size_t loops = 0;
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h) && seen.count(h) == 0) {
+      ++loops;
+      for(Halfedge_index x = h; seen.insert(x).second;)
+        x = mesh.next(x);
+    }
+  return loops;
+}
+
+// Whether vertices determine edges and faces, by the definition: sets of vertices, all different.
+template <typename Any_mesh>
+bool has_distinct_simplices(const Any_mesh& mesh)
+{
+  std::set<std::set<Vertex_index>> edges, faces;
+  for(Edge_index e : mesh.edges())
+    edges.insert({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    faces.insert({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
+  }
+  const auto has_size = [](std::size_t n) { return [n](const auto& s) { return s.size() == n; }; };
+  return edges.size() == mesh.number_of_edges() && faces.size() == mesh.number_of_faces() &&
+         std::all_of(edges.begin(), edges.end(), has_size(2)) &&
+         std::all_of(faces.begin(), faces.end(), has_size(3));
 }
 
 // ---- Collections ----

@@ -14,8 +14,6 @@ namespace Test_surfaces {
 
 using Complex = std::complex<double>;
 
-const double pi = std::acos(-1.);
-
 inline Complex random_vector(double length, CGAL::Random& random)
 {
   return std::polar(length * random.get_double(0.01, 1), random.get_double(-pi, pi));
@@ -34,15 +32,13 @@ public:
 
   Complex vector(Halfedge_index h) const
   {
-    const Vector& v = m_side == Side::input ? m_flat.input_vector(h) : m_flat.vector(h);
-    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    return complex(m_side == Side::input ? m_flat.input_vector(h) : m_flat.vector(h));
   }
 
   Complex place(const Location& p) const
   {
     const auto h = m_faces.sides(p.first);
-    const Vector& origin = m_flat.surface().point[m_faces.mesh().source(h[0])];
-    return Complex(static_cast<double>(origin.x), static_cast<double>(origin.y)) +
+    return complex(m_flat.surface().point[m_faces.mesh().source(h[0])]) +
            p.second[1] * vector(h[0]) - p.second[2] * vector(h[2]);
   }
 
@@ -56,9 +52,7 @@ public:
   double distance(const Complex& p, const Complex& q) const
   {
     const auto det = [](const Complex& v, const Complex& w) { return (std::conj(v) * w).imag(); };
-    const Vector &u = m_flat.surface().a, &v = m_flat.surface().b;
-    const Complex d = p - q, a(static_cast<double>(u.x), static_cast<double>(u.y)),
-                  b(static_cast<double>(v.x), static_cast<double>(v.y));
+    const Complex d = p - q, a = complex(m_flat.surface().a), b = complex(m_flat.surface().b);
     return std::abs(d - std::round(det(d, b) / det(a, b)) * a -
                     std::round(det(a, d) / det(a, b)) * b);
   }
@@ -135,14 +129,6 @@ inline std::array<Point, 3> corners(Face_index f, const Mesh& mesh)
   const Halfedge_index h = mesh.halfedge(f);
   return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
           mesh.point(mesh.target(mesh.next(h)))};
-}
-
-inline Point place_in_space(const Location& p, const Mesh& mesh)
-{
-  Kernel::Vector_3 sum(0, 0, 0);
-  for(std::size_t s = 0; s < 3; ++s)
-    sum = sum + p.second[s] * (corners(p.first, mesh)[s] - CGAL::ORIGIN);
-  return CGAL::ORIGIN + sum;
 }
 
 // The location of a point in the first face that contains it.

@@ -15,7 +15,6 @@ namespace Test_surfaces {
 
 using Correspondence = IT::Correspondence<>;
 using IT::Side;
-using Location = IT::Face_location<double>;
 using Edge_place = IT::Edge_point<double>;
 using Trace_place = IT::Trace_point<double>;
 using Real = long double;
@@ -107,17 +106,10 @@ public:
     return result;
   }
 
-  // Heron's formula in Kahan's form
   Real area(Face_index f) const
   {
-    std::array<Real, 3> l;
-    for(std::size_t s = 0; s < 3; ++s)
-      l[s] = length(sides(f)[s]);
-    std::sort(l.begin(), l.end());
-    const auto [c, b, a] = l;
-    return std::sqrt(
-             (std::max)(Real(0), (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)))) /
-           4;
+    const auto [a, b, c] = sides(f);
+    return area_of_triangle({length(a), length(b), length(c)});
   }
 
   Real area() const
@@ -183,18 +175,6 @@ private:
   const Delta_complex& m_mesh;
   const Triangulation::Edge_length_map& m_length;
 };
-
-// ---- Places ----
-
-inline Point place_in_space(const Location& p, const Flat_faces& input, const Mesh& mesh)
-{
-  Kernel::Vector_3 sum(0, 0, 0);
-  for(std::size_t s = 0; s < 3; ++s) {
-    const Vertex_index v = input.mesh().source(input.sides(p.first)[s]);
-    sum = sum + p.second[s] * (mesh.point(v) - CGAL::ORIGIN);
-  }
-  return CGAL::ORIGIN + sum;
-}
 
 // ---- Traces ----
 
@@ -296,16 +276,31 @@ std::pair<double, double> relative_areas(Side side, const Subdivision& s, const 
   return {static_cast<double>(sum / whole), static_cast<double>(wrong / whole)};
 }
 
-inline Location random_location(const Delta_complex& mesh, CGAL::Random& random)
+// ---- Delaunay triangulations ----
+
+// Lengths with a relative error u spoil the cosine of an angle by at most
+// 4 u (a^2 + b^2 + c^2) / 2bc, and |acos(x) - acos(y)| <= pi sqrt(|x - y| / 2), with equality only
+// between flat angles. make_Delaunay decides for lengths to within u = 16 epsilon.
+inline double error_of_angle_at(Halfedge_index h, const Triangulation& t)
 {
-  const Face_index f(static_cast<Delta_complex::size_type>(
-    random.get_int(0, static_cast<int>(mesh.number_of_faces()))));
-  double u = random.get_double(), v = random.get_double();
-  if(u + v > 1) {
-    u = 1 - u;
-    v = 1 - v;
+  const double a = t.length(t.mesh().edge(t.mesh().next(h))), b = t.length(t.mesh().edge(h)),
+               c = t.length(t.mesh().edge(t.mesh().prev(h)));
+  const double u = 16 * std::numeric_limits<double>::epsilon();
+  return pi * std::sqrt(u * (a * a + b * b + c * c) / (b * c));
+}
+
+inline void expect_Delaunay(const Triangulation& t)
+{
+  const Delta_complex& mesh = t.mesh();
+  EXPECT_TRUE(IT::is_Delaunay(t));
+  for(Edge_index e : mesh.edges()) {
+    if(mesh.is_border(e) || t.is_constrained(e))
+      continue;
+    const Halfedge_index h = mesh.prev(mesh.halfedge(e, 0)), o = mesh.prev(mesh.halfedge(e, 1));
+    EXPECT_LE(angle_at(h, mesh, t.length_map()) + angle_at(o, mesh, t.length_map()),
+              pi + error_of_angle_at(h, t) + error_of_angle_at(o, t))
+      << e;
   }
-  return {f, {1 - u - v, u, v}};
 }
 
 } // namespace Test_surfaces

@@ -37,14 +37,9 @@ inline std::vector<double> sorted_lengths(const Triangulation& t)
 inline double convexity(const Triangulation& t, Halfedge_index h)
 {
   const Delta_complex& mesh = t.mesh();
-  const auto angle = [&](Halfedge_index x) { // at the source of x
-    const double a = t.length(mesh.edge(x)), b = t.length(mesh.edge(mesh.prev(x)));
-    const double c = t.length(mesh.edge(mesh.next(x)));
-    return std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1., 1.));
-  };
+  const auto angle = [&](Halfedge_index x) { return angle_at(x, mesh, t.length_map()); };
   const Halfedge_index o = mesh.opposite(h);
-  return std::acos(-1.) -
-         (std::max)(angle(h) + angle(mesh.next(o)), angle(o) + angle(mesh.next(h)));
+  return pi - (std::max)(angle(h) + angle(mesh.next(o)), angle(o) + angle(mesh.next(h)));
 }
 
 // Flips that keep edges short and triangles fat enough for nine digits to remain.
@@ -55,8 +50,7 @@ inline void flip_at_random(Triangulation& t, std::size_t attempts, unsigned int 
   const double limit = 6 * longest_input_edge(t);
   const auto flipped_length = t.traits().compute_flipped_length_object();
   for(std::size_t i = 0; i < attempts; ++i) {
-    const Halfedge_index h(static_cast<Delta_complex::size_type>(
-      random.get_int(0, static_cast<int>(t.mesh().number_of_halfedges()))));
+    const Halfedge_index h = random_halfedge(t.mesh(), random);
     if(!t.is_flippable(h) || convexity(t, h) < 0.01 ||
        flipped_length(IT::diamond(t.length_map(), h, t.mesh())) > limit)
       continue;

@@ -46,13 +46,6 @@ public:
   }
 
 private:
-  template <typename Index>
-  Index random_index(Delta_complex::size_type count)
-  {
-    return Index(
-      static_cast<Delta_complex::size_type>(m_random.get_int(0, static_cast<int>(count))));
-  }
-
   void flip_to_Delaunay()
   {
     for(bool changed = true; changed;) {
@@ -67,7 +60,7 @@ private:
 
   void insert(double closeness)
   {
-    const auto f = random_index<Face_index>(m_t.mesh().num_faces());
+    const auto f = random_index<Face_index>(m_t.mesh().num_faces(), m_random);
     if(m_t.mesh().is_removed(f))
       return;
     const double a = m_random.get_double(0.1, 1), b = m_random.get_double(0.1, 1),
@@ -79,7 +72,7 @@ private:
 
   void split(double closeness)
   {
-    const auto h = random_index<Halfedge_index>(m_t.mesh().num_halfedges());
+    const auto h = random_index<Halfedge_index>(m_t.mesh().num_halfedges(), m_random);
     if(m_t.mesh().is_removed(h) || !m_inserter.can_be_split(h))
       return;
     m_vertices.push_back(m_inserter.split_edge(h, m_random.get_double(0.2, 0.8),

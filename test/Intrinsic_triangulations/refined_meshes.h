@@ -90,6 +90,12 @@ inline Mesh unit_sphere(std::size_t n)
   return mesh;
 }
 
+// Large enough for several threads.
+inline Mesh large_torus() { return perturbed(embedded_torus(60, 50), 0.05, 3); }
+
+// With boundary loops.
+inline Mesh large_square() { return punctured(unit_square(55, 4), {1000, 3000, 5000}); }
+
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_REFINED_MESHES_H

@@ -14,19 +14,16 @@
 
 namespace Test_surfaces {
 
-// at the source of `h`, in degrees; 0 or 180 where rounding has pressed the face beyond flat
+// At the source of `h`.
 template <typename LengthMap>
-Real angle_in_degrees(Halfedge_index h, const Delta_complex& mesh, const LengthMap& length)
+double angle_in_degrees(Halfedge_index h, const Delta_complex& mesh, const LengthMap& length)
 {
-  const Real a = length[mesh.edge(mesh.next(h))], b = length[mesh.edge(h)],
-             c = length[mesh.edge(mesh.prev(h))];
-  const Real cosine = (b * b + c * c - a * a) / (2 * b * c);
-  return std::acos(std::clamp(cosine, Real(-1), Real(1))) * 180 / std::acos(Real(-1));
+  return angle_at(h, mesh, length) * 180 / pi;
 }
 
-inline Real least_angle(Face_index f, const Triangulation& t)
+inline double least_angle(Face_index f, const Triangulation& t)
 {
-  Real least = 180;
+  double least = 180;
   for(Halfedge_index h : IT::sides(f, t.mesh()))
     least = (std::min)(least, angle_in_degrees(h, t.mesh(), t.length_map()));
   return least;

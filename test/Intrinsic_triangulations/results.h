@@ -38,10 +38,22 @@ public:
   void add_place(const IT::Surface_point<FT>& p, const IT::Delta_complex& mesh)
   {
     add(IT::halfedge_of(p).idx());
-    const auto [f, b] = IT::face_location(p, mesh);
-    add(f.idx());
-    for(const FT& x : b)
+    add_location(IT::face_location(p, mesh));
+  }
+
+  template <typename FT>
+  void add_location(const IT::Face_location<FT>& p)
+  {
+    add(p.first.idx());
+    for(const FT& x : p.second)
       add(x);
+  }
+
+  template <typename FT>
+  void add_locations(const std::vector<IT::Face_location<FT>>& locations)
+  {
+    for(const auto& p : locations)
+      add_location(p);
   }
 
   template <typename Mesh>

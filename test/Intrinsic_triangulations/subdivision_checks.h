@@ -39,6 +39,45 @@ inline void check_numbers(const Subdivision& s, const Correspondence& c)
   }
 }
 
+// Beside the numbers, the area of the faces on T1, of which no face may meet itself.
+inline void check_areas(const Subdivision& s, const Correspondence& c, double tolerance)
+{
+  check_numbers(s, c);
+  const auto [area, wrong] = relative_areas(Side::input, s, c.triangulation());
+  EXPECT_NEAR(area, 1, tolerance);
+  EXPECT_GT(wrong, -tolerance);
+}
+
+// ---- Edges ----
+
+using Ends = std::multiset<std::pair<Vertex_index, Vertex_index>>;
+
+// The pieces of every edge are those between the points of its trace.
+inline void check_pieces(const Subdivision& s, const Correspondence& c)
+{
+  const auto n = c.mesh(Side::input).number_of_vertices();
+  for(Side side : both_sides) {
+    std::vector<Ends> pieces(c.mesh(side).number_of_edges());
+    for(Edge_index e : s.mesh().edges())
+      if(const Edge_index parent = s.parent_edge(side, e); parent.is_valid())
+        pieces[parent].insert(std::minmax({s.mesh().vertex(e, 0), s.mesh().vertex(e, 1)}));
+    for(Edge_index e : c.mesh(side).edges()) {
+      const Halfedge_index h = c.mesh(side).halfedge(e);
+      std::vector<Vertex_index> chain{c.mesh(side).source(h)};
+      for(Delta_complex::size_type p = 0; p < c.number_of_crossings(side, e); ++p)
+        chain.push_back(Vertex_index(n + c.crossing(side, h, p).id));
+      chain.push_back(c.mesh(side).target(h));
+      Ends expected;
+      for(std::size_t k = 0; k + 1 < chain.size(); ++k)
+        expected.insert(std::minmax({chain[k], chain[k + 1]}));
+      EXPECT_EQ(pieces[e], expected);
+    }
+  }
+  for(Edge_index e : s.mesh().edges())
+    EXPECT_TRUE(s.parent_edge(Side::input, e).is_valid() ||
+                s.parent_edge(Side::intrinsic, e).is_valid());
+}
+
 // ---- Corners of faces in both parents ----
 
 // Whether the piece from a to b runs along its parent edge, forward, if it has one in the face.

@@ -4,7 +4,7 @@
 
 // Elementary operations allocate nothing, and objects take the memory that the manual says.
 
-#include "testing.h"
+#include "generators.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
@@ -16,43 +16,26 @@ std::size_t bytes_in_use();
 
 namespace Test_allocations {
 
-namespace IT = CGAL::Intrinsic_triangulations;
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
+using namespace Test_surfaces;
 
 // a wavy square of n x n cells, with every diagonal the same way
-Mesh wavy_square(unsigned n)
+Mesh wavy_square(std::size_t n)
 {
-  Mesh mesh;
-  for(unsigned i = 0; i <= n; ++i)
-    for(unsigned j = 0; j <= n; ++j)
-      mesh.add_vertex(Point(i, 3. * j, 2 * std::sin(1.7 * i) * std::cos(0.9 * j)));
-  const auto vertex = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(i * (n + 1) + j); };
-  for(unsigned i = 0; i < n; ++i)
-    for(unsigned j = 0; j < n; ++j) {
-      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
-      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
-    }
-  return mesh;
+  return grid(n, n, [](double i, double j) {
+    return Point(i, 3 * j, 2 * std::sin(1.7 * i) * std::cos(0.9 * j));
+  });
 }
 
 // a torus of n x n cells with a wavy radius
-Mesh wavy_torus(unsigned n)
+Mesh wavy_torus(std::size_t n)
 {
-  Mesh mesh;
-  const double turn = 2 * std::acos(-1.) / n;
-  for(unsigned i = 0; i < n; ++i)
-    for(unsigned j = 0; j < n; ++j) {
-      const double r = 1 + 0.3 * std::sin(1.7 * i), s = 4 + r * std::cos(turn * j);
-      mesh.add_vertex(
-        Point(s * std::cos(turn * i), s * std::sin(turn * i), r * std::sin(turn * j)));
-    }
-  const auto vertex = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(i % n * n + j % n); };
-  for(unsigned i = 0; i < n; ++i)
-    for(unsigned j = 0; j < n; ++j) {
-      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
-      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
-    }
+  Mesh mesh = embedded_torus(n, n);
+  for(Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    const double axis = std::hypot(p.x(), p.y()), wave = 0.3 * std::sin(1.7 * double(v.idx() / n));
+    const double s = (axis + 1 + (axis - 3) * wave) / axis;
+    mesh.point(v) = Point(s * p.x(), s * p.y(), (1 + wave) * p.z());
+  }
   return mesh;
 }
 

@@ -13,8 +13,6 @@ namespace Test_angles {
 using namespace Test_surfaces;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-const double pi = std::acos(-1.);
-
 std::vector<double> curvatures(Mesh mesh)
 {
   auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;

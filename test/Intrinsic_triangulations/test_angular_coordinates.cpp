@@ -18,8 +18,6 @@ using namespace Test_surfaces;
 using Complex = std::complex<double>;
 using Angles = IT::Angular_coordinates<>;
 
-const double pi = std::acos(-1.);
-
 void expect_same_direction(double a, double b, double tolerance)
 {
   EXPECT_NEAR(std::remainder(a - b, 2 * pi), 0, tolerance) << a << ' ' << b;
@@ -35,8 +33,6 @@ double angle_from_crossing(Halfedge_index h, const Triangulation& t,
   const Location location = IT::face_location(p, t.input_mesh());
   return std::arg(IT::logarithm(t.input(), t.input_mesh().prev(p.halfedge), location));
 }
-
-Complex complex(const Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
 // From exact vectors; `frames` tells the angle sum on the boundary.
 double angle_in_plane(Halfedge_index h, const Flat_triangulation& flat,

@@ -12,36 +12,6 @@
 namespace Test_common_subdivision {
 
 using namespace Test_surfaces;
-// ---- Edges ----
-
-using Ends = std::multiset<std::pair<Vertex_index, Vertex_index>>;
-
-// The pieces of every edge are those between the points of its trace.
-void check_pieces(const Subdivision& s, const Correspondence& c)
-{
-  const auto n = c.mesh(Side::input).number_of_vertices();
-  for(Side side : both_sides) {
-    std::vector<Ends> pieces(c.mesh(side).number_of_edges());
-    for(Edge_index e : s.mesh().edges())
-      if(const Edge_index parent = s.parent_edge(side, e); parent.is_valid())
-        pieces[parent].insert(std::minmax({s.mesh().vertex(e, 0), s.mesh().vertex(e, 1)}));
-    for(Edge_index e : c.mesh(side).edges()) {
-      const Halfedge_index h = c.mesh(side).halfedge(e);
-      std::vector<Vertex_index> chain{c.mesh(side).source(h)};
-      for(Delta_complex::size_type p = 0; p < c.number_of_crossings(side, e); ++p)
-        chain.push_back(Vertex_index(n + c.crossing(side, h, p).id));
-      chain.push_back(c.mesh(side).target(h));
-      Ends expected;
-      for(std::size_t k = 0; k + 1 < chain.size(); ++k)
-        expected.insert(std::minmax({chain[k], chain[k + 1]}));
-      EXPECT_EQ(pieces[e], expected);
-    }
-  }
-  for(Edge_index e : s.mesh().edges())
-    EXPECT_TRUE(s.parent_edge(Side::input, e).is_valid() ||
-                s.parent_edge(Side::intrinsic, e).is_valid());
-}
-
 std::vector<Edge_index> parent_edges(Side side, const Subdivision& s)
 {
   std::vector<Edge_index> result;
@@ -82,26 +52,14 @@ void check_copies(const Any_subdivision& s, const Triangulation& t)
   }
 }
 
-TEST(Common_subdivision, numbers_and_pieces)
+TEST(Common_subdivision, is_one_of_both_triangulations)
 {
   for(const Named_triangulation& t : traced(triangulations())) {
     const Correspondence c(t.triangulation);
-    const Subdivision s(c);
+    Subdivision s(c);
     check_numbers(s, c);
     check_pieces(s, c);
-  }
-}
-
-TEST(Common_subdivision, faces_look_the_same_in_both_parents)
-{
-  for(const Named_triangulation& t : traced(triangulations()))
-    check_measures(Subdivision(Correspondence(t.triangulation)), t.triangulation);
-}
-
-TEST(Common_subdivision, triangulate)
-{
-  for(const Named_triangulation& t : traced(triangulations())) {
-    Subdivision s{Correspondence(t.triangulation)};
+    check_measures(s, t.triangulation);
     check_triangles(s, t.triangulation);
   }
 }

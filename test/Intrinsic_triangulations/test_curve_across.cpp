@@ -104,8 +104,7 @@ std::vector<Location> points_of(Side side, const Correspondence& c, std::size_t 
   const Delta_complex &mesh = c.mesh(side), &other_mesh = c.mesh(other(side));
   const auto halfedge = [&](const Delta_complex& of) {
     for(;;) {
-      const Halfedge_index h(static_cast<Delta_complex::size_type>(
-        random.get_int(0, static_cast<int>(of.number_of_halfedges()))));
+      const Halfedge_index h = random_halfedge(of, random);
       if(!of.is_border(h))
         return h;
     }

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
-#include "measuring.h"
+#include "subdivision_checks.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
@@ -77,12 +77,8 @@ bool meets_itself(Face_index f, const Delta_complex& mesh)
 void check_subdivision(const Correspondence& c)
 {
   const Triangulation& t = c.triangulation();
-  const IT::Common_subdivision<> s(c);
-  EXPECT_TRUE(s.mesh().is_valid());
-  EXPECT_EQ(s.mesh().number_of_vertices(), t.mesh().number_of_vertices() + c.number_of_crossings());
-  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
-  EXPECT_NEAR(relative_areas(Side::input, s, t).first, 1, 1e-12);
-  EXPECT_GT(relative_areas(Side::input, s, t).second, -1e-12);
+  const Subdivision s(c);
+  check_areas(s, c, 1e-12);
   const auto faces = t.mesh().faces();
   if(std::none_of(faces.begin(), faces.end(),
                   [&](Face_index f) { return meets_itself(f, t.mesh()); })) {
@@ -106,8 +102,8 @@ void check_points_across(const Correspondence& c, const Mesh& mesh)
     const Location p = random_location(input.mesh(), random);
     const Location p_back =
       IT::point_across(c, Side::intrinsic, IT::point_across(c, Side::input, p));
-    EXPECT_LT(std::sqrt(CGAL::squared_distance(place_in_space(p, input, mesh),
-                                               place_in_space(p_back, input, mesh))),
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(place_in_space(p, input.mesh(), mesh),
+                                               place_in_space(p_back, input.mesh(), mesh))),
               1e-9 * size_of(mesh))
       << i;
     const Location q = random_location(intrinsic.mesh(), random);

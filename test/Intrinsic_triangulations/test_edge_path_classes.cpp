@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <boost/pending/disjoint_sets.hpp>
 
 // Geodesics by flips stay in their homotopy class, and are what they are on the exact surface.
 
@@ -37,33 +38,15 @@ struct Matrix
   bool operator==(const Matrix& m) const { return a == m.a && b == m.b && c == m.c && d == m.d; }
 };
 
-class Disjoint_sets
+using Disjoint_sets = boost::disjoint_sets_with_storage<>;
+
+// Returns whether the two were not together.
+bool join(std::size_t i, std::size_t k, Disjoint_sets& sets)
 {
-public:
-  explicit Disjoint_sets(std::size_t n) : m_parent(n)
-  {
-    std::iota(m_parent.begin(), m_parent.end(), std::size_t(0));
-  }
-
-  // returns whether the two were not together
-  bool join(std::size_t i, std::size_t k)
-  {
-    i = find(i);
-    k = find(k);
-    m_parent[i] = k;
-    return i != k;
-  }
-
-private:
-  std::size_t find(std::size_t i)
-  {
-    while(m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  std::vector<std::size_t> m_parent;
-};
+  const bool result = sets.find_set(i) != sets.find_set(k);
+  sets.union_set(i, k);
+  return result;
+}
 
 // A random homomorphism of the fundamental groupoid: each edge has a matrix, and the product around
 // each face is one. On a surface with boundary the group is free, and classes that differ have
@@ -122,11 +105,11 @@ private:
     Disjoint_sets vertices(m_mesh.num_vertices()), faces(m_mesh.num_faces() + 1);
     std::vector<Edge_index> rest, dual_tree;
     for(Edge_index e : m_mesh.edges())
-      if(!vertices.join(m_mesh.vertex(e, 0).idx(), m_mesh.vertex(e, 1).idx()))
+      if(!join(m_mesh.vertex(e, 0).idx(), m_mesh.vertex(e, 1).idx(), vertices))
         rest.push_back(e);
     for(Edge_index e : rest) {
       const Halfedge_index h = m_mesh.halfedge(e);
-      if(faces.join(face(h), face(m_mesh.opposite(h)))) {
+      if(join(face(h), face(m_mesh.opposite(h)), faces)) {
         dual_tree.push_back(e);
         continue;
       }
@@ -196,12 +179,6 @@ Matrix along_path(const Halfedges& path, const Triangulation& t, const Holonomy&
   for(Halfedge_index e : path)
     product = product * along_edge(e, t, holonomy);
   return product;
-}
-
-Vertex_index random_vertex(const Delta_complex& mesh, Portable_random& random)
-{
-  return Vertex_index(static_cast<Delta_complex::size_type>(
-    random.get_int(0, static_cast<int>(mesh.number_of_vertices()))));
 }
 
 // Paths through three vertices, with a generator between two of them.

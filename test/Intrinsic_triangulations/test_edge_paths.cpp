@@ -66,11 +66,8 @@ void expect_geodesic(const Halfedges& path, bool is_loop, const Triangulation& t
 std::pair<Vertex_index, Vertex_index> random_vertices(const Delta_complex& mesh,
                                                       CGAL::Random& random)
 {
-  const auto any = [&] {
-    return Vertex_index(static_cast<Delta_complex::size_type>(
-      random.get_int(0, static_cast<int>(mesh.number_of_vertices()))));
-  };
-  return {any(), any()};
+  const Vertex_index v = random_vertex(mesh, random);
+  return {v, random_vertex(mesh, random)};
 }
 
 // From a path along edges to a geodesic that is no shorter than the shortest path, and no longer

@@ -184,8 +184,7 @@ void check_independence(const Triangulation& t, int count, double tolerance)
   const double size = longest_input_edge(t);
   CGAL::Random random(9);
   for(int i = 0; i < count; ++i) {
-    const Vertex_index v(static_cast<Delta_complex::size_type>(
-      random.get_int(0, static_cast<int>(t.mesh().number_of_vertices()))));
+    const Vertex_index v = random_vertex(t.mesh(), random);
     const Complex vector = random_vector(3 * size, random);
     const Geodesic on_intrinsic = IT::trace_geodesic(t.intrinsic(), v, vector);
     const Geodesic on_input = IT::trace_geodesic(

@@ -19,8 +19,6 @@ using Values = Eigen::VectorXd;
 using Field = Eigen::VectorXcd;
 using Complex = std::complex<double>;
 
-const double pi = std::acos(-1.);
-
 Vertex_index vertex(std::size_t i)
 {
   return Vertex_index(static_cast<Delta_complex::size_type>(i));
@@ -158,12 +156,11 @@ double mean_length(const Triangulation& t)
 // Of the vertices of T2, by those of the input.
 std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
 {
-  const Flat_faces input(Side::input, t);
   std::vector<Point> result(mesh.points().begin(), mesh.points().end());
   for(Vertex_index v : t.mesh().vertices())
     if(t.is_inserted(v))
-      result.push_back(
-        place_in_space(IT::face_location(t.inserted_vertex(v), t.input_mesh()), input, mesh));
+      result.push_back(place_in_space(IT::face_location(t.inserted_vertex(v), t.input_mesh()),
+                                      t.input_mesh(), mesh));
   return result;
 }
 

@@ -88,26 +88,10 @@ bool is_closed(const Halfedges& loop, const Delta_complex& mesh)
   return !loop.empty();
 }
 
-std::size_t number_of_borders(const Delta_complex& mesh)
-{
-  std::set<Halfedge_index> seen;
-  std::size_t result = 0;
-  for(Halfedge_index h : mesh.halfedges())
-    if(mesh.is_border(h) && seen.count(h) == 0) {
-      ++result;
-      for(Halfedge_index x = h; seen.insert(x).second;)
-        x = mesh.next(x);
-    }
-  return result;
-}
-
 // The rank of the first homology group of a connected surface.
 std::size_t rank(const Delta_complex& mesh)
 {
-  const auto characteristic = std::int64_t(mesh.number_of_vertices()) -
-                              std::int64_t(mesh.number_of_edges()) +
-                              std::int64_t(mesh.number_of_faces());
-  return std::size_t((number_of_borders(mesh) == 0 ? 2 : 1) - characteristic);
+  return std::size_t((border_loops(mesh) == 0 ? 2 : 1) - Euler_characteristic(mesh));
 }
 
 // Loops that are independent of each other and of boundaries, as many as the rank, are a basis
@@ -229,7 +213,7 @@ void expect_trees(const IT::Tree_cotree& trees, const Delta_complex& mesh, std::
 TEST(Tree_cotree, all_surfaces)
 {
   for(const Named_complex& c : traced(complexes())) {
-    const std::size_t borders = number_of_borders(c.mesh), faces = c.mesh.number_of_faces();
+    const std::size_t borders = border_loops(c.mesh), faces = c.mesh.number_of_faces();
     const std::size_t twice_genus = rank(c.mesh) + 1 - (std::max)(borders, std::size_t(1));
     expect_trees(IT::Tree_cotree(c.mesh), c.mesh, faces + borders, twice_genus);
     expect_trees(IT::Tree_cotree(c.mesh, IT::Boundary_loops::open), c.mesh,

@@ -19,8 +19,6 @@ using namespace Test_surfaces;
 using Matrix = Eigen::SparseMatrix<double>;
 using Values = Eigen::VectorXd;
 
-const double pi = std::acos(-1.);
-
 IT::Tufted_surface<> surface_of(const std::vector<Point>& points, const Triangles& triangles,
                                 double share, bool is_flipped = true)
 {

@@ -23,11 +23,8 @@ double shortest(const Complex& d, const Flat_surface& surface)
   const Vector &a = surface.a, &b = surface.b;
   double result = std::numeric_limits<double>::infinity();
   for(int i = -40; i <= 40; ++i)
-    for(int j = -40; j <= 40; ++j) {
-      const Vector shift = i * a + j * b;
-      const Complex z(static_cast<double>(shift.x), static_cast<double>(shift.y));
-      result = (std::min)(result, std::abs(d + z));
-    }
+    for(int j = -40; j <= 40; ++j)
+      result = (std::min)(result, std::abs(d + complex(i * a + j * b)));
   return result;
 }
 

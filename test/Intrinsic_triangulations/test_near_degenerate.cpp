@@ -2,8 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "equality.h"
 #include "near_degenerate_meshes.h"
 #include "refinement_checks.h"
+#include "subdivision_checks.h"
 
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
@@ -11,7 +13,6 @@
 namespace Test_near_degenerate {
 
 using namespace Test_surfaces;
-using Subdivision = IT::Common_subdivision<>;
 
 constexpr unsigned int number_of_meshes = 1200;
 
@@ -51,37 +52,12 @@ void check_area(const Triangulation& t)
   EXPECT_NEAR(double(intrinsic.area() / input.area()), 1, double(tolerance / input.area()));
 }
 
-// An edge with n crossings is cut into n + 1 pieces, on either side.
-void check_pieces(const Subdivision& s, const Correspondence& c)
-{
-  const Triangulation& t = c.triangulation();
-  for(Side side : both_sides) {
-    std::vector<std::size_t> pieces(c.mesh(side).number_of_edges(), 0);
-    for(Edge_index e : s.mesh().edges())
-      if(const Edge_index parent = s.parent_edge(side, e); parent.is_valid())
-        ++pieces[parent.idx()];
-    for(Edge_index e : c.mesh(side).edges())
-      ASSERT_EQ(pieces[e.idx()], c.number_of_crossings(side, e) + 1) << e;
-  }
-  for(Edge_index e : t.mesh().edges())
-    ASSERT_EQ(c.number_of_crossings(Side::intrinsic, e),
-              (std::max)(t.coordinates().normal_coordinate(e), std::int64_t(0)));
-}
-
 void check_subdivision(const Triangulation& t)
 {
   const Correspondence c(t);
   const Subdivision s(c);
-  EXPECT_TRUE(s.mesh().is_valid());
-  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
-  for(Face_index f : s.mesh().faces()) {
-    ASSERT_GE(s.mesh().degree(f), 3u);
-    ASSERT_LE(s.mesh().degree(f), 6u);
-  }
+  check_areas(s, c, 1e-9);
   check_pieces(s, c);
-  const auto [area, wrong] = relative_areas(Side::input, s, t);
-  EXPECT_NEAR(area, 1, 1e-9);
-  EXPECT_GT(wrong, -1e-9);
 }
 
 // Short edges of T2 across long needles keep all their digits. The lengths of T1 are the same
@@ -109,13 +85,15 @@ void check_recomputed_lengths(const Mesh& mesh)
 void check_Delaunay(const Mesh& mesh)
 {
   Triangulation t(mesh);
-  IT::make_Delaunay(t);
-  EXPECT_TRUE(IT::is_Delaunay(t));
-  IT::make_Delaunay(t, IT::parameters::exact_decisions(true));
+  std::size_t flips = IT::make_Delaunay(t);
+  expect_Delaunay(t);
+  flips += IT::make_Delaunay(t, IT::parameters::exact_decisions(true));
   EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
   ASSERT_TRUE(t.is_valid(true));
   check_area(t);
   check_subdivision(t);
+  EXPECT_EQ(flip_to_input(t) > 0, flips > 0);
+  expect_equal_to_input(t);
 }
 
 // A face that stays without an excuse has no area as far as its lengths can tell: a vertex lies on

@@ -22,8 +22,6 @@ using Values = Eigen::VectorXd;
 using Field = Eigen::VectorXcd;
 using Complex = std::complex<double>;
 
-const double pi = std::acos(-1.);
-
 double largest(const Values& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 double largest(const Matrix& m) { return m.nonZeros() == 0 ? 0 : m.coeffs().cwiseAbs().maxCoeff(); }
 double largest_distance(const Matrix& a, const Matrix& b) { return largest(Matrix(a - b)); }

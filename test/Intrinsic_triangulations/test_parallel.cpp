@@ -73,11 +73,6 @@ TEST(Parallel, the_first_exception_comes_out)
 
 // ---- Triangulations ----
 
-Mesh large_torus() { return perturbed(embedded_torus(60, 50), 0.05, 3); }
-
-// with several boundary loops
-Mesh large_square() { return punctured(unit_square(55, 4), {1000, 3000, 5000}); }
-
 Triangulation Delaunay(const Mesh& mesh)
 {
   Triangulation tri(mesh);

@@ -389,8 +389,9 @@ void expect_the_same_place_after_there_and_back(const Mesh& mesh, unsigned int s
   double farthest = 0;
   for(const Location& p : sample(input.mesh(), 100, seed)) {
     const Location back = IT::point_across(c, Side::intrinsic, IT::point_across(c, Side::input, p));
-    farthest = (std::max)(farthest, CGAL::squared_distance(place_in_space(p, input, mesh),
-                                                           place_in_space(back, input, mesh)));
+    farthest =
+      (std::max)(farthest, CGAL::squared_distance(place_in_space(p, input.mesh(), mesh),
+                                                  place_in_space(back, input.mesh(), mesh)));
   }
   EXPECT_LT(std::sqrt(farthest) / longest_input_edge(t), 1e-8);
 }

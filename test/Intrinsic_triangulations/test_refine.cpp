@@ -25,8 +25,6 @@ using IT::Side;
 
 typedef Eigen::VectorXd Values;
 
-const double pi = std::acos(-1.);
-
 // ---- Independent measures, in long double and by the law of cosines ----
 
 Real area(Side side, const Triangulation& t)

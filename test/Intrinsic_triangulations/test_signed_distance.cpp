@@ -386,7 +386,6 @@ TEST(Signed_heat_distance, broken_orientation)
 // Strips bent along the rows of edges pass through themselves in space, and are flat.
 TEST(Signed_heat_distance, self_intersecting_mesh)
 {
-  const double pi = std::acos(-1.);
   const std::size_t n = 40;
   std::vector<Kernel::Vector_3> knot{{0, 0, 0}}; // a polygon with two turns
   for(std::size_t i = 0; i < n; ++i) {

@@ -17,24 +17,6 @@ using namespace Test_surfaces;
 
 typedef IT::Intrinsic_triangulation<> Triangulation;
 
-// By the definition: sets of vertices, all different.
-bool has_distinct_simplices(const Delta_complex& mesh)
-{
-  std::set<std::set<Vertex_index>> edges, faces;
-  for(Edge_index e : mesh.edges())
-    edges.insert({mesh.vertex(e, 0), mesh.vertex(e, 1)});
-  for(Face_index f : mesh.faces()) {
-    const auto side = IT::sides(f, mesh);
-    faces.insert({mesh.source(side[0]), mesh.source(side[1]), mesh.source(side[2])});
-  }
-  const auto has_size = [](std::size_t n) {
-    return [n](const std::set<Vertex_index>& s) { return s.size() == n; };
-  };
-  return edges.size() == mesh.number_of_edges() && faces.size() == mesh.number_of_faces() &&
-         std::all_of(edges.begin(), edges.end(), has_size(2)) &&
-         std::all_of(faces.begin(), faces.end(), has_size(3));
-}
-
 template <typename Traits>
 void expect_simplicial(IT::Intrinsic_triangulation<Traits> tri, double angle)
 {

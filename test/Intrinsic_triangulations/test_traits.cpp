@@ -165,7 +165,6 @@ struct Traits_archetype
   {
     bool operator()(const Diamond<double>& d) const
     {
-      const double pi = std::acos(-1.);
       return angle(d.jk, d.ij, d.ki) + angle(d.lj, d.ij, d.il) < pi - 1e-7 &&
              angle(d.ki, d.ij, d.jk) + angle(d.il, d.ij, d.lj) < pi - 1e-7;
     }

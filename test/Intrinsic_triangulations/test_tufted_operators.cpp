@@ -22,8 +22,6 @@ using Values = Eigen::VectorXd;
 using Triangulation = IT::Intrinsic_triangulation<>;
 using Surface = IT::Tufted_surface<>;
 
-const double pi = std::acos(-1.);
-
 double largest(const Matrix& m) { return m.nonZeros() == 0 ? 0 : m.coeffs().cwiseAbs().maxCoeff(); }
 double largest_distance(const Matrix& a, const Matrix& b) { return largest(Matrix(a - b)); }
 

@@ -89,18 +89,30 @@ private:
   Name m_name;
 };
 
+template <typename T>
+std::string name_of(const T& x)
+{
+  return x.name;
+}
+
+template <typename T>
+std::string name_of(const std::pair<std::string, T>& x)
+{
+  return x.first;
+}
+
 constexpr auto name_and_seed = [](const auto& p) {
-  return p.first.name + std::string(", seed ") + std::to_string(p.second);
+  return name_of(p.first) + ", seed " + std::to_string(p.second);
 };
 
-// Elements that have a member `name`.
+// Elements that have a name.
 template <typename T>
 auto traced(std::vector<T> elements)
 {
   const std::size_t size = elements.size();
   return Traced_range(
     size, [all = std::move(elements)](std::size_t i) -> const T& { return all[i]; },
-    [](const T& x) { return std::string(x.name); });
+    [](const T& x) { return name_of(x); });
 }
 
 // Values that are their own names.
