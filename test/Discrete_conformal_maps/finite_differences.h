@@ -5,7 +5,7 @@
 #ifndef TEST_FINITE_DIFFERENCES_H
 #define TEST_FINITE_DIFFERENCES_H
 
-#include "../Intrinsic_triangulations/testing.h"
+#include "../Intrinsic_triangulations/matrices.h"
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 
@@ -25,15 +25,6 @@ flipped_at_random(const Triangulation& t)
     if(IT::flip_status(h, result.mesh()) == IT::Operation_status::possible)
       result.flip(h);
   }
-  return result;
-}
-
-inline Eigen::VectorXd random_numbers(std::size_t n, double bound, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  Eigen::VectorXd result(static_cast<Eigen::Index>(n));
-  for(double& x : result)
-    x = bound * random.get_double(-1, 1);
   return result;
 }
 

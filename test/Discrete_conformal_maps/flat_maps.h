@@ -6,7 +6,6 @@
 #define DISCRETE_CONFORMAL_MAPS_TEST_FLAT_MAPS_H
 
 #include "../Intrinsic_triangulations/known_surfaces.h"
-#include "../Intrinsic_triangulations/plates.h"
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
@@ -28,12 +27,6 @@ inline std::vector<double> lengths_of(const Triangulation& t)
   for(Edge_index e : t.mesh().edges())
     result.push_back(t.length(e));
   return result;
-}
-
-inline bool has_border(const Delta_complex& mesh)
-{
-  const auto h = mesh.halfedges();
-  return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) { return mesh.is_border(x); });
 }
 
 // curvatures of vertices inside, exterior angles of those on the boundary

@@ -70,32 +70,10 @@ void check_Lobachevsky_functions(int steps)
 
 // ---- Surfaces without boundary ----
 
-bool has_border(const Delta_complex& mesh)
-{
-  const auto h = mesh.halfedges();
-  return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) { return mesh.is_border(x); });
-}
-
-// Two spheres, a torus, and a point beside them.
-Mesh four_components()
-{
-  Mesh result = random_sphere(20, 8);
-  result += tetrahedron();
-  result.add_vertex(Point(9, 9, 9));
-  result += perturbed(embedded_torus(5, 4), 0.3, 9);
-  return result;
-}
-
 // not Delaunay
 std::vector<Named_triangulation> surfaces()
 {
-  std::vector<Named_triangulation> result;
-  for(const Named_complex& c : complexes())
-    if(!has_border(c.mesh))
-      result.push_back({c.name, triangulation(c.mesh, random_lengths(c.mesh, 11))});
-  for(const Named_mesh& m : meshes())
-    if(Triangulation t(m.mesh); !has_border(t.mesh()))
-      result.push_back({m.name + " in space", t});
+  std::vector<Named_triangulation> result = closed_surfaces();
   result.push_back({"four components", Triangulation(four_components())});
   return result;
 }

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/matrices.h"
 #include "flat_maps.h"
 #include "hard_cones.h"
 
@@ -39,12 +40,6 @@ DCM::Conformal_energy<> wild_energy(const Numbers& target)
 {
   const Triangulation t(random_sphere(30, 3));
   return {t.mesh(), t.length_map(), target, Flipping::none};
-}
-
-Numbers random_numbers(Eigen::Index n, double bound, unsigned int seed)
-{
-  const std::vector<double> u = random_values(std::size_t(n), bound, seed);
-  return Eigen::Map<const Numbers>(u.data(), n);
 }
 
 // By how much the scaled lengths in a face obey the triangle inequality, relative to the longest:

@@ -33,7 +33,7 @@ std::vector<Named_mesh> closed_meshes()
 {
   std::vector<Named_mesh> result;
   for(const Named_mesh& m : meshes())
-    if(!has_border(Triangulation(m.mesh).mesh()))
+    if(CGAL::is_closed(m.mesh))
       result.push_back(m);
   result.push_back({"larger sphere", random_sphere(400, 9)});
   for(int genus : {0, 1, 2, 3, 4})

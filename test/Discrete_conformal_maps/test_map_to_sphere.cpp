@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/hard_meshes.h"
 #include "../Intrinsic_triangulations/known_surfaces.h"
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
@@ -361,16 +362,7 @@ void check_polygon(const Spherical_conformal_map& map, const Mesh& mesh)
 // A polygon from which ears are cut at random; its vertices are given counterclockwise.
 Mesh ears(const std::vector<Point>& points, CGAL::Random& random)
 {
-  std::vector<std::size_t> left;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    left.push_back(i);
-  Triangles triangles;
-  while(left.size() > 2) {
-    const std::size_t n = left.size(), i = std::size_t(random.get_int(0, int(n)));
-    triangles.push_back({left[(i + n - 1) % n], left[i], left[(i + 1) % n]});
-    left.erase(left.begin() + std::ptrdiff_t(i));
-  }
-  return make_mesh(points, triangles);
+  return make_mesh(points, random_ears(consecutive(0, points.size()), random));
 }
 
 // Points of an ellipse, one in each of `n` sectors of the same size.

@@ -4,6 +4,7 @@
 
 // Multigrid, compared with a direct solution.
 
+#include "../Intrinsic_triangulations/matrices.h"
 #include "evolving_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Multigrid_solver.h>
@@ -57,15 +58,6 @@ Mesh hills(std::size_t n)
   });
 }
 
-Vector random_vector(Eigen::Index size, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  Vector result(size);
-  for(double& x : result)
-    x = random.get_double(-1, 1);
-  return result;
-}
-
 double energy(const Vector& x, const Matrix& a) { return std::sqrt(x.dot(a * x)); }
 
 // The condition of the matrices is below 1e5, so that a direct solution is exact to 1e-10. The
@@ -85,7 +77,7 @@ TEST(Multigrid, agrees_with_a_direct_solution)
       const System system(mesh);
       EXPECT_GE(system.prolongations.size(), 2u);
       const Matrix a = system.screened(alpha);
-      const Vector b = random_vector(a.cols(), 1);
+      const Vector b = random_numbers(std::size_t(a.cols()), 1, 1);
       expect_solution(system.solver(alpha).solve(b), Eigen::SimplicialLDLT<Matrix>(a).solve(b), a);
     }
 }
@@ -96,7 +88,7 @@ TEST(Multigrid, constants_are_taken_out)
   for(const Mesh& mesh : {random_sphere(800, 1), torus(20), hills(30)}) {
     const System system(mesh);
     const Vector m = system.masses();
-    const Vector b = random_vector(m.size(), 2) + Vector::Constant(m.size(), 0.5);
+    const Vector b = random_numbers(std::size_t(m.size()), 1, 2) + Vector::Constant(m.size(), 0.5);
     const Multigrid_result result = system.solver(0).solve(b);
     EXPECT_NEAR(m.dot(result.solution), 0, 1e-12 * m.sum() * result.solution.norm());
     // the rank-one term fixes the mean and leaves the rest alone
@@ -113,7 +105,7 @@ TEST(Multigrid, each_component_has_its_own_constants)
   mesh += random_sphere(400, 2);
   mesh.add_vertex(Point(0, 0, 0));
   const System system(mesh);
-  const Vector m = system.masses(), b = random_vector(m.size(), 3);
+  const Vector m = system.masses(), b = random_numbers(std::size_t(m.size()), 1, 3);
   const Multigrid_result result = system.solver(0).solve(b);
   EXPECT_EQ(result.status, Multigrid_status::converged);
   Vector rest = b - system.laplacian * result.solution;
@@ -132,7 +124,7 @@ TEST(Multigrid, iterations_are_bounded)
   for(const std::size_t n : {20u, 40u, 80u, 128u}) {
     const System system(torus(n), 500);
     const Multigrid_result result =
-      system.solver(0).solve(random_vector(system.laplacian.cols(), 4));
+      system.solver(0).solve(random_numbers(std::size_t(system.laplacian.cols()), 1, 4));
     EXPECT_EQ(result.status, Multigrid_status::converged);
     EXPECT_LE(result.iterations, 16u) << n;
   }
@@ -162,7 +154,8 @@ TEST(Multigrid, without_levels_it_is_direct)
 {
   const System system(random_sphere(40, 1), 50);
   EXPECT_TRUE(system.prolongations.empty());
-  const Multigrid_result result = system.solver(0).solve(random_vector(system.laplacian.cols(), 5));
+  const Multigrid_result result =
+    system.solver(0).solve(random_numbers(std::size_t(system.laplacian.cols()), 1, 5));
   EXPECT_EQ(result.status, Multigrid_status::converged);
   EXPECT_EQ(result.iterations, 1u);
 }
@@ -171,7 +164,7 @@ TEST(Multigrid, failure_has_a_name)
 {
   const System system(torus(20));
   const Multigrid_solver solver = system.solver(0);
-  Vector b = random_vector(system.laplacian.cols(), 6);
+  Vector b = random_numbers(std::size_t(system.laplacian.cols()), 1, 6);
   const Multigrid_result few = solver.solve(b, 1e-10, 3);
   EXPECT_EQ(few.status, Multigrid_status::iteration_limit);
   EXPECT_EQ(few.iterations, 3u);

@@ -4,7 +4,6 @@
 
 // Boundary loops that are closed, and handles that are cut.
 
-#include "../Intrinsic_triangulations/plates.h"
 #include "evolving_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>

@@ -29,31 +29,12 @@ inline const std::map<std::string, std::string>& refused_data_meshes()
                                              {"polygon_mesh.off", "non-manifold vertex"},
                                              {"cubes.off", "non-manifold edge"},
                                              {"degenerated-sd.off", "zero-length edge"}};
-    for(const char* name : {"3torus",
-                            "P",
-                            "beam",
-                            "corner",
-                            "corner_poly",
-                            "corner_with_hole",
-                            "corner_with_sharp_edge",
-                            "cross_quad",
-                            "cube-sd",
-                            "cube4-shuffled",
-                            "cube_poly",
-                            "cube_quad",
-                            "double-torus-3-holes",
-                            "double-torus-example",
-                            "hole",
-                            "mesh_with_colors",
-                            "mpi",
-                            "mpi_and_sphere",
-                            "non_manifold_face_graph",
-                            "prim",
-                            "pyramid",
-                            "quad",
-                            "quads_to_stitch",
-                            "torus_quad"})
-      files[std::string(name) + ".off"] = "face that is not a triangle";
+    for(const std::string& name :
+        words("3torus P beam corner corner_poly corner_with_hole corner_with_sharp_edge cross_quad "
+              "cube-sd cube4-shuffled cube_poly cube_quad double-torus-3-holes "
+              "double-torus-example hole mesh_with_colors mpi mpi_and_sphere "
+              "non_manifold_face_graph prim pyramid quad quads_to_stitch torus_quad"))
+      files[name + ".off"] = "face that is not a triangle";
     return files;
   }();
   return result;

@@ -142,40 +142,42 @@ inline Mesh bipyramid(std::size_t n, double height)
   return make_mesh(points, triangles);
 }
 
-// m times n squares, each cut in two.
+// m times n squares, each cut in two. The vertices have the numbers 0, 1, ..., n, ... row by row. The
+// last rows or columns are joined to the first if these are closed.
+inline Triangles lattice(std::size_t m, std::size_t n, bool has_closed_columns = false,
+                         bool has_closed_rows = false)
+{
+  const std::size_t rows = has_closed_columns ? m : m + 1, columns = has_closed_rows ? n : n + 1;
+  const auto at = [&](std::size_t i, std::size_t j) { return i % rows * columns + j % columns; };
+  Triangles triangles;
+  for(std::size_t i = 0; i < m; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return triangles;
+}
+
 inline Mesh grid(std::size_t m, std::size_t n, const std::function<Point(double, double)>& place)
 {
   std::vector<Point> points;
   for(std::size_t i = 0; i <= m; ++i)
     for(std::size_t j = 0; j <= n; ++j)
       points.push_back(place(static_cast<double>(i), static_cast<double>(j)));
-  Triangles triangles;
-  for(std::size_t i = 0; i < m; ++i)
-    for(std::size_t j = 0; j < n; ++j) {
-      const std::size_t k = i * (n + 1) + j, l = k + n + 1;
-      triangles.push_back({k, l, l + 1});
-      triangles.push_back({k, l + 1, k + 1});
-    }
-  return make_mesh(points, triangles);
+  return make_mesh(points, lattice(m, n));
 }
 
 inline Mesh embedded_torus(std::size_t m, std::size_t n)
 {
-  const double turn = 2 * std::acos(-1.);
   std::vector<Point> points;
-  Triangles triangles;
   for(std::size_t i = 0; i < m; ++i)
     for(std::size_t j = 0; j < n; ++j) {
-      const double s = turn * static_cast<double>(i) / static_cast<double>(m);
-      const double t = turn * static_cast<double>(j) / static_cast<double>(n);
+      const double s = 2 * pi * static_cast<double>(i) / static_cast<double>(m);
+      const double t = 2 * pi * static_cast<double>(j) / static_cast<double>(n);
       const double radius = 3 + std::cos(t);
       points.emplace_back(radius * std::cos(s), radius * std::sin(s), std::sin(t));
-      const std::size_t k = i * n + j, l = (i + 1) % m * n + j;
-      const std::size_t k_up = i * n + (j + 1) % n, l_up = (i + 1) % m * n + (j + 1) % n;
-      triangles.push_back({k, l, l_up});
-      triangles.push_back({k, l_up, k_up});
     }
-  return make_mesh(points, triangles);
+  return make_mesh(points, lattice(m, n, true, true));
 }
 
 inline Mesh perturbed(Mesh mesh, double amount, unsigned int seed)
@@ -186,6 +188,79 @@ inline Mesh perturbed(Mesh mesh, double amount, unsigned int seed)
                                                      random.get_double(-amount, amount),
                                                      random.get_double(-amount, amount));
   return mesh;
+}
+
+// The surface of a plate of square blocks with a row of square holes, as many as its genus. The
+// blocks between the holes are `strut` wide, the holes 1: small struts make it a frame of wire.
+inline Mesh frame(std::size_t holes, double strut)
+{
+  const std::size_t columns = 2 * holes + 1;
+  const auto is_solid = [&](std::size_t i, std::size_t j) { // from 1
+    return i > 0 && i <= columns && j > 0 && j <= 3 && !(i % 2 == 0 && j == 2);
+  };
+  const auto index = [](std::size_t i, std::size_t j, std::size_t k) { return 8 * i + 2 * j + k; };
+  const auto place = [&](std::size_t i) {
+    return static_cast<double>(i / 2) + strut * static_cast<double>((i + 1) / 2);
+  };
+  std::vector<Point> points;
+  for(std::size_t i = 0; i <= columns; ++i)
+    for(std::size_t j = 0; j <= 3; ++j)
+      for(std::size_t k = 0; k <= 1; ++k)
+        points.emplace_back(place(i), place(j), strut * static_cast<double>(k));
+  Triangles triangles;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  };
+  for(std::size_t i = 0; i < columns; ++i)
+    for(std::size_t j = 0; j < 3; ++j) {
+      if(!is_solid(i + 1, j + 1))
+        continue;
+      add(index(i, j, 1), index(i + 1, j, 1), index(i + 1, j + 1, 1), index(i, j + 1, 1));
+      add(index(i, j, 0), index(i, j + 1, 0), index(i + 1, j + 1, 0), index(i + 1, j, 0));
+      const auto add_side = [&](std::size_t i0, std::size_t j0, std::size_t i1, std::size_t j1) {
+        add(index(i0, j0, 0), index(i1, j1, 0), index(i1, j1, 1), index(i0, j0, 1));
+      };
+      if(!is_solid(i + 1, j))
+        add_side(i, j, i + 1, j);
+      if(!is_solid(i + 2, j + 1))
+        add_side(i + 1, j, i + 1, j + 1);
+      if(!is_solid(i + 1, j + 2))
+        add_side(i + 1, j + 1, i, j + 1);
+      if(!is_solid(i, j + 1))
+        add_side(i, j + 1, i, j);
+    }
+  return make_mesh(points, triangles);
+}
+
+// Of cubes.
+inline Mesh straight_plate_with_holes(int genus)
+{
+  return frame(static_cast<std::size_t>(genus), 1);
+}
+
+// That mesh a little out of shape.
+inline Mesh plate_with_holes(int genus)
+{
+  return perturbed(straight_plate_with_holes(genus), 0.1, 12);
+}
+
+// Two spheres, a torus, and a point beside them.
+inline Mesh four_components()
+{
+  Mesh result = random_sphere(20, 8);
+  result += tetrahedron();
+  result.add_vertex(Point(9, 9, 9));
+  result += perturbed(embedded_torus(5, 4), 0.3, 9);
+  return result;
+}
+
+// With a disk.
+inline Mesh five_components()
+{
+  Mesh result = four_components();
+  result += perturbed(grid(3, 3, [](double x, double y) { return Point(x, y, 0); }), 0.3, 4);
+  return result;
 }
 
 // Without the given faces: one boundary loop for each if they are apart.
@@ -501,6 +576,16 @@ inline Flat_surface flat_cylinder(int n, int twists, int height = 700)
   return flat_surface(sides, place, {width * n, 0}, {0, beyond});
 }
 
+// The length of the shortest of the vectors that differ from this one by a few of the lattice.
+inline double shortest_lift(const Vector& v, const Flat_surface& s)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(int i = -2; i <= 2; ++i)
+    for(int j = -2; j <= 2; ++j)
+      result = (std::min)(result, length(v + i * s.a + j * s.b));
+  return result;
+}
+
 // Adds the points from left to right and joins each to all it sees: long slivers.
 inline Triangles swept_triangles(const std::vector<Vector>& points)
 {
@@ -661,6 +746,12 @@ std::int64_t number_of_border_edges(const Any_mesh& mesh)
 {
   const auto e = mesh.edges();
   return std::count_if(e.begin(), e.end(), [&](Edge_index x) { return mesh.is_border(x); });
+}
+
+inline bool has_border(const Delta_complex& mesh)
+{
+  const auto h = mesh.halfedges();
+  return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) { return mesh.is_border(x); });
 }
 
 inline std::size_t border_loops(const Delta_complex& mesh)

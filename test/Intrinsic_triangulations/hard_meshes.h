@@ -115,7 +115,8 @@ inline Mesh hard_base(Portable_random& random)
 }
 
 // Ears are cut off at random; `ring` has the corners counterclockwise.
-inline Triangles random_ears(std::vector<std::size_t> ring, Portable_random& random)
+template <typename Random>
+Triangles random_ears(std::vector<std::size_t> ring, Random& random)
 {
   Triangles triangles;
   while(ring.size() > 2) {
@@ -181,14 +182,7 @@ inline Mesh saw_teeth(std::size_t columns, std::size_t rows, double tooth, bool 
       points.emplace_back(x, static_cast<double>(j) + (i % 2 == 1 ? tooth : 0), 0);
     x += log_uniform(1e-14, 1, random);
   }
-  Triangles triangles;
-  for(std::size_t i = 0; i + (is_closed ? 0 : 1) < columns; ++i)
-    for(std::size_t j = 0; j < rows; ++j) {
-      const std::size_t k = i * (rows + 1) + j, l = (i + 1) % columns * (rows + 1) + j;
-      triangles.push_back({k, l, l + 1});
-      triangles.push_back({k, l + 1, k + 1});
-    }
-  return make_mesh(points, triangles);
+  return make_mesh(points, lattice(is_closed ? columns : columns - 1, rows, is_closed));
 }
 
 // ---- Ways to spoil them ----

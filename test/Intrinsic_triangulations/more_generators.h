@@ -87,14 +87,7 @@ inline Flat_surface flat_grid(std::size_t m, std::size_t n, unsigned int seed)
     for(std::size_t j = 0; j <= n; ++j)
       points.push_back({static_cast<std::int64_t>(1000 * i) + random.get_int(-140, 141),
                         static_cast<std::int64_t>(1000 * j) + random.get_int(-140, 141)});
-  Triangles triangles;
-  for(std::size_t i = 0; i < m; ++i)
-    for(std::size_t j = 0; j < n; ++j) {
-      const std::size_t k = i * (n + 1) + j, l = k + n + 1;
-      triangles.push_back({k, l, l + 1});
-      triangles.push_back({k, l + 1, k + 1});
-    }
-  return flat_surface(points, triangles);
+  return flat_surface(points, lattice(m, n));
 }
 
 // T2 over a flat T1, with the exact vectors of its halfedges.
@@ -174,6 +167,19 @@ inline void add_flipped(const std::string& name, const Triangulation& t,
     result.push_back({name + ", flipped with seed " + std::to_string(seed), t});
     flip_at_random(result.back().triangulation, 20 * t.mesh().number_of_edges(), seed);
   }
+}
+
+// Without boundary, not Delaunay.
+inline std::vector<Named_triangulation> closed_surfaces()
+{
+  std::vector<Named_triangulation> result;
+  for(const Named_complex& c : complexes())
+    if(!has_border(c.mesh))
+      result.push_back({c.name, triangulation(c.mesh, random_lengths(c.mesh, 11))});
+  for(const Named_mesh& m : meshes())
+    if(CGAL::is_closed(m.mesh))
+      result.push_back({m.name + " in space", Triangulation(m.mesh)});
+  return result;
 }
 
 inline std::vector<Named_triangulation> triangulations()

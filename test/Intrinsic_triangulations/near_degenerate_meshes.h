@@ -71,49 +71,6 @@ auto random_part(const Range& range, double part, Random& random)
 
 // ---- Surfaces to spoil ----
 
-// The surface of a plate of square blocks with a row of square holes, as many as its genus. The
-// blocks between the holes are `strut` wide, the holes 1: small struts make it a frame of wire.
-inline Mesh frame(std::size_t holes, double strut)
-{
-  const std::size_t columns = 2 * holes + 1;
-  const auto is_solid = [&](std::size_t i, std::size_t j) { // from 1
-    return i > 0 && i <= columns && j > 0 && j <= 3 && !(i % 2 == 0 && j == 2);
-  };
-  const auto index = [](std::size_t i, std::size_t j, std::size_t k) { return 8 * i + 2 * j + k; };
-  const auto place = [&](std::size_t i) {
-    return static_cast<double>(i / 2) + strut * static_cast<double>((i + 1) / 2);
-  };
-  std::vector<Point> points;
-  for(std::size_t i = 0; i <= columns; ++i)
-    for(std::size_t j = 0; j <= 3; ++j)
-      for(std::size_t k = 0; k <= 1; ++k)
-        points.emplace_back(place(i), place(j), strut * static_cast<double>(k));
-  Triangles triangles;
-  const auto add = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
-    triangles.push_back({a, b, c});
-    triangles.push_back({a, c, d});
-  };
-  for(std::size_t i = 0; i < columns; ++i)
-    for(std::size_t j = 0; j < 3; ++j) {
-      if(!is_solid(i + 1, j + 1))
-        continue;
-      add(index(i, j, 1), index(i + 1, j, 1), index(i + 1, j + 1, 1), index(i, j + 1, 1));
-      add(index(i, j, 0), index(i, j + 1, 0), index(i + 1, j + 1, 0), index(i + 1, j, 0));
-      const auto add_side = [&](std::size_t i0, std::size_t j0, std::size_t i1, std::size_t j1) {
-        add(index(i0, j0, 0), index(i1, j1, 0), index(i1, j1, 1), index(i0, j0, 1));
-      };
-      if(!is_solid(i + 1, j))
-        add_side(i, j, i + 1, j);
-      if(!is_solid(i + 2, j + 1))
-        add_side(i + 1, j, i + 1, j + 1);
-      if(!is_solid(i + 1, j + 2))
-        add_side(i + 1, j + 1, i, j + 1);
-      if(!is_solid(i, j + 1))
-        add_side(i, j + 1, i, j);
-    }
-  return make_mesh(points, triangles);
-}
-
 // With and without boundary, of genus 0 to 3, half of them with many cocircular and coplanar
 // vertices.
 inline Mesh good_mesh(CGAL::Random& random)

@@ -110,13 +110,8 @@ inline Known_curve circle_on_flat_torus(std::size_t n, CGAL::Random& random)
   IT::make_Delaunay(result.t);
   const double radius = random.get_double(0.2, 0.35) * 900 * cells;
   const Vector center = torus.point[static_cast<std::size_t>(random.get_int(0, cells * cells))];
-  for(const Vector& p : torus.point) {
-    double least = std::numeric_limits<double>::infinity();
-    for(int i = -2; i <= 2; ++i)
-      for(int j = -2; j <= 2; ++j)
-        least = (std::min)(least, length(p - center + i * torus.a + j * torus.b));
-    result.distance.push_back(least - radius);
-  }
+  for(const Vector& p : torus.point)
+    result.distance.push_back(shortest_lift(p - center, torus) - radius);
   return result;
 }
 

@@ -281,6 +281,22 @@ void check_by_walking(const Triangulation& t, const Angles& angles)
   }
 }
 
+// The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have
+// them.
+void check_around(Vertex_index v, const Angles& angles)
+{
+  const Triangulation& t = angles.triangulation();
+  IT::for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
+    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(t, h), 2 * pi), 0, 1e-9);
+    if(t.mesh().is_border(h))
+      return;
+    const double corner = angle_at(h, t.mesh(), t.length_map());
+    const double gap = angles.angle(IT::next_around_source(h, t.mesh())) - angles.angle(h);
+    const double scale = t.is_inserted(v) ? 1 : angles.frames().scale(v);
+    EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-9);
+  });
+}
+
 bool is_link_inserted(Vertex_index v, const Triangulation& t)
 {
   bool result = !t.mesh().is_border(v);
@@ -368,27 +384,34 @@ TEST(Angular_coordinates, visitor_of_make_Delaunay)
 }
 
 // Transport in either frames is the same.
+void check_tangent_vectors(const Triangulation& t)
+{
+  const IT::Tangent_frames<> frames(t.intrinsic());
+  const Angles angles(t);
+  for(Halfedge_index h : t.mesh().halfedges()) {
+    const Vertex_index v = t.mesh().source(h), w = t.mesh().target(h);
+    const Complex vector = std::polar(2., frames.angle(h));
+    const Complex on_input = IT::tangent_vector_across(t, Side::intrinsic, v, vector);
+    EXPECT_LT(std::abs(on_input - std::polar(2., angles.angle(h))), 1e-9);
+    for(const Complex& back : {IT::tangent_vector_across(t, Side::input, v, on_input),
+                               IT::tangent_vector_across(angles, Side::input, v, on_input)})
+      EXPECT_LT(std::abs(back - vector), 1e-13);
+    if(t.mesh().is_border(v)) {
+      EXPECT_EQ(on_input, vector);
+    }
+    const Complex there =
+      IT::tangent_vector_across(t, Side::intrinsic, w, vector * frames.transport(h));
+    EXPECT_LT(std::abs(there - on_input * angles.transport(h)), 1e-9);
+  }
+}
+
 TEST(Angular_coordinates, tangent_vectors_across)
 {
-  for(const Named_triangulation& named : traced(triangulations())) {
-    const Triangulation& t = named.triangulation;
-    const IT::Tangent_frames<> frames(t.intrinsic());
-    const Angles angles(t);
-    for(Halfedge_index h : t.mesh().halfedges()) {
-      const Vertex_index v = t.mesh().source(h), w = t.mesh().target(h);
-      const Complex vector = std::polar(2., frames.angle(h));
-      const Complex on_input = IT::tangent_vector_across(t, Side::intrinsic, v, vector);
-      EXPECT_NEAR(std::abs(on_input - std::polar(2., angles.angle(h))), 0, 1e-9);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(t, Side::input, v, on_input) - vector), 1e-14);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(angles, Side::intrinsic, v, vector) - on_input),
-                1e-14);
-      if(t.mesh().is_border(v)) {
-        EXPECT_EQ(on_input, vector);
-      }
-      const Complex there =
-        IT::tangent_vector_across(t, Side::intrinsic, w, vector * frames.transport(h));
-      EXPECT_LT(std::abs(there - on_input * angles.transport(h)), 1e-9);
-    }
+  for(Named_triangulation& named : triangulations()) {
+    SCOPED_TRACE(named.name);
+    check_tangent_vectors(named.triangulation);
+    IT::refine(named.triangulation);
+    check_tangent_vectors(named.triangulation);
   }
 }
 
@@ -428,6 +451,8 @@ TEST(Angular_coordinates, kept_through_insertions_and_removals)
     check_kept(angles, t, 0);
     for(Halfedge_index h : t.mesh().halfedges())
       expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-14);
+    for(Vertex_index v : t.mesh().vertices())
+      check_around(v, angles);
     check_by_walking(t, angles);
   }
 }
@@ -439,6 +464,8 @@ TEST(Angular_coordinates, visitor_of_refine)
     Angles angles(t);
     IT::refine(t, CGAL::parameters::visitor(std::ref(angles)));
     check_kept(angles, t, 1e-9);
+    for(Vertex_index v : t.mesh().vertices())
+      check_around(v, angles);
     check_by_walking(t, angles);
   }
 }
@@ -462,78 +489,6 @@ TEST(Angular_coordinates, holonomy_is_curvature)
     }
   }
   EXPECT_GT(loops, 50);
-}
-
-TEST(Angular_coordinates, tangent_vectors_across_at_inserted_vertices)
-{
-  for(const Named_triangulation& named : traced(triangulations())) {
-    Triangulation t = named.triangulation;
-    IT::refine(t);
-    const IT::Tangent_frames<> frames(t.intrinsic());
-    const Angles angles(t);
-    for(Halfedge_index h : t.mesh().halfedges()) {
-      const Vertex_index v = t.mesh().source(h);
-      const Complex vector = std::polar(2., frames.angle(h));
-      const Complex on_input = IT::tangent_vector_across(t, Side::intrinsic, v, vector);
-      EXPECT_LT(std::abs(on_input - std::polar(2., angles.angle(h))), 1e-9);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(angles, Side::input, v, on_input) - vector),
-                1e-13);
-      if(t.mesh().is_border(v)) {
-        EXPECT_EQ(on_input, vector);
-      }
-    }
-  }
-}
-
-// The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have
-// them.
-void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
-{
-  const Triangulation& t = angles.triangulation();
-  IT::for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
-    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(t, h), 2 * pi), 0, 1e-12);
-    if(t.mesh().is_border(h))
-      return;
-    const double corner = IT::internal::angle_at_source(h, t);
-    const double gap = angles.angle(IT::next_around_source(h, t.mesh())) - angles.angle(h);
-    const double scale = t.is_inserted(v) ? 1 : angles.frames().scale(v);
-    EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-12);
-  });
-}
-
-TEST(Angular_coordinates, at_inserted_vertices)
-{
-  for(const Named_mesh& m : traced(meshes())) {
-    Triangulation t(m.mesh);
-    IT::refine(t, IT::parameters::minimum_angle(28.));
-    const IT::Angular_coordinates<> angles(t);
-    for(Vertex_index v : t.mesh().vertices())
-      check_around(v, angles);
-  }
-}
-
-TEST(Angular_coordinates, kept_through_insertions_and_flips)
-{
-  for(const Named_mesh& m : traced(meshes())) {
-    Triangulation t(m.mesh);
-    IT::make_Delaunay(t);
-    IT::Angular_coordinates<> angles(t);
-    IT::Vertex_inserter<> inserter(t);
-    CGAL::Random random(1);
-    for(int i = 0; i < 30; ++i) {
-      const auto p = random_location(t.mesh(), random);
-      angles.after_insertion(i % 3 == 0 ? inserter.split_edge(t.mesh().halfedge(p.first), 0.5)
-                                        : inserter.insert(p),
-                             inserter);
-      for(Edge_index e : t.mesh().edges())
-        if(!t.is_Delaunay(e)) {
-          inserter.flip(t.mesh().halfedge(e));
-          angles.after_flip(t.mesh().halfedge(e));
-        }
-    }
-    for(Vertex_index v : t.mesh().vertices())
-      check_around(v, angles);
-  }
 }
 
 } // namespace Test_angular_coordinates

@@ -274,18 +274,11 @@ Geodesic trace_in_space(const Point& p, const Kernel::Vector_3& v, const Mesh& m
 Flat_surface needles(int n, int width, int height)
 {
   std::vector<Vector> points;
-  Triangles triangles;
   CGAL::Random random(3);
   for(int i = 0; i <= n; ++i)
     for(int row = 0; row < 3; ++row)
       points.push_back({width * i + (row == 1 ? random.get_int(0, height / 3) : 0), height * row});
-  for(std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
-    for(std::size_t row = 0; row < 2; ++row) {
-      const std::size_t k = 3 * i + row, l = k + 3;
-      triangles.push_back({k, l, l + 1});
-      triangles.push_back({k, l + 1, k + 1});
-    }
-  return flat_surface(points, triangles);
+  return flat_surface(points, lattice(static_cast<std::size_t>(n), 2));
 }
 
 TEST(Exponential_map, straight_in_the_plane_and_around_a_torus)

@@ -52,14 +52,8 @@ double along_great_circle(const Point& p, const Point& q)
 Values torus_distances(const Flat_surface& torus, Vertex_index source)
 {
   Values result(static_cast<Eigen::Index>(torus.point.size()));
-  for(Vertex_index v : torus.mesh.vertices()) {
-    double least = std::numeric_limits<double>::infinity();
-    for(int i = -2; i <= 2; ++i)
-      for(int j = -2; j <= 2; ++j)
-        least = (std::min)(
-          least, length(torus.point[v] - torus.point[source] + i * torus.a + j * torus.b));
-    result[v.idx()] = least;
-  }
+  for(Vertex_index v : torus.mesh.vertices())
+    result[v.idx()] = shortest_lift(torus.point[v] - torus.point[source], torus);
   return result;
 }
 

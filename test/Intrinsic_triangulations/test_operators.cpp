@@ -4,6 +4,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include "matrices.h"
 #include "measuring.h"
 #include "refined_meshes.h"
 
@@ -21,11 +22,6 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Values = Eigen::VectorXd;
 using Field = Eigen::VectorXcd;
 using Complex = std::complex<double>;
-
-double largest(const Values& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
-double largest(const Matrix& m) { return m.nonZeros() == 0 ? 0 : m.coeffs().cwiseAbs().maxCoeff(); }
-double largest_distance(const Matrix& a, const Matrix& b) { return largest(Matrix(a - b)); }
-Values ones(const Matrix& m) { return Values::Constant(m.cols(), 1); }
 
 Values values(const Mesh& mesh, const std::function<double(const Point&)>& f)
 {

@@ -5,6 +5,7 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include "hard_meshes.h"
+#include "matrices.h"
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
@@ -15,19 +16,6 @@ using namespace Test_surfaces;
 using Subdivision = IT::Common_subdivision<>;
 using Matrix = Eigen::SparseMatrix<double>;
 using Values = Eigen::VectorXd;
-
-Values random_values(std::size_t n, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  Values result(static_cast<Eigen::Index>(n));
-  for(double& x : result)
-    x = random.get_double(-1, 1);
-  return result;
-}
-
-Values ones(const Matrix& m) { return Values::Constant(m.cols(), 1); }
-
-double largest(const Values& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 // A third of the area around each vertex: the integral of its hat function.
 Values integrals_of_hats(Side side, const Triangulation& t)
@@ -93,14 +81,14 @@ void check_closest(const Triangulation& t)
   const Correspondence c(t);
   const Matrix m1 = IT::mass_matrix(t.input()), m2 = IT::mass_matrix(t.intrinsic());
   const Matrix mixed = IT::mixed_mass_matrix(c);
-  const Values f = random_values(t.mesh().number_of_vertices(), 1);
+  const Values f = random_numbers(t.mesh().number_of_vertices(), 1, 1);
   const Values g = IT::transfer_function(c, Side::input, f);
   const double least = squared_distance(f, g, m1, m2, mixed);
   const double scale = f.dot(m1 * f);
   EXPECT_GT(least, -1e-10 * scale);
   EXPECT_NEAR((ones(m1).dot(m1 * f) - ones(m2).dot(m2 * g)) / scale, 0, 1e-9);
   for(unsigned int seed = 0; seed < 20; ++seed) {
-    const Values other = g + 1e-3 * random_values(t.mesh().number_of_vertices(), seed);
+    const Values other = g + 1e-3 * random_numbers(t.mesh().number_of_vertices(), 1, seed);
     EXPECT_GT(squared_distance(f, other, m1, m2, mixed), least);
   }
 }
@@ -111,8 +99,8 @@ void check_adjoint(const Triangulation& t)
 {
   const Correspondence c(t);
   const Matrix m1 = IT::mass_matrix(t.input()), m2 = IT::mass_matrix(t.intrinsic());
-  const Values f = random_values(t.mesh().number_of_vertices(), 1);
-  const Values g = random_values(t.mesh().number_of_vertices(), 2);
+  const Values f = random_numbers(t.mesh().number_of_vertices(), 1, 1);
+  const Values g = random_numbers(t.mesh().number_of_vertices(), 1, 2);
   const Values f_there = IT::transfer_function(c, Side::input, f);
   const Values g_back = IT::transfer_function(c, Side::intrinsic, g);
   const double scale = std::sqrt(f.dot(m1 * f) * g.dot(m2 * g));
@@ -155,7 +143,7 @@ TEST(Transfer, mixed_mass_matrix_is_the_integral_over_the_subdivision)
     flip_at_random(t, 20 * m.mesh.number_of_edges(), seed);
     const Correspondence c(t);
     const std::size_t n = m.mesh.number_of_vertices();
-    const Values f = random_values(n, seed), g = random_values(n, seed + 100);
+    const Values f = random_numbers(n, 1, seed), g = random_numbers(n, 1, seed + 100);
     const double expected = integral_of_product(f, g, c);
     EXPECT_NEAR(g.dot(IT::mixed_mass_matrix(c) * f) / expected, 1, 1e-7);
   }
@@ -178,7 +166,7 @@ TEST(Transfer, identity_where_nothing_was_flipped)
   for(const Named_complex& complex : traced(complexes())) {
     const Triangulation t = triangulation(complex.mesh, random_lengths(complex.mesh, 2));
     const Correspondence c(t);
-    const Values f = random_values(t.mesh().number_of_vertices(), 2);
+    const Values f = random_numbers(t.mesh().number_of_vertices(), 1, 2);
     for(Side side : both_sides)
       EXPECT_LT(largest(IT::transfer_function(c, side, f) - f), 1e-12);
   }
@@ -216,7 +204,7 @@ TEST(Transfer, isolated_vertices_keep_their_values)
   const Vertex_index alone = mesh.add_vertex(Point(9, 9, 9));
   Triangulation t(mesh);
   EXPECT_GT(IT::make_Delaunay(t), 0u);
-  const Values f = random_values(mesh.number_of_vertices(), 3);
+  const Values f = random_numbers(mesh.number_of_vertices(), 1, 3);
   EXPECT_EQ(IT::transfer_function(Correspondence(t), Side::input, f)[alone.idx()], f[alone.idx()]);
 }
 
@@ -230,7 +218,7 @@ TEST(Transfer, functions_on_hard_meshes_stay_bounded)
     const Correspondence c(t);
     const auto n = t.mesh().number_of_vertices();
     for(Side side : both_sides) {
-      EXPECT_LT(largest(IT::transfer_function(c, side, random_values(n, 4))), 4);
+      EXPECT_LT(largest(IT::transfer_function(c, side, random_numbers(n, 1, 4))), 4);
       const Values one = Values::Constant(static_cast<Eigen::Index>(n), 1);
       EXPECT_LT(largest(IT::transfer_function(c, side, one) - one), 1e-6);
     }
@@ -248,7 +236,7 @@ TEST(Transfer, vertices_without_area_get_the_value_there)
   mesh.add_face(on_line[0], on_line[2], on_line[3]);
   Triangulation t(mesh);
   IT::make_Delaunay(t);
-  const Values f = random_values(mesh.number_of_vertices(), 3);
+  const Values f = random_numbers(mesh.number_of_vertices(), 1, 3);
   for(Side side : both_sides) {
     const Values g = IT::transfer_function(Correspondence(t), side, f);
     for(Vertex_index v : on_line)

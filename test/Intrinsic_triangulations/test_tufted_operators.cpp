@@ -4,6 +4,7 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include "matrices.h"
 #include "soups.h"
 
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
@@ -21,9 +22,6 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Values = Eigen::VectorXd;
 using Triangulation = IT::Intrinsic_triangulation<>;
 using Surface = IT::Tufted_surface<>;
-
-double largest(const Matrix& m) { return m.nonZeros() == 0 ? 0 : m.coeffs().cwiseAbs().maxCoeff(); }
-double largest_distance(const Matrix& a, const Matrix& b) { return largest(Matrix(a - b)); }
 
 struct Tufted
 {

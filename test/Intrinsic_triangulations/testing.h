@@ -89,6 +89,13 @@ private:
   Name m_name;
 };
 
+// The parts of a text between white space.
+inline std::vector<std::string> words(const std::string& text)
+{
+  std::istringstream is(text);
+  return {std::istream_iterator<std::string>(is), {}};
+}
+
 template <typename T>
 std::string name_of(const T& x)
 {
