@@ -8,6 +8,7 @@
 #include "subdivision_checks.h"
 
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
 namespace Test_near_degenerate {
