@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
+#include "equality.h"
+#include "measuring.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
