@@ -434,7 +434,7 @@ TEST(Ideal_geometry, flips_back_to_the_input_are_exact)
     const auto start =
       triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, 1));
     Exact_triangulation t = start;
-    const std::vector<Halfedge_index> flipped = random_flips(t, 2 * mesh.number_of_edges(), 7);
+    std::vector<Halfedge_index> flipped = random_flips(t, 2 * mesh.number_of_edges(), 7);
     Exact_triangulation u = t;
     u.recompute_lengths(); // along T1, without the flips in between
     for(Edge_index e : mesh.edges())
