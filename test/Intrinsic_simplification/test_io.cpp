@@ -36,7 +36,7 @@ Surface_hierarchy loaded(const std::string& text)
 void expect_equal(const Surface_level& a, const Surface_level& b)
 {
   EXPECT_EQ(a.time(), b.time());
-  expect_equal(a.mesh(), b.mesh());
+  Test_surfaces::expect_equal(a.mesh(), b.mesh());
   for(Edge_index e : a.mesh().edges())
     EXPECT_EQ(a.length_map()[e], b.length_map()[e]);
   for(Face_index f : a.mesh().faces())
