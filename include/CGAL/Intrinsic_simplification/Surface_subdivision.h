@@ -23,7 +23,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {
@@ -126,11 +127,10 @@ public:
       return Base::coordinates(side, h);
     const Halfedge_index outgoing = this->parted_outgoing(side, h);
     const Halfedge_index parent = this->parent_halfedge(side, outgoing);
-    const auto found = first_place(v, Edge_index(outgoing));
-    const bool is_inside =
-      found != m_places_on_edges.end() && found->v == v && found->part == Edge_index(outgoing);
-    const auto p = is_inside ? Intrinsic_triangulations::edge_point(parent, found->t)
-                             : Intrinsic_triangulations::Edge_point<double>{parent, 0};
+    const auto found = m_places_on_edges.find({v, Edge_index(outgoing)});
+    const auto p = found != m_places_on_edges.end()
+                     ? Intrinsic_triangulations::edge_point(parent, found->second)
+                     : Intrinsic_triangulations::Edge_point<double>{parent, 0};
     return Intrinsic_triangulations::face_location(p, this->mesh(side)).second;
   }
 
@@ -162,32 +162,14 @@ public:
   }
 
 private:
-  // Where a vertex is on the first halfedge of an edge of the coarse level that runs through it,
-  // with an edge that is a part of that one and has an end at the vertex.
-  struct Place_on_edge
-  {
-    Vertex_index v;
-    Edge_index part;
-    double t;
-
-    friend bool operator<(const Place_on_edge& a, const Place_on_edge& b)
-    {
-      return std::tie(a.v, a.part) < std::tie(b.v, b.part);
-    }
-  };
-  typedef std::vector<Place_on_edge> Places_on_edges;
-
-  // not before `part`
-  typename Places_on_edges::const_iterator first_place(Vertex_index v, Edge_index part) const
-  {
-    return std::lower_bound(m_places_on_edges.begin(), m_places_on_edges.end(),
-                            Place_on_edge{v, part, 0});
-  }
+  // A vertex through which an edge of the coarse level runs, and an edge that is a part of that one
+  // and has an end there.
+  typedef std::pair<Vertex_index, Edge_index> End_of_part;
 
   bool has_places_on_edges(Vertex_index v) const
   {
-    const auto first = first_place(v, Edge_index(0));
-    return first != m_places_on_edges.end() && first->v == v;
+    const auto first = m_places_on_edges.lower_bound({v, Edge_index(0)});
+    return first != m_places_on_edges.end() && first->first.first == v;
   }
 
   // the signed area of a triangle as a part of that of its face
@@ -250,8 +232,9 @@ private:
   std::array<const Surface_level*, 2> m_levels;
   std::vector<Vertex_index> m_new_vertices; // of the coarse level, that the fine one lacks
   std::array<std::vector<Intrinsic_triangulations::Surface_point<double>>, 2> m_place;
-  Places_on_edges m_places_on_edges;          // of vertices that have more than m_place, in order
-  std::vector<Halfedge_index> m_coarse_parts; // of all edges of the coarse level
+  // on the first halfedge of the edge; of vertices that have more than m_place
+  std::map<End_of_part, double> m_places_on_edges;
+  std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
 };
 
@@ -433,15 +416,13 @@ private:
       if(m_edges.piece_before(v) != p || m_result.is_vertex(Level::coarse, v))
         has_more_places[v] = 1;
     });
-    auto& places = m_result.m_places_on_edges;
     for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
       if(!has_more_places[v])
         return;
       const double t = internal::place_of_end(m_edges.pieces()[p]);
       for(const Halfedge_index part : {m_rotation.coarse_piece(p), m_rotation.coarse_piece(p + 1)})
-        places.push_back({v, Edge_index(part), t});
+        m_result.m_places_on_edges.emplace(End_of_part(v, Edge_index(part)), t);
     });
-    std::sort(places.begin(), places.end());
   }
 
   // Calls visit(v, p) for each vertex between two pieces of an edge, the first of which is `p`.

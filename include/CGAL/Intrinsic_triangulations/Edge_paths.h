@@ -120,10 +120,8 @@ public:
   std::vector<Halfedge_index> halfedges(std::size_t i) const
   {
     std::vector<Halfedge_index> result;
-    for(Index s = m_path[i].first; s != Segments::null;) {
-      result.push_back(m_segment[s].halfedge);
-      s = m_segment[s].next == m_path[i].first ? Segments::null : m_segment[s].next;
-    }
+    for(const Index s : segments(i))
+      result.push_back(halfedge(s));
     return result;
   }
 
@@ -151,7 +149,8 @@ public:
     for(bool has_moved = true; has_moved;) {
       has_moved = false;
       for(std::size_t i = 0; i < m_path.size(); ++i)
-        note_all(i);
+        for(const Index s : segments(i))
+          note(s, m_segment[s].next);
       while(!m_queue.empty()) {
         const auto [angle, s, t, is_left] = m_queue.top();
         m_queue.pop();
@@ -166,12 +165,10 @@ public:
   bool is_geodesic() const
   {
     for(std::size_t i = 0; i < m_path.size(); ++i)
-      for(Index s = m_path[i].first; s != Segments::null;) {
-        const Index t = m_segment[s].next;
-        if(t != Segments::null && (is_not_straight(s, t, true) || is_not_straight(s, t, false)))
+      for(const Index s : segments(i))
+        if(const Index t = m_segment[s].next;
+           t != Segments::null && (is_not_straight(s, t, true) || is_not_straight(s, t, false)))
           return false;
-        s = t == m_path[i].first ? Segments::null : t;
-      }
     return true;
   }
 
@@ -193,6 +190,18 @@ private:
   };
 
   Halfedge_index halfedge(Index s) const { return m_segment[s].halfedge; }
+
+  // the segments of a path, in their order
+  std::vector<Index> segments(std::size_t path) const
+  {
+    std::vector<Index> result;
+    const Index first = m_path[path].first;
+    for(Index s = first; s != Segments::null;) {
+      result.push_back(s);
+      s = m_segment[s].next == first ? Segments::null : m_segment[s].next;
+    }
+    return result;
+  }
 
   // Paths to and fro have no sides: beside them, others could lie in an order that crosses.
   static Fan without_spurs(const Fan& halfedges, bool is_loop)
@@ -275,16 +284,6 @@ private:
         if(possibly(internal::is_less_than_pi(sum)))
           m_queue.push({sum.angle, s, t, is_left});
       }
-  }
-
-  void note_all(std::size_t path)
-  {
-    const Index first = m_path[path].first;
-    for(Index s = first; s != Segments::null;) {
-      const Index t = m_segment[s].next;
-      note(s, t);
-      s = t == first ? Segments::null : t;
-    }
   }
 
   // Whether nothing is in the fan but edges that may be flipped.
@@ -429,16 +428,9 @@ private:
       m_segment.link(previous, next);
     if(is_first)
       m_path[path].first = !added.empty() ? added.front() : next;
-    note_around(added, previous, next);
-  }
-
-  // the joints at both ends of what has been added, and between
-  void note_around(const std::vector<Index>& added, Index previous, Index next)
-  {
-    for(Index a : added)
+    for(const Index a : added)
       note(m_segment[a].previous, a);
-    if(next != Segments::null)
-      note(previous, next);
+    note(previous, next);
   }
 
   Triangulation& m_tri;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -57,11 +59,102 @@ struct Logarithm
 
 namespace internal {
 
+// Finds in which directions shortest paths leave their sources.
+template <typename EdgeLengthMap>
+class Path_directions : public Path_search<EdgeLengthMap>
+{
+  typedef Path_search<EdgeLengthMap> Base;
+  typedef typename Base::Charts Charts;
+  typedef typename Base::Index Index;
+  typedef typename Base::View View;
+  typedef typename Base::Views Views;
+  using Base::m_mesh;
+  using Base::m_views;
+
+public:
+  typedef typename Base::FT FT;
+  typedef typename Base::Vector Vector;
+  typedef typename Base::Location Location;
+  typedef typename Base::Last_part Last_part;
+
+  using Base::at_vertex;
+  using Base::to;
+
+  explicit Path_directions(const Surface_view<EdgeLengthMap>& surface) : Base(surface) {}
+
+  // Returns an outgoing halfedge of the source, or a halfedge of its face, and the direction of the
+  // path in the frame of this halfedge. \pre the path has a length that is positive and finite
+  std::pair<Halfedge_index, Vector> start(Last_part part, const Location& q) const
+  {
+    Location end = q;
+    for(; !m_views.is_source(part.origin); part = to(Vertex_index(part.origin)))
+      end = at_vertex(Vertex_index(part.origin));
+    if(part.view == Views::null && is_along_edge(part, end))
+      return {part.last, Vector(1)};
+    const auto result =
+      part.view == Views::null ? start_in_face(part, end) : start_through_view(part);
+    return m_views.is_vertex(part.origin) ? result : in_first_face(part.origin, result);
+  }
+
+private:
+  // the direction of side `c` in the frame of another of its face
+  Vector direction_from(Index frame, Index c) const
+  {
+    const Charts& charts = m_views.charts();
+    return c == frame                 ? Vector(1)
+           : c == Charts::next(frame) ? -std::conj(charts.turn(c))
+                                      : -charts.turn(frame);
+  }
+
+  bool is_along_edge(const Last_part& part, const Location& end) const
+  {
+    return m_views.is_vertex(part.origin) && vertex_at(end, m_mesh) != Delta_complex::null_vertex();
+  }
+
+  std::pair<Halfedge_index, Vector> start_through_view(const Last_part& part) const
+  {
+    const auto [root, z] = this->root_of(part.view, part.end, [](const View&, const Vector&) {});
+    const Index frame =
+      m_views.is_vertex(part.origin) ? Charts::previous(root.edge) : 3 * (root.edge / 3);
+    return {Charts::halfedge(frame, m_mesh),
+            (z - root.position) * direction_from(frame, root.edge)};
+  }
+
+  // of a path that runs through one face only, from a corner or a source
+  std::pair<Halfedge_index, Vector> start_in_face(const Last_part& part, const Location& end) const
+  {
+    const Vertex_index v = vertex_at(end, m_mesh);
+    const bool from_vertex = m_views.is_vertex(part.origin);
+    const Halfedge_index h = from_vertex ? part.last : m_mesh.halfedge(m_mesh.face(part.last));
+    const Flat_face<FT> face(h, m_views.surface());
+    const Location q = v == Delta_complex::null_vertex()
+                         ? end
+                         : face_location(Edge_point<FT>{part.last, FT(1)}, m_mesh);
+    const Location p =
+      from_vertex ? face_location(Edge_point<FT>{h, FT(0)}, m_mesh) : this->point(part.origin);
+    return {h, face.between(coordinates_from(h, p, m_mesh), coordinates_from(h, q, m_mesh))};
+  }
+
+  // Takes a direction at a source on an edge, in the frame of either face, to that of the first.
+  std::pair<Halfedge_index, Vector> in_first_face(Index origin,
+                                                  std::pair<Halfedge_index, Vector> start) const
+  {
+    const Index first = m_views.origin(origin).first;
+    if(first == origin)
+      return start;
+    const Location p = this->point(first);
+    const Index c = Charts::side_of(halfedge_of(surface_point(p, m_mesh)), m_mesh);
+    const Index frame = 3 * p.first.idx(), o = m_views.charts().across(c);
+    return {m_mesh.halfedge(p.first),
+            -start.second * direction_from(frame, c) * std::conj(direction_from(3 * (o / 3), o))};
+  }
+};
+
 // Gives a path a vector; a source that is a vertex has a normalized frame.
 template <typename EdgeLengthMap>
 class Logarithm_of_path
 {
-  typedef Path_search<EdgeLengthMap> Search;
+  typedef Path_directions<EdgeLengthMap> Search;
   typedef typename Search::FT FT;
 
 public:
@@ -138,7 +231,7 @@ Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Sour
   const auto view = internal::view_of(surface);
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
   const Vertex_index v = internal::vertex_at(target, mesh);
-  internal::Path_search search(view);
+  internal::Path_directions search(view);
   search.add_source(source);
   v == Delta_complex::null_vertex() ? search.run_to(target) : search.run_to(v);
   return logarithm(search, search.to(target), target);
@@ -155,7 +248,7 @@ std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surfac
   const Delta_complex& mesh = surface.mesh();
   CGAL_precondition(internal::is_valid_source(source, mesh));
   const auto view = internal::view_of(surface);
-  internal::Path_search search(view);
+  internal::Path_directions search(view);
   search.add_source(source);
   search.run();
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -46,8 +47,11 @@ public:
     return m_size == 0;
   }
 
-  // no key is smaller; \pre !is_empty()
-  FT least_key() const { return FT(m_first) / m_per_key; }
+  // no key is smaller; infinite if there is none
+  FT least_key()
+  {
+    return is_empty() ? std::numeric_limits<FT>::infinity() : FT(FT(m_first) / m_per_key);
+  }
 
   // in the order of arrival; \pre !is_empty()
   Value pop()

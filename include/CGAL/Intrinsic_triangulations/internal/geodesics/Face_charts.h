@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
 
 #include <array>
 #include <complex>
@@ -77,6 +78,15 @@ public:
   // returns the rotation by the angle at the source of the side
   const Vector& turn(Index c) const { return m_chart[c / 3].turn[c % 3]; }
 
+  // Returns the mean of one side of each face, one if there is none.
+  FT mean_length() const
+  {
+    FT sum(0);
+    for(const Chart& chart : m_chart)
+      sum += chart.length[0];
+    return sum > 0 ? FT(sum / FT(m_chart.size())) : FT(1);
+  }
+
   // Returns the position of the corner opposite to `o` in the frame of the side across, which leads
   // from the target of `o`, the origin, along the x-axis.
   Vector apex_beyond(Index o) const
@@ -95,6 +105,25 @@ private:
 
   std::vector<Chart> m_chart;
 };
+
+// Returns a view in the frame of the side `edge`, beyond the side through which it looks, where the
+// opposite corner is at `apex`. The frame on the right starts there.
+template <typename FT>
+View<FT> in_next_frame(View<FT> view, typename View<FT>::Index edge, const std::complex<FT>& apex,
+                       const Face_charts<FT>& charts)
+{
+  typedef Face_charts<FT> Charts;
+  if(edge == Charts::next(charts.across(view.edge))) {
+    view.position *= charts.turn(edge);
+    return view;
+  }
+  if(view.is_parallel)
+    view.before -= dot(apex, view.position);
+  else
+    view.position -= apex;
+  view.position *= std::conj(charts.turn(Charts::next(edge)));
+  return view;
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

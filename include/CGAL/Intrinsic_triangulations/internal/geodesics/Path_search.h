@@ -32,6 +32,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <typename EdgeLengthMap>
 class Path_search
 {
+protected:
   typedef View_propagation<EdgeLengthMap> Views;
   typedef typename Views::Charts Charts;
   typedef typename Views::Index Index;
@@ -158,20 +159,6 @@ public:
     return part.origin == Views::null ? m_vertex.at(v.idx()) : m_views.origin(part.origin).number;
   }
 
-  // Returns an outgoing halfedge of the source, or a halfedge of its face, and the direction of the
-  // path in the frame of this halfedge. \pre the path has a length that is positive and finite
-  std::pair<Halfedge_index, Vector> start(Last_part part, const Location& q) const
-  {
-    Location end = q;
-    for(; !m_views.is_source(part.origin); part = to(Vertex_index(part.origin)))
-      end = at_vertex(Vertex_index(part.origin));
-    if(part.view == Views::null && is_along_edge(part, end))
-      return {part.last, Vector(1)};
-    const auto result =
-      part.view == Views::null ? start_in_face(part, end) : start_through_view(part);
-    return m_views.is_vertex(part.origin) ? result : in_first_face(part.origin, result);
-  }
-
   // Adds the places of the path from its end `q` back to its source.
   void trace(Last_part part, const Location& q, std::vector<Place>& places) const
   {
@@ -198,7 +185,7 @@ public:
 
   const Delta_complex& mesh() const { return m_mesh; }
 
-private:
+protected:
   typedef typename Views::Origin Origin;
 
   static FT unlimited() { return std::numeric_limits<FT>::infinity(); }
@@ -432,60 +419,6 @@ private:
   }
 
   FT length(Halfedge_index h) const { return edge_length(h, m_views.surface()); }
-
-  // ---- Directions ----
-
-  // the direction of side `c` in the frame of another of its face
-  Vector direction_from(Index frame, Index c) const
-  {
-    const Charts& charts = m_views.charts();
-    return c == frame                 ? Vector(1)
-           : c == Charts::next(frame) ? -std::conj(charts.turn(c))
-                                      : -charts.turn(frame);
-  }
-
-  bool is_along_edge(const Last_part& part, const Location& end) const
-  {
-    return m_views.is_vertex(part.origin) && vertex_at(end, m_mesh) != Delta_complex::null_vertex();
-  }
-
-  std::pair<Halfedge_index, Vector> start_through_view(const Last_part& part) const
-  {
-    const auto [root, z] = root_of(part.view, part.end, [](const View&, const Vector&) {});
-    const Index frame =
-      m_views.is_vertex(part.origin) ? Charts::previous(root.edge) : 3 * (root.edge / 3);
-    return {Charts::halfedge(frame, m_mesh),
-            (z - root.position) * direction_from(frame, root.edge)};
-  }
-
-  // of a path that runs through one face only, from a corner or a source
-  std::pair<Halfedge_index, Vector> start_in_face(const Last_part& part, const Location& end) const
-  {
-    const Vertex_index v = vertex_at(end, m_mesh);
-    const bool from_vertex = m_views.is_vertex(part.origin);
-    const Halfedge_index h = from_vertex ? part.last : m_mesh.halfedge(m_mesh.face(part.last));
-    const Flat_face<FT> face(h, m_views.surface());
-    const Location q = v == Delta_complex::null_vertex()
-                         ? end
-                         : face_location(Edge_point<FT>{part.last, FT(1)}, m_mesh);
-    const Location p =
-      from_vertex ? face_location(Edge_point<FT>{h, FT(0)}, m_mesh) : point(part.origin);
-    return {h, face.between(coordinates_from(h, p, m_mesh), coordinates_from(h, q, m_mesh))};
-  }
-
-  // Takes a direction at a source on an edge, in the frame of either face, to that of the first.
-  std::pair<Halfedge_index, Vector> in_first_face(Index origin,
-                                                  std::pair<Halfedge_index, Vector> start) const
-  {
-    const Index first = m_views.origin(origin).first;
-    if(first == origin)
-      return start;
-    const Location p = point(first);
-    const Index c = Charts::side_of(halfedge_of(surface_point(p, m_mesh)), m_mesh);
-    const Index frame = 3 * p.first.idx(), o = m_views.charts().across(c);
-    return {m_mesh.halfedge(p.first),
-            -start.second * direction_from(frame, c) * std::conj(direction_from(3 * (o / 3), o))};
-  }
 
   const Delta_complex& m_mesh;
   Views m_views;

@@ -11,10 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -76,6 +78,37 @@ private:
   Vertex_index m_vertex;
   FT m_before, m_sum;
   bool m_is_border;
+};
+
+// The directions in which paths can go on at a vertex: those that are at least half a turn away
+// from where they come from, on either side on which there is surface.
+template <typename FT>
+class Outgoing_sector
+{
+public:
+  // all of them if `is_whole`; `error` is that of the direction from which paths come
+  Outgoing_sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back, const FT& error)
+    : m_sum(angles.sum()),
+      m_back(back),
+      m_is_border(angles.is_border()),
+      m_is_whole(is_whole),
+      m_is_empty(!is_whole &&
+                 m_sum - (m_is_border ? 1 : 2) * pi<FT>() <= rounding_unit<FT>() - error)
+  {}
+
+  // whether there are some between two angles
+  bool meets(const FT& first, const FT& last) const
+  {
+    const FT half = pi<FT>() - flat_angle_tolerance<FT>(), a = first - m_back, b = last - m_back;
+    const FT other = m_is_border ? std::numeric_limits<FT>::infinity() : m_sum - half;
+    return m_is_whole ||
+           (!m_is_empty && ((b >= half && a <= other) || (a <= -half && b >= -other)));
+  }
+
+private:
+  FT m_sum, m_back;
+  bool m_is_border, m_is_whole;
+  bool m_is_empty; // the shadow of other vertices is no wider than the tolerance of what is seen
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

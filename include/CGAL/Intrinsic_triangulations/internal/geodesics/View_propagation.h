@@ -72,8 +72,8 @@ public:
       m_distance(m_number_of_vertices, std::numeric_limits<FT>::infinity()),
       m_arrival(m_number_of_vertices),
       m_opened(m_number_of_vertices, std::numeric_limits<FT>::infinity()),
-      m_next(width_of_buckets()),
-      m_bends(width_of_buckets()),
+      m_next(m_charts.mean_length() / 4), // many views for each bucket, and few that come late
+      m_bends(m_charts.mean_length() / 4),
       m_are_views_kept(are_views_kept),
       m_last_view(are_views_kept ? 0 : m_number_of_vertices)
   {}
@@ -91,13 +91,12 @@ public:
   Index add_source(const Origin& source)
   {
     const Index origin = add_origin(source);
-    const Face_in_frame face(m_mesh.halfedge(source.segment.face), *this);
-    reach_corners(face, origin);
+    const Flat_face<FT> face = flat_face(source.segment.face);
     for(std::size_t s = 0; s < 3; ++s)
-      if(!source.is_point())
-        push(source.view(face, s, m_charts.length(face.side(s)), face.side(s), origin));
+      if(const Index c = Index(3 * source.segment.face.idx() + s); !source.is_point())
+        push(source.view(face, s, m_charts.length(c), c, origin));
       else if(source.segment.source[(s + 2) % 3] != 0)
-        open_view(face, s, source.segment.source, FT(0), origin);
+        open_view(face, s, source.segment.source, c, FT(0), origin);
     return origin;
   }
 
@@ -105,7 +104,6 @@ public:
   Index add_source(const Origin& source, const Sector_in_face<FT>& sector)
   {
     const Index origin = add_origin(source);
-    reach_corners(Face_in_frame(m_mesh.halfedge(source.segment.face), *this), origin);
     open_views(sector, origin);
     return origin;
   }
@@ -129,7 +127,7 @@ public:
   {
     for(std::size_t steps = 0;; ++steps, ++m_steps) {
       check_bound(m_steps);
-      const FT view = least_view(), bend = least_bend(), next = (std::min)(view, bend);
+      const FT view = m_next.least_key(), bend = m_bends.least_key(), next = (std::min)(view, bend);
       if(next == std::numeric_limits<FT>::infinity() || next > limit() * (1 + rounding_unit<FT>()))
         return true;
       if(steps == most_steps)
@@ -142,7 +140,7 @@ public:
   }
 
   // Returns the length up to which distances are final; infinite at the end.
-  FT final_length() { return (std::min)(least_view(), least_bend()); }
+  FT final_length() { return (std::min)(m_next.least_key(), m_bends.least_key()); }
 
   const Surface_view<EdgeLengthMap>& surface() const { return m_surface; }
   const Charts& charts() const { return m_charts; }
@@ -166,42 +164,6 @@ public:
   }
 
 private:
-  // a face laid out with its first halfedge on the x-axis, and the numbers of its sides
-  class Face_in_frame : public Flat_face<FT>
-  {
-  public:
-    Face_in_frame(Halfedge_index h, const View_propagation& paths)
-      : Flat_face<FT>(h, paths.m_surface), m_mesh(paths.m_mesh), m_halfedge(h)
-    {}
-    Halfedge_index halfedge(std::size_t s) const
-    {
-      return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
-    }
-    Index side(std::size_t s) const { return Charts::side_of(halfedge(s), m_mesh); }
-
-  private:
-    const Delta_complex& m_mesh;
-    Halfedge_index m_halfedge;
-  };
-
-  FT least_view()
-  {
-    return m_next.is_empty() ? std::numeric_limits<FT>::infinity() : m_next.least_key();
-  }
-  FT least_bend()
-  {
-    return m_bends.is_empty() ? std::numeric_limits<FT>::infinity() : m_bends.least_key();
-  }
-
-  // a quarter of a typical edge: many views for each bucket, and few that come late
-  FT width_of_buckets() const
-  {
-    FT sum(0);
-    for(Face_index f : m_mesh.faces())
-      sum += m_charts.length(3 * f.idx());
-    return sum > 0 ? FT(sum / FT(4 * m_mesh.number_of_faces())) : FT(1);
-  }
-
   // Surfaces take up to a hundred views for each halfedge, few faces with edges of lengths in the
   // proportion of 1 to ten million take twenty million. Rounding could make it more.
   std::size_t greatest_number_of_views() const
@@ -219,20 +181,23 @@ private:
 
   // ---- Sources in faces ----
 
+  Flat_face<FT> flat_face(Face_index f) const { return {m_mesh.halfedge(f), m_surface}; }
+
+  // Adds an origin, from which the corners of its face are reached.
   Index add_origin(const Origin& origin)
   {
+    const auto number = static_cast<Index>(number_of_origins());
     m_origins.push_back(origin);
-    return static_cast<Index>(m_number_of_vertices + m_origins.size() - 1);
-  }
-
-  void reach_corners(const Face_in_frame& face, Index number)
-  {
-    const Curve_segment<FT>& segment = origin(number).segment;
-    for(std::size_t s = 0; s < 3; ++s)
+    const Curve_segment<FT>& segment = origin.segment;
+    const Flat_face<FT> face = flat_face(segment.face);
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Index c = Index(3 * segment.face.idx() + s);
       reach(
-        m_charts.source(face.side(s)),
+        m_charts.source(c),
         distance_from_segment(face.to_corner(s, segment.source), face.to_corner(s, segment.target)),
-        {null, number, m_mesh.prev(face.halfedge(s)), true});
+        {null, number, Charts::halfedge(Charts::previous(c), m_mesh), true});
+    }
+    return number;
   }
 
   // ---- Vertices ----
@@ -252,36 +217,6 @@ private:
     m_bends.push(length, v);
     return true;
   }
-
-  // The directions in which paths can go on at a vertex: those that are at least half a turn away
-  // from where they come from, on either side on which there is surface.
-  class Sector
-  {
-  public:
-    // all of them if `is_whole`; `error` is that of the direction from which paths come
-    Sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back, const FT& error)
-      : m_sum(angles.sum()),
-        m_back(back),
-        m_is_border(angles.is_border()),
-        m_is_whole(is_whole),
-        m_is_empty(!is_whole &&
-                   m_sum - (m_is_border ? 1 : 2) * pi<FT>() <= rounding_unit<FT>() - error)
-    {}
-
-    // whether there are some between two angles
-    bool meets(const FT& first, const FT& last) const
-    {
-      const FT half = pi<FT>() - flat_angle_tolerance<FT>(), a = first - m_back, b = last - m_back;
-      const FT other = m_is_border ? std::numeric_limits<FT>::infinity() : m_sum - half;
-      return m_is_whole ||
-             (!m_is_empty && ((b >= half && a <= other) || (a <= -half && b >= -other)));
-    }
-
-  private:
-    FT m_sum, m_back;
-    bool m_is_border, m_is_whole;
-    bool m_is_empty; // the shadow of other vertices is no wider than the tolerance of what is seen
-  };
 
   // Returns the angle at `v`, from its first outgoing halfedge, at which the shortest path arrives,
   // through a view or along an edge.
@@ -311,7 +246,7 @@ private:
   // Returns the angle from the halfedge `h` to the path from its source to an origin in its face.
   FT angle_in_face(Index number, Halfedge_index h) const
   {
-    const Face_in_frame face(m_mesh.halfedge(m_mesh.face(h)), *this);
+    const Flat_face<FT> face = flat_face(m_mesh.face(h));
     const std::size_t s = side_number(h, m_mesh);
     const auto corner = barycentric_coordinates(s, FT(0));
     return std::arg(face.between(corner, origin(number).nearest(face, corner).second) *
@@ -353,8 +288,9 @@ private:
     const bool is_at_source = arrival.view == null && arrival.origin == null;
     const FT error = is_at_source ? FT(0) : direction_error(v);
     const bool is_all_seen = is_at_source || error >= 1;
-    const Sector sector(Vertex_angles<FT>(first_outgoing_halfedge(v, m_mesh), m_surface),
-                        is_all_seen, is_all_seen ? FT(0) : angle_of_arrival(v), error);
+    const Outgoing_sector<FT> sector(
+      Vertex_angles<FT>(first_outgoing_halfedge(v, m_mesh), m_surface), is_all_seen,
+      is_all_seen ? FT(0) : angle_of_arrival(v), error);
     FT angle(0);
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
@@ -363,33 +299,38 @@ private:
         return;
       const FT next = angle + std::arg(m_charts.turn(Charts::side_of(h, m_mesh)));
       if(sector.meets(angle, next))
-        open_view(Face_in_frame(h, *this), 1, {FT(1), FT(0), FT(0)}, before, Index(v.idx()));
+        open_view(Flat_face<FT>(h, m_surface), 1, {FT(1), FT(0), FT(0)},
+                  Charts::side_of(m_mesh.next(h), m_mesh), before, Index(v.idx()));
       angle = next;
     });
   }
 
   // ---- Views ----
 
-  // Opens the view through side `s` of a face from its point `p`.
-  void open_view(const Face_in_frame& face, std::size_t s, const Place& p, const FT& before,
-                 Index origin)
+  // Opens the view through side `s` of a face, which is `edge`, from its point `p`.
+  void open_view(const Flat_face<FT>& face, std::size_t s, const Place& p, Index edge,
+                 const FT& before, Index origin)
   {
-    const Index edge = face.side(s);
-    const Vector position = -face.to_corner(s, p) * std::conj(face.direction(s));
-    push({position, FT(0), m_charts.length(edge), before, edge, origin, null});
+    push({position_from(face, s, p), FT(0), m_charts.length(edge), before, edge, origin, null});
+  }
+
+  // Returns the position of a point of a face in the frame of side `s`.
+  static Vector position_from(const Flat_face<FT>& face, std::size_t s, const Place& p)
+  {
+    return -face.to_corner(s, p) * std::conj(face.direction(s));
   }
 
   // Opens the views through the sides that are seen in some directions.
   void open_views(const Sector_in_face<FT>& sector, Index origin)
   {
-    const Face_in_frame face(m_mesh.halfedge(sector.at.first), *this);
+    const Flat_face<FT> face = flat_face(sector.at.first);
     for(std::size_t s = 0; s < 3; ++s)
       if(sector.at.second[(s + 2) % 3] != 0)
         if(const auto [from, to] = sector.part_of_side(face, s); from < to) {
-          const FT l = m_charts.length(face.side(s));
-          const Vector position =
-            -face.to_corner(s, sector.at.second) * std::conj(face.direction(s));
-          push({position, from * l, to * l, FT(0), face.side(s), origin, null});
+          const Index c = Index(3 * sector.at.first.idx() + s);
+          const FT l = m_charts.length(c);
+          push(
+            {position_from(face, s, sector.at.second), from * l, to * l, FT(0), c, origin, null});
         }
   }
 
@@ -451,8 +392,11 @@ private:
       to *= m_charts.length(edge);
       if(!(to - from > closed))
         return;
-      const View next = edge == left ? on_left(view, edge, from, to, number)
-                                     : on_right(view, edge, from, to, number, apex);
+      View next = in_next_frame(view, edge, apex, m_charts);
+      next.begin = from;
+      next.end = to;
+      next.edge = edge;
+      next.parent = number;
       if(!is_behind_corner(next, edge == left, l))
         push(next);
     };
@@ -462,33 +406,6 @@ private:
     if(middle < view.end)
       hand_on(right, view.begin < middle ? FT(0) : view.hit_beyond(view.begin, apex, l),
               view.hit_beyond(view.end, apex, l));
-  }
-
-  View on_left(const View& view, Index edge, const FT& from, const FT& to, Index number) const
-  {
-    return {view.position * m_charts.turn(edge),
-            from,
-            to,
-            view.before,
-            edge,
-            view.origin,
-            number,
-            view.is_parallel};
-  }
-
-  // The frame starts at `apex`.
-  View on_right(const View& view, Index edge, const FT& from, const FT& to, Index number,
-                const Vector& apex) const
-  {
-    const Vector turn = std::conj(m_charts.turn(Charts::next(edge)));
-    return {(view.is_parallel ? view.position : view.position - apex) * turn,
-            from,
-            to,
-            view.is_parallel ? FT(view.before - dot(apex, view.position)) : view.before,
-            edge,
-            view.origin,
-            number,
-            view.is_parallel};
   }
 
   // Returns whether all paths through a view that has been handed on over an edge of length `l`
