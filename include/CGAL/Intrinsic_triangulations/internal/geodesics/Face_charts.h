@@ -106,14 +106,13 @@ private:
   std::vector<Chart> m_chart;
 };
 
-// Returns a view in the frame of the side `edge`, beyond the side through which it looks, where the
-// opposite corner is at `apex`. The frame on the right starts there.
+// Returns a view in the frame of the side `edge`, left or right of the opposite corner, at `apex`,
+// beyond the side through which it looks. The frame on the right starts at that corner.
 template <typename FT>
-View<FT> in_next_frame(View<FT> view, typename View<FT>::Index edge, const std::complex<FT>& apex,
-                       const Face_charts<FT>& charts)
+View<FT> in_next_frame(View<FT> view, typename View<FT>::Index edge, bool is_left,
+                       const std::complex<FT>& apex, const Face_charts<FT>& charts)
 {
-  typedef Face_charts<FT> Charts;
-  if(edge == Charts::next(charts.across(view.edge))) {
+  if(is_left) {
     view.position *= charts.turn(edge);
     return view;
   }
@@ -121,7 +120,7 @@ View<FT> in_next_frame(View<FT> view, typename View<FT>::Index edge, const std::
     view.before -= dot(apex, view.position);
   else
     view.position -= apex;
-  view.position *= std::conj(charts.turn(Charts::next(edge)));
+  view.position *= std::conj(charts.turn(Face_charts<FT>::next(edge)));
   return view;
 }
 

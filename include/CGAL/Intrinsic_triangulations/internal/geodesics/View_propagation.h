@@ -392,7 +392,7 @@ private:
       to *= m_charts.length(edge);
       if(!(to - from > closed))
         return;
-      View next = in_next_frame(view, edge, apex, m_charts);
+      View next = in_next_frame(view, edge, edge == left, apex, m_charts);
       next.begin = from;
       next.end = to;
       next.edge = edge;
