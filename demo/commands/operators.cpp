@@ -14,9 +14,9 @@
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
-#include <array>
+#include <functional>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -56,33 +56,18 @@ struct Operand
   const Covered_soup* covered; // null if the input is a surface
 };
 
+// Returns what writes a matrix of functions, `matrix(surface)`.
 template <class Matrix_of>
-std::string of_functions(const Operand& operand, Matrix_symmetry symmetry, const Matrix_of& matrix)
+auto of_functions(Matrix_symmetry symmetry, Matrix_of matrix)
 {
-  const auto& surface = operand.triangulation.intrinsic();
-  if(operand.covered)
-    return matrix_market(
-      matrix(IT::Tufted_surface<>(operand.covered->cover, surface, operand.covered->share())),
-      symmetry);
-  return matrix_market(matrix(surface), symmetry);
-}
-
-std::string laplacian(const Operand& operand)
-{
-  return of_functions(operand, Matrix_symmetry::SYMMETRIC,
-                      [](const auto& surface) { return IT::cotan_laplacian(surface); });
-}
-
-std::string mass(const Operand& operand)
-{
-  return of_functions(operand, Matrix_symmetry::SYMMETRIC,
-                      [](const auto& surface) { return IT::mass_matrix(surface); });
-}
-
-std::string lumped_mass(const Operand& operand)
-{
-  return of_functions(operand, Matrix_symmetry::SYMMETRIC,
-                      [](const auto& surface) { return IT::lumped_mass_matrix(surface); });
+  return [=](const Operand& operand) {
+    const auto& surface = operand.triangulation.intrinsic();
+    if(operand.covered)
+      return matrix_market(
+        matrix(IT::Tufted_surface<>(operand.covered->cover, surface, operand.covered->share())),
+        symmetry);
+    return matrix_market(matrix(surface), symmetry);
+  };
 }
 
 std::string connection_laplacian(const Operand& operand)
@@ -90,18 +75,6 @@ std::string connection_laplacian(const Operand& operand)
   const auto& surface = operand.triangulation.intrinsic();
   const IT::Tangent_frames<double> frames(surface);
   return matrix_market(IT::connection_laplacian(surface, frames), Matrix_symmetry::HERMITIAN);
-}
-
-std::string gradient(const Operand& operand)
-{
-  return of_functions(operand, Matrix_symmetry::GENERAL,
-                      [](const auto& surface) { return IT::gradient_matrix(surface); });
-}
-
-std::string divergence(const Operand& operand)
-{
-  return of_functions(operand, Matrix_symmetry::GENERAL,
-                      [](const auto& surface) { return IT::divergence_matrix(surface); });
 }
 
 // Takes functions on the input to the vertices of the cover.
@@ -122,26 +95,31 @@ std::string cover_vertices(const Operand& operand)
 
 struct Matrix_description
 {
-  std::string_view name;
-  std::string (*text)(const Operand&);
+  std::string name;
+  std::function<std::string(const Operand&)> text;
 };
 
 // The first one refuses triangulations on which others would not be finite. The last one is for
 // covers.
-constexpr std::array<Matrix_description, 7> matrices = {
-  {{"laplacian", laplacian},
-   {"mass", mass},
-   {"lumped_mass", lumped_mass},
-   {"connection_laplacian", connection_laplacian},
-   {"gradient", gradient},
-   {"divergence", divergence},
-   {"cover_vertices", cover_vertices}}};
+std::vector<Matrix_description> matrices()
+{
+  const auto symmetric = Matrix_symmetry::SYMMETRIC, general = Matrix_symmetry::GENERAL;
+  return {
+    {"laplacian", of_functions(symmetric, [](const auto& s) { return IT::cotan_laplacian(s); })},
+    {"mass", of_functions(symmetric, [](const auto& s) { return IT::mass_matrix(s); })},
+    {"lumped_mass",
+     of_functions(symmetric, [](const auto& s) { return IT::lumped_mass_matrix(s); })},
+    {"connection_laplacian", connection_laplacian},
+    {"gradient", of_functions(general, [](const auto& s) { return IT::gradient_matrix(s); })},
+    {"divergence", of_functions(general, [](const auto& s) { return IT::divergence_matrix(s); })},
+    {"cover_vertices", cover_vertices}};
+}
 
 std::vector<std::string> paths_of(const std::string& prefix)
 {
   std::vector<std::string> result;
-  for(const Matrix_description& matrix : matrices)
-    result.push_back(prefix + "_" + std::string(matrix.name) + ".mtx");
+  for(const Matrix_description& matrix : matrices())
+    result.push_back(prefix + "_" + matrix.name + ".mtx");
   return result;
 }
 
@@ -156,7 +134,7 @@ int write_matrices(Command_run& run, const Operators_options& options,
   const std::optional<Covered_soup>& covered = run.input().covered;
   run.timed("write", [&] {
     for(std::size_t i = 0; i < paths.size(); ++i)
-      run.add_output(paths[i], matrices[i].text({triangulation, covered ? &*covered : nullptr}));
+      run.add_output(paths[i], matrices()[i].text({triangulation, covered ? &*covered : nullptr}));
     save(run, triangulation);
   });
   run.finish(summary_of_changes(run) + ", " + std::to_string(paths.size()) + " matrices");

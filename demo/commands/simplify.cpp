@@ -7,7 +7,6 @@
 #include "Program_error.h"
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
-#include "commands/mended_topology.h"
 #include "commands/removal_cost.h"
 #include "commands/triangulation_stages.h"
 #include "writing/Fine_level.h"
@@ -21,6 +20,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/io.h>
+#include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
@@ -268,10 +268,23 @@ private:
   {
     if(m_options.closed_length <= 0 && m_options.pinched_length <= 0)
       return start;
-    const Mended_topology topology(start, m_options.closed_length, m_options.pinched_length);
-    topology.describe(m_run.statistics());
-    m_fine->set_sources(topology.sources_of_new_vertices());
-    return topology.triangulation();
+    IS::Surface_surgery surgery(start);
+    Statistics& s = m_run.statistics();
+    s["closed_loops"] = 0;
+    s["pinched_handles"] = 0;
+    if(m_options.closed_length > 0)
+      s["closed_loops"] = IS::close_boundary_loops(surgery, m_options.closed_length);
+    if(m_options.pinched_length > 0)
+      s["pinched_handles"] = IS::pinch_handles(surgery, m_options.pinched_length);
+    const IT::Topological_type before = IT::topological_type(start.mesh()),
+                               after = IT::topological_type(surgery.mesh());
+    s["boundary_loops_before"] = before.boundary_loops;
+    s["boundary_loops_after"] = after.boundary_loops;
+    s["genus_before"] = before.genus;
+    s["genus_after"] = after.genus;
+    s["filled_area"] = surgery.filled_area();
+    m_fine->add_vertices(surgery);
+    return surgery.triangulation();
   }
 
   void make_exactly_Delaunay(IS::Evolving_surface& surface, Triangulation& start)

@@ -4,6 +4,7 @@
 
 #include "writing/Fine_level.h"
 
+namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 
 Fine_level::Fine_level(const Mesh& input, const Triangulation* split)
@@ -13,6 +14,25 @@ Fine_level::Fine_level(const Mesh& input, const Triangulation* split)
     m_edges(split ? split->mesh().number_of_edges() : input.number_of_edges()),
     m_faces(split ? split->mesh().number_of_faces() : input.number_of_faces())
 {}
+
+// An apex comes after the vertices around its disk, or their originals.
+void Fine_level::add_vertices(const IS::Surface_surgery& surgery)
+{
+  const IS::Delta_complex& mesh = surgery.mesh();
+  for(auto i = m_vertices; i < mesh.number_of_vertices(); ++i) {
+    const Mesh::Vertex_index v(static_cast<Mesh::size_type>(i));
+    m_sources.emplace_back();
+    if(surgery.original_vertex(v).is_valid()) {
+      m_sources.back().push_back(surgery.original_vertex(v));
+      continue;
+    }
+    IS::for_each_outgoing_halfedge(v, mesh, [&](IS::Halfedge_index h) {
+      const Mesh::Vertex_index u = surgery.original_vertex(mesh.target(h));
+      if(u.is_valid() || mesh.target(h) < v)
+        m_sources.back().push_back(u.is_valid() ? u : mesh.target(h));
+    });
+  }
+}
 
 Mesh::Face_index Fine_level::input_face(Mesh::Face_index f) const
 {

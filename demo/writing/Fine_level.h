@@ -9,6 +9,8 @@
 #include "reading/Input_mesh.h"
 #include "writing/Output_mesh.h"
 
+#include <CGAL/Intrinsic_simplification/Surface_surgery.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -17,14 +19,11 @@
 class Fine_level
 {
 public:
-  // The vertices in the middle of which each vertex is that disks and cuts have added; one for a
-  // copy.
-  typedef std::vector<std::vector<Mesh::Vertex_index>> Sources;
-
   // The input, or `split` unless it is null, with its inserted vertices. Both stay.
   explicit Fine_level(const Mesh& input, const Triangulation* split = nullptr);
 
-  void set_sources(Sources sources) { m_sources = std::move(sources); }
+  // Adds the vertices of disks and cuts of the level so far.
+  void add_vertices(const CGAL::Intrinsic_simplification::Surface_surgery& surgery);
 
   bool is_input() const { return m_split == nullptr && m_sources.empty(); }
   std::size_t number_of_input_vertices() const { return m_input->number_of_vertices(); }
@@ -70,7 +69,9 @@ private:
   const Mesh* m_input;
   const Triangulation* m_split;
   std::size_t m_vertices, m_edges, m_faces; // without disks and cuts
-  Sources m_sources;
+  // For each vertex that these have added, those in the middle of which it is to be seen: the vertex
+  // that it is a copy of, or those around a disk.
+  std::vector<std::vector<Mesh::Vertex_index>> m_sources;
 };
 
 #endif // INTRINSIC_FINE_LEVEL_H
