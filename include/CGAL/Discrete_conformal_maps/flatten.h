@@ -48,8 +48,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///                       `maximum_log_scale`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{cones are placed until all logarithmic scale factors inside are at most
-///                           this in absolute value}
+///     \cgalParamDescription{cones are placed until all logarithmic scale factors inside are at
+///                           most this in absolute value}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5}
 ///   \cgalParamNEnd

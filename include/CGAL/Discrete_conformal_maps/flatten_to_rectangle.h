@@ -70,8 +70,8 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 ///   vertices are allowed
 /// \param corners four vertices on the boundary of each component, in any order, such as those that
 ///   `rectangle_corners()` returns
-/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside, and
-///   none of the boundary becomes a cone. `Cones::automatic` places cones if there is a
+/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside,
+///   and none of the boundary becomes a cone. `Cones::automatic` places cones if there is a
 ///   `maximum_log_scale`
 ///
 /// Complexity and status: those of `flatten()`.

@@ -21,8 +21,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The side of a face, along one axis: `x[to] - sign * x[from]` is to change by `change`. If the sign
-// is -1, one end is the mirror image of a point.
+// The side of a face, along one axis: `x[to] - sign * x[from]` is to change by `change`. If the
+// sign is -1, one end is the mirror image of a point.
 struct Side_change
 {
   int from, to, sign;

@@ -26,8 +26,8 @@ double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Len
          (length(mesh.next(o)) / length(mesh.prev(o)));
 }
 
-// The greatest relative error of a length cross ratio, of the edges of halfedges that count, between
-// the lengths of halfedges in an image and those that they should be, up to scale factors.
+// The greatest relative error of a length cross ratio, of the edges of halfedges that count,
+// between the lengths of halfedges in an image and those that they should be, up to scale factors.
 template <typename Counts, typename In_image, typename Ideal>
 double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& counts,
                                   const In_image& in_image, const Ideal& ideal)
@@ -41,8 +41,8 @@ double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& count
   return result;
 }
 
-// That of points in the plane, and one at infinity, whose distances are all the same. `length` gives
-// what the length of an edge should be. An edge of a border does not count.
+// That of points in the plane, and one at infinity, whose distances are all the same. `length`
+// gives what the length of an edge should be. An edge of a border does not count.
 template <typename FT, typename Length>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
                                            const std::vector<std::array<FT, 2>>& position,
