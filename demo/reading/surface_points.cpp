@@ -7,6 +7,8 @@
 #include "Program_error.h"
 #include "reading/Scanner.h"
 
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -201,12 +203,9 @@ Surface_location face_point(const std::string& text, std::size_t number_of_faces
 
 IT::Vertex_index vertex_at(const Surface_location& p, const std::string& text, const Mesh& mesh)
 {
-  const auto h = mesh.halfedge(p.first);
-  const std::array<Mesh::Vertex_index, 3> corner{mesh.source(h), mesh.target(h),
-                                                 mesh.target(mesh.next(h))};
-  for(std::size_t k = 0; k < 3; ++k)
-    if(p.second[(k + 1) % 3] == 0 && p.second[(k + 2) % 3] == 0)
-      return corner[k];
+  const auto point = IT::surface_point(p, mesh);
+  if(IT::is_at_vertex(point))
+    return mesh.source(IT::halfedge_of(point));
   throw Program_error("'" + text +
                       "' is not a vertex: --flips and --loop go from vertex to vertex");
 }

@@ -171,7 +171,7 @@ private:
 
   Face_location<FT> location(const Edge_point<FT>& p) const
   {
-    return face_location(mesh().is_border(p.halfedge) ? reversed(p, mesh()) : p, mesh());
+    return face_location(edge_location(p), mesh());
   }
 
   Surface_path<FT> path(const Last_part& part, const Face_location<FT>& p) const

@@ -88,16 +88,15 @@ public:
   ///   positive; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
-    const auto side = sides(p.first, m_tri.mesh());
-    for(std::size_t s = 0; s < 3; ++s) {
-      const FT &at_target = p.second[(s + 1) % 3], &at_apex = p.second[(s + 2) % 3];
-      if(at_target == 0 && at_apex == 0)
-        return m_tri.mesh().source(side[s]);
-      // a point that is rounded is not exactly on an edge, unless that is one of T1
-      if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]) &&
-         (!is_exact() || m_tri.coordinates().is_shared(m_tri.mesh().edge(side[s]))))
-        return split_edge(side[s], at_target, closeness);
-    }
+    const Surface_point<FT> point = surface_point(p, m_tri.mesh());
+    const Halfedge_index h = halfedge_of(point);
+    if(is_at_vertex(point))
+      return m_tri.mesh().source(h);
+    // a point that is rounded is not exactly on an edge, unless that is one of T1
+    const auto* e = on_edge(point);
+    if(e && e->weight[0] > 0 && e->weight[1] > 0 && can_be_split(h) &&
+       (!is_exact() || m_tri.coordinates().is_shared(Edge_index(h))))
+      return split_edge(h, e->weight[1], closeness);
     return with_decisions([&](auto& d) { return d.insert_near(p, closeness, inserted_by(d)); });
   }
 

@@ -68,7 +68,7 @@ void add_segments(const std::vector<Surface_point<FT>>& places, const Delta_comp
 template <typename FT>
 class Joined_path
 {
-  typedef Surface_point<FT> Place;
+  typedef Surface_point<FT> Point;
 
 public:
   explicit Joined_path(const Delta_complex& mesh) : m_mesh(mesh) {}
@@ -77,9 +77,9 @@ public:
 
   // Adds a piece. If the path goes on straight from the piece before and both are in one face,
   // their common end is no place.
-  void add(const std::vector<Place>& piece, bool goes_on_straight)
+  void add(const std::vector<Point>& piece, bool goes_on_straight)
   {
-    const Place& start = piece.front();
+    const Point& start = piece.front();
     if(is_empty())
       add_place(start);
     else if(!goes_on_straight || is_at_vertex(start))
@@ -92,7 +92,7 @@ public:
   }
 
   // Adds the end of the last piece, and returns all places.
-  std::vector<Place> finish()
+  std::vector<Point> finish()
   {
     come_to_end();
     m_places.push_back(m_end);
@@ -100,21 +100,21 @@ public:
   }
 
 private:
-  void add_place(const Place& p)
+  void add_place(const Point& p)
   {
     m_places.push_back(p);
     m_crossings = 0;
   }
 
-  void add_joint(const Place& start)
+  void add_joint(const Point& start)
   {
     come_to_end();
     const auto* p = on_edge(start);
     const bool is_inside = p && !m_mesh.is_border(m_mesh.opposite(p->halfedge));
-    add_place(is_inside ? Place(reversed(*p)) : start);
+    add_place(is_inside ? Point(reversed(*p)) : start);
   }
 
-  void add_crossing(const Place& x)
+  void add_crossing(const Point& x)
   {
     const Halfedge_index h = halfedge_of(x), o = m_mesh.opposite(h),
                          from = halfedge_of(m_places.back());
@@ -146,9 +146,9 @@ private:
   void leave_along(Halfedge_index h) { m_places.back() = Vertex_location{h}; }
 
   const Delta_complex& m_mesh;
-  std::vector<Place> m_places;
+  std::vector<Point> m_places;
   std::size_t m_crossings = 0; // the last places that are crossings
-  Place m_end{};               // of the last piece
+  Point m_end{};               // of the last piece
 };
 
 } // namespace internal

@@ -165,8 +165,8 @@ private:
     std::optional<Surface_element> result;
     const double sum = p.second[0] + p.second[1] + p.second[2];
     const Coordinates b{p.second[0] / sum, p.second[1] / sum, p.second[2] / sum};
-    walk.for_each_place(walk.place_of({p.first, b}), [&](const typename Walk::Place& place) {
-      result = element_at(place, walk.region(place), p);
+    walk.for_each_region(walk.region_of({p.first, b}), [&](const typename Walk::Region_id& id) {
+      result = element_at(id, walk.region(id), p);
       return result.has_value();
     });
     if(!result)
@@ -176,10 +176,10 @@ private:
   }
 
   // nothing if `p` is not in the region or on its sides
-  std::optional<Surface_element> element_at(const typename Walk::Place& place, const Region& region,
-                                            const Face_location<double>& p)
+  std::optional<Surface_element> element_at(const typename Walk::Region_id& id,
+                                            const Region& region, const Face_location<double>& p)
   {
-    const auto halfedge = sides(place.first, m_tri.mesh());
+    const auto halfedge = sides(id.first, m_tri.mesh());
     std::optional<Edge_index> tie;
     for(std::size_t c = 0; c < region.size(); ++c) {
       const Region_corner& corner = region[c];
@@ -195,7 +195,7 @@ private:
         tie = Edge_index(x);
     }
     if(!tie)
-      return place.first;
+      return id.first;
     for(Halfedge_index h : halfedge)
       if(is_at_inserted(m_tri.mesh().source(h), p))
         return m_tri.mesh().source(h);

@@ -33,7 +33,7 @@ class Triple_subdivision<FT, Point>::Builder
   typedef Intrinsic_triangulations::Edge_location<FT> Edge_location;
   typedef Intrinsic_triangulations::Face_location<FT> Face_location;
   typedef Intrinsic_triangulations::Vertex_location Vertex_location;
-  typedef std::array<Surface_point<FT>, 2> Place; // on A and C
+  typedef std::array<Surface_point<FT>, 2> On_A_and_C;
 
   // numbers of elements inside faces of B
   struct Size
@@ -295,7 +295,7 @@ private:
   }
 
   // At the target of `in`, `out` is the next halfedge around the face on their left.
-  void link(Halfedge_index in, Halfedge_index out, const Place& on_A_and_C, bool is_last)
+  void link(Halfedge_index in, Halfedge_index out, const On_A_and_C& on_A_and_C, bool is_last)
   {
     m_mesh.set_next(in, out);
     if(is_last)
@@ -313,7 +313,7 @@ private:
       const Mark& mark = m_chords.marks(s)[p];
       const Halfedge_index inward = first_piece_from(m_chords.end_at_mark(s, p));
       const std::size_t k = mark.family;
-      Place place;
+      On_A_and_C place;
       place[1 - k] = mark.other;
       place[k] = reversed(mark.across);
       link(piece_of_side(h, p), inward, place, is_last);
@@ -329,7 +329,7 @@ private:
     const Halfedge_index before = m_chords.sides()[(s + 2) % 3], after = m_chords.sides()[s];
     const bool is_last = m_builder.is_last_at_source(m_face, after);
     Halfedge_index out = piece_of_side(after, 0);
-    Place place;
+    On_A_and_C place;
     for(std::size_t k = 0; k < 2; ++k)
       place[k] = Vertex_location{m_marks.outgoing(k, after)};
     for(std::size_t i = m_chords.number_at_corner(s); i-- > 0;) {
@@ -363,7 +363,7 @@ private:
                          d_in = piece_of_chord(d, crossing.rank[1]),
                          d_out = piece_of_chord(d, crossing.rank[1] + 1);
     const auto place = [&](bool left_of_c, bool left_of_d) {
-      Place result;
+      On_A_and_C result;
       result[m_chords[c].family] = place_on_chord(c, m_chords.places(x)[0], left_of_c);
       result[m_chords[d].family] = place_on_chord(d, m_chords.places(x)[1], left_of_d);
       return result;

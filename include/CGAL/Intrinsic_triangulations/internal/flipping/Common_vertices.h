@@ -74,7 +74,7 @@ public:
   Vertex_index vertex(Vertex_index v) const { return m_vertex[v]; }
 
 private:
-  typedef std::tuple<std::size_t, std::size_t, FT, FT, FT> Place;
+  typedef std::tuple<std::size_t, std::size_t, FT, FT, FT> Key;
   typedef std::vector<Vertex_index> Vertices;
 
   static Triangulation unconstrained(Triangulation tri)
@@ -91,7 +91,7 @@ private:
   }
 
   // Equal for equal points, whichever side of an edge they have been inserted from.
-  static Place place(Vertex_index v, const Triangulation& tri)
+  static Key key(Vertex_index v, const Triangulation& tri)
   {
     const Surface_point<FT>& m = tri.inserted_vertex(v);
     if(on_edge(m)) {
@@ -102,32 +102,32 @@ private:
     return {0, f.idx(), b[0], b[1], b[2]};
   }
 
-  static bool are_in_one_element(const Place& p, const Place& q)
+  static bool are_in_one_element(const Key& p, const Key& q)
   {
     return std::get<0>(p) == std::get<0>(q) && std::get<1>(p) == std::get<1>(q);
   }
 
-  typedef std::vector<std::pair<Place, Vertex_index>> Places;
+  typedef std::vector<std::pair<Key, Vertex_index>> Keys;
 
-  static Places inserted_places(const Triangulation& tri)
+  static Keys keys_of_inserted(const Triangulation& tri)
   {
-    Places result;
+    Keys result;
     for(Vertex_index v : tri.mesh().vertices())
       if(tri.is_inserted(v))
-        result.emplace_back(place(v, tri), v);
+        result.emplace_back(key(v, tri), v);
     std::sort(result.begin(), result.end());
     return result;
   }
 
   // Returns the vertex at `p` up to rounding, null if there is none.
-  static Vertex_index vertex_at(const Place& p, const Places& places)
+  static Vertex_index vertex_at(const Key& p, const Keys& keys)
   {
     const FT tolerance = region_tolerance<FT>();
     const auto is_near = [&](const FT& x, const FT& y) { return CGAL::abs(x - y) <= tolerance; };
     const auto& [kind, element, x, y, z] = p;
-    const std::pair least(Place(kind, element, x - tolerance, FT(-1), FT(-1)), Vertex_index(0));
-    for(auto q = std::lower_bound(places.begin(), places.end(), least);
-        q != places.end() && are_in_one_element(p, q->first) &&
+    const std::pair least(Key(kind, element, x - tolerance, FT(-1), FT(-1)), Vertex_index(0));
+    for(auto q = std::lower_bound(keys.begin(), keys.end(), least);
+        q != keys.end() && are_in_one_element(p, q->first) &&
         is_near(std::get<2>(q->first), std::get<2>(p));
         ++q)
       if(is_near(std::get<3>(q->first), std::get<3>(p)) &&
@@ -140,9 +140,9 @@ private:
   // noted.
   Vertices missing(const Triangulation& from, const Triangulation& to, bool from_base)
   {
-    const Places there = inserted_places(to);
+    const Keys there = keys_of_inserted(to);
     Vertices result;
-    for(const auto& [p, v] : inserted_places(from))
+    for(const auto& [p, v] : keys_of_inserted(from))
       if(const Vertex_index w = vertex_at(p, there); w.is_valid())
         note(v, w, !from_base);
       else
@@ -150,7 +150,7 @@ private:
     return result;
   }
 
-  // In every round at most one vertex is inserted into a face, for places are found all at once.
+  // In every round at most one vertex is inserted into a face, for keys are found all at once.
   void insert_all(Vertices vertices, const Triangulation& from, Triangulation& to,
                   Triangulation* follower)
   {
@@ -191,15 +191,11 @@ private:
     return rest;
   }
 
-  // the face, and that beyond a side on which `p` is
   static std::vector<Face_index> faces_around(const Face_location<FT>& p, const Delta_complex& mesh)
   {
-    std::vector<Face_index> result{p.first};
-    const auto side = sides(p.first, mesh);
-    for(std::size_t s = 0; s < 3; ++s)
-      if(const Halfedge_index o = mesh.opposite(side[s]);
-         p.second[(s + 2) % 3] == 0 && !mesh.is_border(o))
-        result.push_back(mesh.face(o));
+    std::vector<Face_index> result;
+    for_each_location(surface_point(p, mesh), mesh,
+                      [&](const Face_location<FT>& q) { result.push_back(q.first); });
     return result;
   }
 
@@ -215,7 +211,7 @@ private:
                                           to.length(Edge_index(h)));
     const Vertex_index result = inserter.insert(p, closeness);
     if(to.mesh().number_of_vertices() == before ||
-       !are_in_one_element(place(result, to), place(v, from)))
+       !are_in_one_element(key(result, to), key(v, from)))
       throw Numerical_error("rounding has moved inserted vertex " + std::to_string(v.idx()) +
                             " to another element of the other triangulation");
     return result;

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
@@ -55,12 +56,10 @@ public:
   Geodesic<FT> from(const Face_location<FT>& p, const Vector& vector)
   {
     start(m_mesh.halfedge(p.first), p.second, vector);
-    for(std::size_t k = 0; k < 3; ++k)
-      if(m_place[(k + 1) % 3] == 0 && m_place[(k + 2) % 3] == 0) {
-        turn_frame(k);
-        leave_corner();
-        break;
-      }
+    if(const Surface_point<FT> point = surface_point(p, m_mesh); is_at_vertex(point)) {
+      turn_frame(side_number(halfedge_of(point), m_mesh));
+      leave_corner();
+    }
     return trace();
   }
 

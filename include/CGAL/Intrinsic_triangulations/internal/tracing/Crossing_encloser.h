@@ -31,7 +31,7 @@ class Crossing_enclosure
   typedef Triangulation_pair<Traits> Pair;
   typedef Rounded_corners<N, typename Pair::Metric::Number> Corners;
   typedef Exact_decisions<Traits> Decisions;
-  typedef Trace_point<Interval_nt<>> Place;
+  typedef Trace_point<Interval_nt<>> Enclosure;
 
 public:
   Crossing_enclosure(const Pair& pair, const Edge_courses<Traits>& courses)
@@ -39,13 +39,13 @@ public:
   {}
 
   // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge.
-  std::vector<Place> operator()(Halfedge_index h)
+  std::vector<Enclosure> operator()(Halfedge_index h)
   {
     const auto from_source = m_development.strip(h);
     const auto from_target = m_development.strip(opposite(h));
     const auto direction = conj(from_source.end);
     const std::size_t n = from_source.crossed.size();
-    std::vector<Place> result;
+    std::vector<Enclosure> result;
     for(std::size_t m = 0; m < n; ++m)
       result.push_back(place(h, direction, from_source.crossed[m], from_target.crossed[n - 1 - m]));
     return result;
@@ -55,7 +55,8 @@ private:
   // Returns the place where `h`, which has this direction, passes a side of T1, as it is seen from
   // both its ends.
   template <typename Complex, typename Side>
-  static Place place(Halfedge_index h, const Complex& direction, const Side& near, const Side& far)
+  static Enclosure place(Halfedge_index h, const Complex& direction, const Side& near,
+                         const Side& far)
   {
     auto right = -(direction * near.source), left = direction * near.target;
     if(!is_first_halfedge(near.halfedge))
@@ -114,7 +115,7 @@ template <typename Traits>
 class Crossing_encloser
 {
   typedef Triangulation_pair<Traits> Pair;
-  typedef std::vector<Trace_point<Interval_nt<>>> Places;
+  typedef std::vector<Trace_point<Interval_nt<>>> Enclosures;
 
 public:
   Crossing_encloser(const Pair& pair, const Edge_courses<Traits>& courses)
@@ -123,33 +124,33 @@ public:
 
   // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge, in
   // intervals of this width, or wider ones if `most_digits` do not suffice.
-  Places operator()(Halfedge_index h, double width)
+  Enclosures operator()(Halfedge_index h, double width)
   {
-    const Places result = with_few_digits(h, width);
+    const Enclosures result = with_few_digits(h, width);
     return are_narrow(result, width) ? result
                                      : Crossing_enclosure<Traits, Long_float>(m_pair, m_courses)(h);
   }
 
   // Returns the same, but takes no more than 106 bits if `h` passes a face without area: where it
   // runs along an edge, more do not help.
-  Places with_digits_that_help(Halfedge_index h, double width)
+  Enclosures with_digits_that_help(Halfedge_index h, double width)
   {
-    Places result = with_few_digits(h, width);
+    Enclosures result = with_few_digits(h, width);
     return are_narrow(result, width) || passes_flat_face(h) ? result : (*this)(h, width);
   }
 
 private:
-  static bool are_narrow(const Places& places, double width)
+  static bool are_narrow(const Enclosures& places, double width)
   {
     return std::all_of(places.begin(), places.end(),
                        [&](const auto& place) { return is_narrow(place, width); });
   }
 
-  Places with_few_digits(Halfedge_index h, double width)
+  Enclosures with_few_digits(Halfedge_index h, double width)
   {
     if(m_courses.count(h) == 0)
       return {};
-    Places result = m_in_double(h);
+    Enclosures result = m_in_double(h);
     return are_narrow(result, width) ? result : m_extended(h);
   }
 

@@ -38,7 +38,7 @@ class Input_face_walk
 
 public:
   // a region of a face of T2
-  typedef std::pair<Face_index, std::size_t> Place;
+  typedef std::pair<Face_index, std::size_t> Region_id;
 
   // a piece of a halfedge of T2, which has a region on its left
   struct Piece
@@ -48,14 +48,14 @@ public:
   };
 
   // a region with its corners on both triangulations
-  struct Face_of_place
+  struct Mapped_region
   {
-    Face_of_place(const Place& place, const Input_face_walk& regions)
-      : intrinsic_face(place.first), region(regions.region(place))
+    Mapped_region(const Region_id& id, const Input_face_walk& regions)
+      : intrinsic_face(id.first), region(regions.region(id))
     {
-      const Marks marks(Side::intrinsic, place.first, regions.m_correspondence);
+      const Marks marks(Side::intrinsic, id.first, regions.m_correspondence);
       const Face_map<FT, Marks> face_map(marks, regions.m_correspondence.mesh(Side::input));
-      std::tie(input_face, map) = face_map.region_map(place.second);
+      std::tie(input_face, map) = face_map.region_map(id.second);
     }
 
     Face_index face(Side side) const { return side == Side::input ? input_face : intrinsic_face; }
@@ -83,19 +83,19 @@ public:
     : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
   {}
 
-  Region region(const Place& place) const { return regions_of(place.first)[place.second]; }
+  Region region(const Region_id& id) const { return regions_of(id.first)[id.second]; }
 
   // returns the region on the left of a piece
-  Place place_at(const Piece& piece) const
+  Region_id region_at(const Piece& piece) const
   {
     const Face_index f = m_mesh.face(piece.halfedge);
     return {f, regions_of(f).region_at_side(side_number(piece.halfedge, m_mesh), piece.number)};
   }
 
   // returns the piece of a side after `corner`; none on the boundary of the face of T1
-  std::optional<Piece> piece_after(const Region_corner& corner, const Place& place) const
+  std::optional<Piece> piece_after(const Region_corner& corner, const Region_id& id) const
   {
-    const Halfedge_index h = sides(place.first, m_mesh)[corner.side];
+    const Halfedge_index h = sides(id.first, m_mesh)[corner.side];
     if(corner.arc_follows || m_correspondence.is_shared(Side::intrinsic, Edge_index(h)))
       return {};
     return Piece{h, number_of_piece(corner)};
@@ -110,52 +110,52 @@ public:
   }
 
   // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
-  std::optional<Place> beyond(const Region_corner& corner, const Place& place) const
+  std::optional<Region_id> beyond(const Region_corner& corner, const Region_id& id) const
   {
-    const std::optional<Piece> piece = piece_after(corner, place);
-    return piece ? std::optional<Place>(place_at(reversed(*piece))) : std::nullopt;
+    const std::optional<Piece> piece = piece_after(corner, id);
+    return piece ? std::optional<Region_id>(region_at(reversed(*piece))) : std::nullopt;
   }
 
   // Calls `visit(c, neighbor)` for the corners of a region with a neighbor in the face of `side`
   // beyond the piece of an edge of the other side after them.
   template <typename Visit>
-  void for_each_exit(Side side, const Place& place, const Visit& visit) const
+  void for_each_exit(Side side, const Region_id& id, const Visit& visit) const
   {
-    const Region corners = region(place);
+    const Region corners = region(id);
     for(std::size_t c = 0; c < corners.size(); ++c)
       if(side == Side::intrinsic) {
         if(corners[c].arc_follows)
-          visit(c, beyond_curve(corners[c].is_vertex() ? corners.next(c) : corners[c], place));
-      } else if(const std::optional<Place> neighbor = beyond(corners[c], place))
+          visit(c, beyond_curve(corners[c].is_vertex() ? corners.next(c) : corners[c], id));
+      } else if(const std::optional<Region_id> neighbor = beyond(corners[c], id))
         visit(c, *neighbor);
   }
 
   // Returns the halfedge of the side other than `side` after corner `c` of a region, which lies on
   // its left.
-  Halfedge_index halfedge_after(Side side, const Place& place, std::size_t c) const
+  Halfedge_index halfedge_after(Side side, const Region_id& id, std::size_t c) const
   {
-    const Region corners = region(place);
+    const Region corners = region(id);
     if(side == Side::input)
-      return sides(place.first, m_mesh)[corners[c].side];
-    const Marks marks(side, place.first, m_correspondence);
+      return sides(id.first, m_mesh)[corners[c].side];
+    const Marks marks(side, id.first, m_correspondence);
     return corners[c].is_vertex()
              ? marks.across(corners.next(c).side, corners.next(c).mark).halfedge
              : opposite(marks.across(corners[c].side, corners[c].mark).halfedge);
   }
 
-  // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
+  // Calls `visit(id)` for the regions of the face of T1 in which `start` lies, once each, until
   // it returns true.
   template <typename Visit>
-  void for_each_place(const Place& start, const Visit& visit) const
+  void for_each_region(const Region_id& start, const Visit& visit) const
   {
-    std::set<Place> seen{start};
-    std::vector<Place> waiting{start};
+    std::set<Region_id> seen{start};
+    std::vector<Region_id> waiting{start};
     while(!waiting.empty()) {
-      const Place place = waiting.back();
+      const Region_id id = waiting.back();
       waiting.pop_back();
-      if(visit(place))
+      if(visit(id))
         return;
-      for_each_exit(Side::input, place, [&](std::size_t, const Place& neighbor) {
+      for_each_exit(Side::input, id, [&](std::size_t, const Region_id& neighbor) {
         if(seen.insert(neighbor).second)
           waiting.push_back(neighbor);
       });
@@ -164,63 +164,63 @@ public:
 
   // returns the region on the left of the halfedge `h` of T1 next to its crossing `p`, after it or
   // before it
-  Place place_at_crossing(Halfedge_index h, size_type p, bool is_after) const
+  Region_id region_at_crossing(Halfedge_index h, size_type p, bool is_after) const
   {
     const auto crossing = m_correspondence.crossing(Side::input, h, p);
     const Halfedge_index leaving = crossing.across.halfedge;
     const Halfedge_index x = is_after ? leaving : m_mesh.opposite(leaving);
     const std::size_t mark = m_correspondence.crossings_on_intrinsic().position(x, crossing.id);
-    return place_at({x, is_after ? mark : mark + 1});
+    return region_at({x, is_after ? mark : mark + 1});
   }
 
   // returns the region of the face `f` of T2 in which `p` lies
-  Place place_in_face(Face_index f, const Coordinates& p) const
+  Region_id region_in_face(Face_index f, const Coordinates& p) const
   {
     const Marks marks(Side::intrinsic, f, m_correspondence);
     return {f, Face_map<FT, Marks>(marks, m_correspondence.mesh(Side::input)).region_of(p)};
   }
 
   // returns the region in the face of the halfedge `h` of T1 at its source, next to `h`
-  Place place_at_source(Halfedge_index h) const
+  Region_id region_at_source(Halfedge_index h) const
   {
     const Halfedge_index outgoing = m_correspondence.outgoing_before(Side::input, h);
     if(m_correspondence.outgoing_before(Side::intrinsic, outgoing) == h &&
        m_correspondence.is_shared(Side::intrinsic, Edge_index(outgoing)))
-      return place_at({outgoing, 0});
-    return place_at_crossing(h, 0, false);
+      return region_at({outgoing, 0});
+    return region_at_crossing(h, 0, false);
   }
 
-  // returns the place on T2 of the point `p` of a face of T1
+  // returns the position on T2 of the point `p` of a face of T1
   Face_location<FT> operator()(const Face_location<FT>& p) const
   {
-    const Place place = place_of(p);
-    return {place.first, Face_of_place(place, *this).map_from(Side::input)(p.second)};
+    const Region_id id = region_of(p);
+    return {id.first, Mapped_region(id, *this).map_from(Side::input)(p.second)};
   }
 
   // returns the region that has the point `p` of a face of T1, up to rounding
-  Place place_of(const Face_location<FT>& p) const
+  Region_id region_of(const Face_location<FT>& p) const
   {
-    Place place = place_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));
-    const Place start = place;
+    Region_id id = region_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));
+    const Region_id start = id;
     for(std::size_t steps = 0; steps <= m_mesh.number_of_faces(); ++steps) {
-      const std::optional<Place> next = next_place(place, p.second);
+      const std::optional<Region_id> next = next_region(id, p.second);
       if(!next)
         break;
-      place = *next;
+      id = *next;
     }
-    return squared_distance(place, p.second) > CGAL::square(region_tolerance<FT>())
-             ? closest_place(start, p.second)
-             : place;
+    return squared_distance(id, p.second) > CGAL::square(region_tolerance<FT>())
+             ? closest_region(start, p.second)
+             : id;
   }
 
 private:
   // Returns the region beyond the piece through which the line from the first corner of the face of
   // T1 to `p` leaves the region; none if `p` is not beyond it.
-  std::optional<Place> next_place(const Place& place, const Coordinates& p) const
+  std::optional<Region_id> next_region(const Region_id& id, const Coordinates& p) const
   {
-    const Face_of_place face(place, *this);
+    const Mapped_region face(id, *this);
     const Coordinates start{FT(1), FT(0), FT(0)};
-    std::optional<Place> result;
+    std::optional<Region_id> result;
     FT best(0);
     for(std::size_t c = 0; c < face.region.size(); ++c) {
       const FT right = -orientation(start, p, face.corner(Side::input, c));
@@ -228,18 +228,18 @@ private:
       if((std::min)(right, left) >= best && right + left > 0 &&
          orientation(face.corner(Side::input, c), face.corner(Side::input, c + 1), p) < 0) {
         best = (std::min)(right, left);
-        result = beyond(face.region[c], place);
+        result = beyond(face.region[c], id);
       }
     }
     return result;
   }
 
   // Returns the region in the face of T1 that is closest to `p`. Each is looked at once.
-  Place closest_place(const Place& start, const Coordinates& p) const
+  Region_id closest_region(const Region_id& start, const Coordinates& p) const
   {
-    std::pair<FT, Place> best(squared_distance(start, p), start);
-    for_each_place(start, [&](const Place& place) {
-      best = (std::min)(best, std::make_pair(squared_distance(place, p), place));
+    std::pair<FT, Region_id> best(squared_distance(start, p), start);
+    for_each_region(start, [&](const Region_id& id) {
+      best = (std::min)(best, std::make_pair(squared_distance(id, p), id));
       return false;
     });
     return best.second;
@@ -247,9 +247,9 @@ private:
 
   // Returns the squared distance of `p` from a region, in barycentric coordinates. Pieces that are
   // so short that rounding may turn them do not determine where the inside is.
-  FT squared_distance(const Place& place, const Coordinates& p) const
+  FT squared_distance(const Region_id& id, const Coordinates& p) const
   {
-    const Face_of_place face(place, *this);
+    const Mapped_region face(id, *this);
     std::size_t long_pieces = 0;
     bool is_outside = false;
     FT least = std::numeric_limits<FT>::infinity();
@@ -265,12 +265,12 @@ private:
   }
 
   // Returns the region on the other side of the curve that leaves the face of T2 at `mark`.
-  Place beyond_curve(const Region_corner& mark, const Place& place) const
+  Region_id beyond_curve(const Region_corner& mark, const Region_id& id) const
   {
-    const Face_regions regions = regions_of(place.first);
+    const Face_regions regions = regions_of(id.first);
     const std::size_t before = regions.region_at_side(mark.side, mark.mark);
-    return {place.first,
-            before == place.second ? regions.region_at_side(mark.side, mark.mark + 1) : before};
+    return {id.first,
+            before == id.second ? regions.region_at_side(mark.side, mark.mark + 1) : before};
   }
 
   static std::size_t number_of_piece(const Region_corner& corner)

@@ -27,7 +27,7 @@ template <typename Traits>
 class Path_pieces
 {
   typedef typename Traits::FT FT;
-  typedef Surface_point<FT> Place;
+  typedef Surface_point<FT> Point;
   typedef Curve_segment<FT> Segment;
   typedef boost::container::static_vector<Barycentric_coordinates<FT>, 3> Points;
 
@@ -44,7 +44,7 @@ public:
   // Returns piece `k`: along an edge between two vertices, otherwise through a face.
   Segment operator[](std::size_t k) const
   {
-    const Place &p = m_path.places[k], &q = m_path.places[k + 1];
+    const Point &p = m_path.places[k], &q = m_path.places[k + 1];
     const auto& surface = m_correspondence.triangulation().surface(m_side);
     if(is_at_vertex(p) && is_at_vertex(q))
       return curve_along_edges(surface, std::array<Halfedge_index, 1>{halfedge_of(p)}).front();
@@ -80,7 +80,7 @@ private:
   // rounding has moved it.
   Face_index face(std::size_t k) const
   {
-    const Place &p = m_path.places[k], &q = m_path.places[k + 1];
+    const Point &p = m_path.places[k], &q = m_path.places[k + 1];
     const Face_index first = face_location(p, m_mesh).first;
     if(!on_edge(p))
       return first;
@@ -94,7 +94,7 @@ private:
 
   // Returns the points of a face at which a place is: several if the face meets itself there. If
   // the path crosses a side of the face, only this side counts.
-  Points points(const Place& p, Face_index f, Halfedge_index crossed) const
+  Points points(const Point& p, Face_index f, Halfedge_index crossed) const
   {
     if(const auto* inside = std::get_if<Face_location<FT>>(&p))
       return inside->first == f ? Points{inside->second} : Points();

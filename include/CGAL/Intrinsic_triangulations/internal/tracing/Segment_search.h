@@ -183,8 +183,8 @@ class Segment_search
   typedef Delta_complex::size_type size_type;
   typedef Barycentric_coordinates<FT> Coordinates;
   typedef Input_face_walk<Traits> Regions;
-  typedef typename Regions::Place Place;
-  typedef typename Regions::Face_of_place Face_of_place;
+  typedef typename Regions::Region_id Region_id;
+  typedef typename Regions::Mapped_region Mapped_region;
 
 public:
   Segment_search(const Correspondence<Traits>& correspondence, Side side, Face_index f)
@@ -203,10 +203,10 @@ public:
     const End from = located(p), to = located(q);
     Crossed_segment<FT> segment(p.p, q.p);
     const std::vector<Step> steps = way(from, to, segment);
-    std::vector<Surface_point<FT>> places{place_of(from, steps.front().region)};
+    std::vector<Surface_point<FT>> places{point_of(from, steps.front().region)};
     for(std::size_t i = 0; i + 1 < steps.size(); ++i)
       places.push_back(crossing(steps[i], segment));
-    places.push_back(place_of(to, steps.back().region));
+    places.push_back(point_of(to, steps.back().region));
     return places;
   }
 
@@ -214,56 +214,56 @@ private:
   struct End
   {
     Segment_end<FT> point;
-    Place region;
+    Region_id region;
     bool is_vertex; // of T2
   };
 
   // a region and the corner after which a segment leaves it
   struct Step
   {
-    Place region;
+    Region_id region;
     std::size_t corner;
   };
 
-  Face_of_place face(const Place& region) const { return {region, m_regions}; }
+  Mapped_region face(const Region_id& region) const { return {region, m_regions}; }
 
   // ---- Ends ----
 
   End located(const Segment_end<FT>& p) const
   {
-    const Place region = m_on == Side::input ? region_on_input(p) : region_on_intrinsic(p);
+    const Region_id region = m_on == Side::input ? region_on_input(p) : region_on_intrinsic(p);
     return {p, region, corner_at(p.p, face(region)).has_value()};
   }
 
-  Place region_on_intrinsic(const Segment_end<FT>& p) const
+  Region_id region_on_intrinsic(const Segment_end<FT>& p) const
   {
     if(p.side == Segment_end<FT>::inside)
-      return m_regions.place_in_face(m_face, p.p);
+      return m_regions.region_in_face(m_face, p.p);
     const Halfedge_index h = m_side[p.side];
     const size_type n = m_correspondence.number_of_crossings(m_on, Edge_index(h)),
                     before = is_first_halfedge(h) ? p.rank.rank : n - p.rank.rank;
-    return m_regions.place_at({h, p.is_corner ? 0 : before});
+    return m_regions.region_at({h, p.is_corner ? 0 : before});
   }
 
-  Place region_on_input(const Segment_end<FT>& p) const
+  Region_id region_on_input(const Segment_end<FT>& p) const
   {
     if(p.is_on_side())
       return region_at_rank(m_side[p.side], p.rank);
-    return p.is_corner ? m_regions.place_at_source(m_side[p.side])
-                       : m_regions.place_of({m_face, p.p});
+    return p.is_corner ? m_regions.region_at_source(m_side[p.side])
+                       : m_regions.region_of({m_face, p.p});
   }
 
-  Place region_at_rank(Halfedge_index h, const Rank_on_edge& x) const
+  Region_id region_at_rank(Halfedge_index h, const Rank_on_edge& x) const
   {
     const Edge_index e(h);
     const auto& part = m_correspondence.part(e, x.part);
     if(part.is_shared)
-      return m_regions.place_at({outgoing_at_part(h, x.part), 0});
+      return m_regions.region_at({outgoing_at_part(h, x.part), 0});
     const size_type n = m_correspondence.number_of_crossings(Side::input, e),
                     before = part.first - m_correspondence.part(e, 0).first,
                     p = is_first_halfedge(h) ? x.rank : n - x.rank;
     const bool is_last = x.rank == before + (is_first_halfedge(h) ? part.count : 0);
-    return m_regions.place_at_crossing(h, is_last ? p - 1 : p, is_last);
+    return m_regions.region_at_crossing(h, is_last ? p - 1 : p, is_last);
   }
 
   // Returns the halfedge of T2 at which a part of the halfedge `h` of T1 starts.
@@ -278,7 +278,7 @@ private:
   }
 
   // Returns the corner of a region that is the vertex at `p`, if there is one.
-  std::optional<std::size_t> corner_at(const Coordinates& p, const Face_of_place& face) const
+  std::optional<std::size_t> corner_at(const Coordinates& p, const Mapped_region& face) const
   {
     for(std::size_t c = 0; c < face.region.size(); ++c)
       if(face.region[c].is_vertex() && face.corner(m_on, c) == p)
@@ -286,17 +286,17 @@ private:
     return {};
   }
 
-  bool is_at(const End& end, const Place& region) const
+  bool is_at(const End& end, const Region_id& region) const
   {
     return end.is_vertex ? corner_at(end.point.p, face(region)).has_value() : region == end.region;
   }
 
-  Surface_point<FT> place_of(const End& end, const Place& region) const
+  Surface_point<FT> point_of(const End& end, const Region_id& region) const
   {
-    const Face_of_place face = this->face(region);
+    const Mapped_region face = this->face(region);
     const Face_index f = face.face(other(m_on));
     if(const auto c = corner_at(end.point.p, face))
-      return place_of_vertex({f, face.corner(other(m_on), *c)}, face.region[*c].side);
+      return point_of_vertex({f, face.corner(other(m_on), *c)}, face.region[*c].side);
     const Face_location<FT> location(f, face.map_from(m_on)(end.point.p));
     const Halfedge_index along =
       end.point.is_on_side() ? shared_halfedge(end.point) : Delta_complex::null_halfedge();
@@ -304,7 +304,7 @@ private:
                             : Surface_point<FT>(location);
   }
 
-  Surface_point<FT> place_of_vertex(const Face_location<FT>& p, std::size_t corner) const
+  Surface_point<FT> point_of_vertex(const Face_location<FT>& p, std::size_t corner) const
   {
     const bool is_inside =
       m_on == Side::intrinsic && !m_correspondence.outgoing_before(m_on, m_side[corner]).is_valid();
@@ -343,16 +343,16 @@ private:
   std::vector<Step> way(const End& from, const End& to, const Crossed_segment<FT>& segment,
                         const FT& width) const
   {
-    std::map<Place, Step> reached_from{{from.region, {from.region, 0}}};
-    std::vector<Place> reached{from.region};
+    std::map<Region_id, Step> reached_from{{from.region, {from.region, 0}}};
+    std::vector<Region_id> reached{from.region};
     for(std::size_t i = 0; i < reached.size(); ++i) {
-      const Place place = reached[i];
-      if(is_at(to, place))
-        return steps_to(place, from, reached_from);
-      const Face_of_place face = this->face(place);
-      m_regions.for_each_exit(m_on, place, [&](std::size_t c, const Place& neighbor) {
+      const Region_id id = reached[i];
+      if(is_at(to, id))
+        return steps_to(id, from, reached_from);
+      const Mapped_region face = this->face(id);
+      m_regions.for_each_exit(m_on, id, [&](std::size_t c, const Region_id& neighbor) {
         if(segment.meets(face.corner(m_on, c), face.corner(m_on, c + 1), width) &&
-           reached_from.try_emplace(neighbor, Step{place, c}).second)
+           reached_from.try_emplace(neighbor, Step{id, c}).second)
           reached.push_back(neighbor);
       });
     }
@@ -360,8 +360,8 @@ private:
   }
 
   // A segment from a vertex starts in the last region there.
-  std::vector<Step> steps_to(const Place& last, const End& from,
-                             const std::map<Place, Step>& reached_from) const
+  std::vector<Step> steps_to(const Region_id& last, const End& from,
+                             const std::map<Region_id, Step>& reached_from) const
   {
     std::vector<Step> steps{{last, 0}};
     while(!is_at(from, steps.back().region))
@@ -373,7 +373,7 @@ private:
   // Returns where the segment leaves a region, on the edge of the other triangulation there.
   Surface_point<FT> crossing(const Step& step, Crossed_segment<FT>& segment) const
   {
-    const Face_of_place face = this->face(step.region);
+    const Mapped_region face = this->face(step.region);
     const std::size_t c = step.corner, d = c + 1 == face.region.size() ? 0 : c + 1;
     const FT t = segment.next_crossing_on(face.corner(m_on, c), face.corner(m_on, d));
     const FT at_c = (1 - t) * face.scale(m_on, c), at_d = t * face.scale(m_on, d);
