@@ -35,6 +35,13 @@ says()
   grep -qF -- "$1" out err || fail "expected '$1' in: $(cat out err)"
 }
 
+# refuses TEXT ARGUMENTS...: the call is wrong, and the program says why.
+refuses()
+{
+  expect 2 "${@:2}"
+  says "$1"
+}
+
 # expect_files NAMES...: there is nothing but these beside the meshes, hidden files included.
 expect_files()
 {

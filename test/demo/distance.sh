@@ -132,23 +132,19 @@ says 'no heat reaches vertex'
 says 'a greater time step factor is needed'
 
 # Wrong calls.
-expect 2 distance slivers.mesh.off -o a.ply
-expect 2 distance slivers.mesh.off --source 0
 for source in 1320 -1 99999999999; do
-  expect 2 distance slivers.mesh.off --source=$source -o a.ply
-  says "slivers.mesh.off: there is no vertex $source to be a source; the vertices are 0 to 1319"
+  refuses "slivers.mesh.off: there is no vertex $source to be a source; the vertices are 0 to 1319" \
+    distance slivers.mesh.off --source=$source -o a.ply
 done
 expect 2 distance slivers.mesh.off --source one -o a.ply
 for path in a.off a.obj; do
-  expect 2 distance slivers.mesh.off --source 0 -o $path
-  says "$path: this format cannot carry distances (.ply and .vtp can)"
+  refuses "$path: this format cannot carry distances (.ply and .vtp can)" \
+    distance slivers.mesh.off --source 0 -o $path
   expect 2 distance slivers.mesh.off --source 0 -o a.ply --subdivision $path
 done
 expect 2 distance slivers.mesh.off --source 0 -o - --format off
-expect 2 distance slivers.mesh.off --source 0 -o a.stl
 expect 2 distance slivers.mesh.off --source 0 -o a.ply --subdivision a.ply
 expect 2 distance slivers.mesh.off --source 0 -o a.ply --time-step 0
-expect 2 distance polygon.mesh.off --source 0 -o a.ply --strict
 expect_files
 
 # ---- Methods ----
@@ -223,13 +219,6 @@ for method in auto exact heat; do
   expect 0 distance alone.mesh.off --source 0 --source 3 --source 3 --source 0:1,0,0 -o a.ply --method $method
   claim "d = ply('a.ply').vertex['distance']" 'd[0] == d[3] == 0' 'd[1] > .9' 'd[2] > .9'
 done
-for options in '--signed --method exact --curve border.mesh.obj' '--signed --exact-distance --curve border.mesh.obj'; do
-  # shellcheck disable=SC2086
-  expect 2 distance even.mesh.off -o c.ply $options
-  says '--signed is by heat; leave out --method exact and --exact-distance'
-done
-expect 2 distance even.mesh.off --source 0 -o c.ply --method exact --time-step 2
-says '--time-step is for heat'
 expect 2 distance even.mesh.off --source 0 -o c.ply --method best
 expect 2 distance even.mesh.off --source 0 -o c.ply --method heat --exact-distance
 rm a.* b.* boundary
@@ -464,11 +453,7 @@ done
 cmp obj.ply vtp.ply
 rm a.* obj.ply vtp.ply
 
-refuses_curve()
-{
-  expect 2 distance "${@:2}" -o a.ply
-  says "$1"
-}
+refuses_curve() { refuses "$1" distance "${@:2}" -o a.ply; }
 printf 'v 0 0 0\n' >none.mesh.obj
 printf 'v 0 0 0\nl 1\n' >one.mesh.obj
 printf 'v 0 0 0\nl 1 9\n' >bad.mesh.obj
@@ -478,7 +463,7 @@ refuses_curve 'one.mesh.obj: a polyline has less than two points' square.mesh.of
 refuses_curve 'names a point that does not exist' square.mesh.off --curve bad.mesh.obj
 refuses_curve 'far.mesh.obj: point 2 is 1.000000 away from the surface' square.mesh.off --curve far.mesh.obj
 refuses_curve 'curves are read from .obj, .ply, .vtp and .xyz' square.mesh.off --curve square.mesh.off
-refuses_curve 'no such file' square.mesh.off --curve nothing.obj
+refuses_curve 'nothing.obj: no such file' square.mesh.off --curve nothing.obj
 edges whole.mesh.ply ascii given
 edges binary.mesh.ply binary_little_endian given
 # changed FILE EXPRESSION FROM: the file FROM, changed by sed.
@@ -531,12 +516,6 @@ ends too early; it is not complete | 22s/.VTKFile>//
 ends too early; it is not complete | 2s/-->//
 has no polylines | s/Lines>/Cells>/g
 TABLE
-refuses_curve '--signed needs a --curve' square.mesh.off --source 0 --signed
-refuses_curve '--source or --curve is missing' square.mesh.off
-refuses_curve 'without --source' square.mesh.off --source 0 --curve left.mesh.obj --signed
-refuses_curve 'leave out --method exact' square.mesh.off --curve left.mesh.obj --signed --exact-distance
-printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >edge.mesh.obj
-refuses_curve 'has no signed distance' two_components.mesh.off --curve edge.mesh.obj --signed
 expect_files
 
 if [ -w /dev/full ]; then
@@ -560,9 +539,3 @@ expect 0 distance fan.mesh.off --source 0 --exact-distance -o a.ply --level-sets
 claim "near(lines('b.vtp'), [1, 4 * sqrt(.5)], 1e-12)"
 expect 0 distance slivers.mesh.off --source 0 -o a.ply --min-angle 25 --level-sets b.obj
 claim "len([w for w in lines_of('b.obj') if w.startswith('l')]) >= 10"
-expect 2 distance good.mesh.off --source 0 -o a.ply --level-sets b.off
-says 'b.off: this format has no lines (.obj, .ply and .vtp have)'
-expect 2 distance good.mesh.off --source 0 -o a.ply --level 1
-says '--level is for --level-sets; name a file for the curves'
-expect 2 distance edge_of_three.mesh.off --source 0 -o a.ply --level-sets b.obj
-says 'edge_of_three.mesh.off: --level-sets needs a surface; --repair may make it one'

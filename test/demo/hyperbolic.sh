@@ -90,15 +90,11 @@ off regular '1 1 1,1 -1 -1,-1 1 -1,-1 -1 1' '0 1 2,0 2 3,0 3 1,1 3 2'
 for v in 0 1 2 3; do echo "$v $(awk -v pi=$pi 'BEGIN { printf "%.17g", 1.5 * pi }')"; done >cones.mesh.txt
 expect 0 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --stats plate.json
 claim "near(json('plate.json').area, 2 * pi, 1e-9)"
-expect 2 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --tiles 2 --svg plate.svg
-says 'a surface with cones has no tiling'
-expect 2 hyperbolic regular.mesh.off -o plate.obj
-says 'the surface is a sphere, which is hyperbolic only with cones: use uniformize'
+refuses 'the surface is a sphere, which is hyperbolic only with cones: use uniformize' \
+  hyperbolic regular.mesh.off -o plate.obj
 for v in 0 1 2 3; do echo "$v 1"; done >few.mesh.txt
-expect 2 hyperbolic regular.mesh.off -o plate.obj --cones few.mesh.txt
-says 'its area would be -8.56637 (Gauss-Bonnet)'
-expect 2 hyperbolic plate2.mesh.off -o plate.off
-says 'cannot carry texture coordinates'
+refuses 'its area would be -8.56637 (Gauss-Bonnet)' \
+  hyperbolic regular.mesh.off -o plate.obj --cones few.mesh.txt
 
 # A component with boundary has its own genus and area, not those of its double: with geodesic
 # boundaries, 2 pi (2 genus - 2 + boundaries), by Gauss and Bonnet.
@@ -196,11 +192,7 @@ claim "json('plate.json').surface_type == 'sphere'"
 
 # Options that are not for a surface are refused, and what hyperbolic and sphere cannot do names
 # the command that can.
-refused()
-{
-  expect 2 "${@:2}" -o refused.obj
-  says "$1"
-}
+refused() { refuses "$@" -o refused.obj; }
 for flat in torus cylinder; do
   refused '--svg is for hyperbolic surfaces' uniformize $flat.mesh.off --svg refused.svg
   refused '--tiles is for hyperbolic surfaces' uniformize $flat.mesh.off --tiles 2 --view a.html
@@ -210,8 +202,6 @@ for round in square regular; do
   refused '--homogeneous is for flat and hyperbolic surfaces' \
     uniformize $round.mesh.off --homogeneous
 done
-refused '--tiles is for --svg and --view' uniformize plate2.mesh.off --tiles 2
-refused '--tiles is for --svg and --view' hyperbolic plate2.mesh.off --tiles 2
 refused 'the surface is a disk, which' hyperbolic square.mesh.off
 refused 'the surface is a torus, which is hyperbolic only with cones: use uniformize' \
   hyperbolic torus.mesh.off

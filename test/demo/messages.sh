@@ -3,8 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What the program says when something is wrong: each row of a table is a call, and what it says. In the
-# end, every message in the sources of the program must have been seen.
+# What the program says when something is wrong: each row of a table is a call, and what it says; no
+# file is written. In the end, every message in the sources of the program must have been seen.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
 off pillow '0 0 0,1 0 0,0 1 0' '0 1 2,2 1 0'
@@ -75,7 +75,7 @@ text value.txt '0 one'
 text range.txt '99 1'
 text twice.txt '0 1;0 2'
 text inside.txt '0 1'
-mkdir folder.off
+mkdir folder.off folder.ply
 off repeated_only "$square" '0 2 2'
 
 off pillow "$tetrahedron" "$tetrahedron_faces"
@@ -84,14 +84,48 @@ off apart '0 0 0,1 0 0,0 1 0,7 7 7' '0 1 2'
 off crossed '0 0 0,1 0 0,1 1 0,0 1 0' '0 2 1 3'
 off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
 
+expect 0 delaunay flat.mesh.off -o flat.mesh.ply
+ln -s flat.mesh.ply link.mesh.ply
 : >seen
-# CODE | what is said | arguments, of which a word may not have spaces
-while IFS='|' read -r code said arguments; do
-  read -ra words <<<"$arguments"
-  expect "${code// /}" "${words[@]}"
-  says "$(sed 's/^ *//; s/ *$//' <<<"$said")"
-  cat out err >>seen
-done <<'TABLE'
+ls >files
+# calls COMMAND...: rows of CODE | what is said | arguments, of which a word may not have spaces
+calls()
+{
+  local code said arguments words
+  while IFS='|' read -r code said arguments; do
+    read -ra words <<<"$arguments"
+    expect "${code// /}" "$@" "${words[@]}"
+    says "$(sed 's/^ *//; s/ *$//' <<<"$said")"
+    cat out err >>seen
+  done
+  [ "$(ls)" = "$(cat files)" ] || fail "$* has written: $(ls | diff files -)"
+}
+
+# What all commands refuse that read a mesh and write one;
+for command in delaunay refine 'distance --source 0' flatten 'simplify --vertices 9' 'path --from 0 --to 1' \
+  sphere hyperbolic uniformize; do
+  # shellcheck disable=SC2086
+  calls $command <<'TABLE'
+2 | --output | flat.mesh.ply
+2 | mesh is required | -o a.ply
+2 | there is no option '--unknown' | flat.mesh.ply -o a.ply --unknown
+2 | no such output format: '.stl' (there are off, obj, ply and vtp) | flat.mesh.ply -o a.stl
+2 | no such output format: '' | flat.mesh.ply -o no_extension
+2 | is a directory | flat.mesh.ply -o folder.ply
+2 | there is no directory | flat.mesh.ply -o nowhere/a.ply
+2 | is the input, which is never overwritten | flat.mesh.ply -o flat.mesh.ply
+2 | is the input, which is never overwritten | flat.mesh.ply -o link.mesh.ply
+2 | is the input, which is never overwritten | flat.mesh.ply -o a.ply --stats ./flat.mesh.ply
+2 | is named for two outputs | flat.mesh.ply -o a.ply --stats a.ply
+2 | is named for two outputs | flat.mesh.ply -o - --stats -
+2 | ; split it, or leave out --strict | polygon.mesh.off --strict -o a.ply
+2 | --threads: '0' is not an integer | flat.mesh.ply -o a.ply --threads 0
+2 | --threads: 'x' is not an integer | flat.mesh.ply -o a.ply --threads x
+TABLE
+done
+
+# and each.
+calls <<'TABLE'
 2 | no such file | info nothing.mesh.off
 2 | is a directory | info folder.off
 2 | line 3 cannot be understood: 'zero' is not a number | info number.mesh.off
@@ -131,15 +165,16 @@ done <<'TABLE'
 2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
 2 | ; correct it in the file | delaunay later.mesh.obj -o a.ply
 2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply
-2 | ; split it, or leave out --strict | delaunay polygon.mesh.off --strict -o a.ply
 2 | --repair makes it a surface | delaunay edge_of_three.mesh.off -o a.ply
-2 | no such output format: '.foo' (there are off, obj, ply and vtp) | delaunay flat.mesh.off -o a.foo
 2 | this format cannot be binary (.ply can) | delaunay flat.mesh.off -o a.vtp --binary
-2 | is a directory | delaunay flat.mesh.off -o folder.off
-2 | there is no directory | delaunay flat.mesh.off -o nowhere/a.ply
-2 | is the input, which is never overwritten | delaunay flat.mesh.off -o flat.mesh.off
-2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --stats a.ply
-2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
+2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --save a.ply
+2 | there is no option '--unknown-option' | info flat.mesh.off --unknown-option
+2 | --mollify: '-1' is not a number | delaunay flat.mesh.off -o a.off --mollify -1
+2 | --constrain-angle: '200' is not a number | delaunay flat.mesh.off -o a.off --constrain-angle 200
+2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o - --format off
+2 | --level is for --level-sets; name a file for the curves | distance flat.mesh.off --source 0 -o a.ply --level 1
+2 | --level-sets needs a surface; --repair may make it one | distance edge_of_three.mesh.off --source 0 -o a.ply --level-sets b.obj
+2 | this format has no lines (.obj, .ply and .vtp have) | distance flat.mesh.off --source 0 -o a.ply --level-sets b.off
 2 | ' is not a point of the mesh: on triangles that are not a surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (draw one there; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
 2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
@@ -189,6 +224,11 @@ done <<'TABLE'
 2 | there is no vertex 99; the vertices are 0 to 24 | flatten flat.mesh.off -o a.obj --cones range.txt
 2 | vertex 0 is in line 1 | flatten flat.mesh.off -o a.obj --cones twice.txt
 2 | this format cannot carry texture coordinates (.obj, .ply and .vtp can) | flatten flat.mesh.off -o a.off
+2 | this format cannot carry texture coordinates | flatten flat.mesh.off -o - --format off
+2 | this format cannot carry texture coordinates | hyperbolic flat.mesh.off -o a.off
+2 | too few vertices | flatten needle.mesh.off --boundary rectangle -o a.obj
+2 | a component has no boundary | flatten pillow.mesh.off --boundary rectangle -o a.obj
+2 | simplex | flatten flat.mesh.off --solver simplex -o a.obj
 2 | --svg is for hyperbolic surfaces | uniformize flat.mesh.off -o a.obj --svg a.svg
 2 | this format has no lines (.obj, .ply and .vtp have) | path flat.mesh.off --from 0 --to 1 -o a.off
 2 | --straightest starts at --from, and takes no other points | path flat.mesh.off --from 0 --to 1 --straightest 10 1 -o a.obj
@@ -221,7 +261,7 @@ done <<'TABLE'
 2 | vertices have no property 'cold'; they have | simplify k.mesh.ply -o a.ply --ratio 0.5 --weight cold=1
 2 | vertices have no colors (.ply, .off and .obj can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
 2 | a value of 'heat' is not finite | simplify j.mesh.ply -o a.ply --ratio 0.5 --weight heat=1
-2 | --component 7: the mesh has 2, counted from 0 | uniformize two_triangles.mesh.off -o a.obj --component 7
+2 | --component 2: the mesh has 2, counted from 0 | uniformize two_triangles.mesh.off -o a.obj --component 2
 2 | --view shows one component, and the mesh has 2: add --component or --largest | sphere two_triangles.mesh.off -o a.ply --view a.html
 2 | --time-step is for heat; leave out --method exact and --exact-distance | distance flat.mesh.off --source 0 --method exact --time-step 1 -o a.ply
 2 | ; try --boundary free or straight | flatten good.mesh.off --boundary disk -o a.obj
@@ -237,7 +277,7 @@ TABLE
 
 # Every message in the sources has been seen, here or in the test of a command, except those that no call
 # can reach.
-grep -h '^ *says ' "$tests"/*.sh >>seen
+grep -hE '^ *(says|refuses) ' "$tests"/*.sh >>seen
 python3 - "$tests/../../demo" seen <<'PYTHON' || fail 'messages that no test has seen'
 import re, sys
 from pathlib import Path
@@ -247,7 +287,7 @@ UNREACHED = """built without | cannot be opened | cannot be read: | could not be
   | there are no faces | 'endfacet' expected""".split("|")
 seen = open(sys.argv[2], errors="replace").read()
 missing = []
-for source in sorted(Path(sys.argv[1]).glob("*.[ch]*")):
+for source in sorted(Path(sys.argv[1]).rglob("*.[ch]*")):
     text = re.sub(r'"\s*\n\s*"', "", source.read_text())
     for call in re.findall(r'(?:throw [\w:]*[eE]rror\(|\bfail\(|\brefuse\()(.*?)\);\n', text, re.S):
         pieces = [p.replace(r'\"', '"') for p in re.findall(r'"((?:[^"\\]|\\.)*)"', call)]

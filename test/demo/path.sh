@@ -27,8 +27,7 @@ claim "s, m = json('a.json'), ply('a.ply')" 's.status == "shortest"' \
 rm -f a.*
 for options in '--from 0 --to 0.9,0.7,5' '--from 1e6,1e6,0 --to 0' '--from 0.5,0.5,2 --straightest 0 1' \
   '--from 0 --to 5 --flips --via 0.5,0.5,-1'; do
-  expect 2 path square.mesh.off $options -o a.ply
-  says 'away from it'
+  refuses 'away from it' path square.mesh.off $options -o a.ply
 done
 
 # Straight on.
@@ -43,8 +42,6 @@ expect 0 path square.mesh.off --from 5 --to 5 -o a.ply --stats a.json
 claim "s, m = json('a.json'), ply('a.ply')" 's.length == 0' 's.crossings == 0' 'len(m.points) == 2'
 
 rm -f a.*
-expect 2 path square.mesh.off --from 1e308,1e308,-1e308 --to 0 -o a.ply
-
 # At a vertex zero degrees is along the side that leaves it in its first face, which is 0 41 42 for
 # vertex 0; in a face it is along the first side. On the boundary other angles lead out of the surface.
 for call in '0 0 1 0' '0 45 0.70710678118654757 0.70710678118654757' '0 90 0 1' '0:1,0,0 0 1 0' \
@@ -58,8 +55,8 @@ claim "s = json('a.json')" 's.places[0]["vertex"] == 861'
 rm -f a.*
 for call in '0 -1' '0 91' '0 180' '0:1,0,0 -90' '0.51,0,0 -90' '40 180.001' '1680 89.999'; do
   read -r from degrees <<<"$call"
-  expect 2 path square.mesh.off --from "$from" --straightest "$degrees" 0.1 -o a.ply
-  says 'leads out of the surface'
+  refuses 'leads out of the surface' \
+    path square.mesh.off --from "$from" --straightest "$degrees" 0.1 -o a.ply
 done
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.3\n0 1 0\n3 0 1 2\n3 0 2 3\n' >roof.mesh.off
 expect 0 path roof.mesh.off --from 0 --straightest 0 0.1 -o a.ply --stats a.json
@@ -181,11 +178,5 @@ claim "m = ply('a.ply')" \
   "all(near(d, dist(p, m.points[3]), 1e-12) for d, p in zip(m.vertex['distance'], m.points))"
 rm a.*
 
-# Calls that make no sense.
-for options in '--from 0' '--from 0 --to 1681' '--from 0 --to 1,2' '--from x --to 3' \
-  '--from 0 --to 5:0.5,0.5,0.5' '--from 0 --to 5:0.2,0.3,0.5 --flips' '--from 0 --to 3 --via 5' \
-  '--from 0 --to 3 --loop' '--from 0 --to 3 --straightest 1 1' '--from 0 --to 99999:1,0,0'; do
-  expect 2 path square.mesh.off $options -o a.ply
-done
-expect 2 path square.mesh.off --from 0 --to 3 -o a.off
+expect 2 path square.mesh.off --from 0 --to 1681 -o a.ply
 expect_files

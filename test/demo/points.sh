@@ -53,17 +53,10 @@ cp a.ply first
 expect 0 distance good.mesh.off --source 0 -o a.ply
 cmp a.ply first
 rm a* first
-expect 2 operators cloud.mesh.off --prefix a
-says 'has no faces'
-expect 2 operators cloud.mesh.xyz --prefix a
-says 'triangulate points with --neighbors 30'
-expect 2 operators cloud.mesh.off --prefix a --neighbors 2
-printf '0 0 0\n1 0 0\n2 0 0\n' >line.mesh.xyz
-expect 2 operators line.mesh.xyz --prefix a --neighbors 5
-says 'no point has neighbors in two directions'
+refuses 'has no faces' operators cloud.mesh.off --prefix a
+refuses 'triangulate points with --neighbors 30' operators cloud.mesh.xyz --prefix a
 printf '0 0 0\n1 0 x\n' >wrong.mesh.xyz
-expect 2 operators wrong.mesh.xyz --prefix a --neighbors 5
-says 'line 2 cannot be understood'
+refuses 'line 2 cannot be understood' operators wrong.mesh.xyz --prefix a --neighbors 5
 : >nothing.mesh.xyz
 expect 2 operators nothing.mesh.xyz --prefix a --neighbors 5
 expect_files

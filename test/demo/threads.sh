@@ -30,6 +30,3 @@ same delaunay slivers.mesh.off -o result.ply --exact
 same refine slivers.mesh.off -o result.ply --save result.save
 same flatten slivers.mesh.off -o result.obj --matrix result.mtx
 same simplify slivers.mesh.off -o result.ply --ratio 0.3 --prolongation result.mtx --save result.save
-
-expect 2 delaunay slivers.mesh.off -o result.ply --threads 0
-expect 2 delaunay slivers.mesh.off -o result.ply --threads x
