@@ -142,8 +142,8 @@ inline Mesh bipyramid(std::size_t n, double height)
   return make_mesh(points, triangles);
 }
 
-// m times n squares, each cut in two. The vertices have the numbers 0, 1, ..., n, ... row by row. The
-// last rows or columns are joined to the first if these are closed.
+// m times n squares, each cut in two. The vertices have the numbers 0, 1, ..., n, ... row by row.
+// The last rows or columns are joined to the first if these are closed.
 inline Triangles lattice(std::size_t m, std::size_t n, bool has_closed_columns = false,
                          bool has_closed_rows = false)
 {

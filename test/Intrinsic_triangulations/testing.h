@@ -44,8 +44,8 @@
 // What all tests use: the headers above, and loops that say where they are.
 namespace Test_surfaces {
 
-// The elements 0, ..., size - 1 of something, each with a name. The trace of a failure in a loop over
-// them has the name of the element at which the loop is.
+// The elements 0, ..., size - 1 of something, each with a name. The trace of a failure in a loop
+// over them has the name of the element at which the loop is.
 template <typename At, typename Name>
 class Traced_range
 {

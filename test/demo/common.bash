@@ -110,6 +110,9 @@ claim()
   python3 "$tests/files.py" "$@" || fail "$(head -n 1 <<<"$1") ..."
 }
 
+surface_keys='command input vertices edges faces euler_characteristic boundary_loops components'
+edge_keys='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees'
+subdivision_keys='subdivision vertices edges faces'
 # has_keys FILE NAMES...: the names in a JSON file, in their order.
 has_keys()
 {

@@ -154,17 +154,11 @@ cp "$shipped" slivers.mesh.off
 checksum=$(cksum <slivers.mesh.off)
 expect 0 flatten slivers.mesh.off -o a.ply --stats statistics.json
 [ ! -s out ] || fail 'standard output is not empty'
-expected='command input vertices edges faces euler_characteristic boundary_loops components cones '
-expected+='iterations status promises '
-for promise in layout curvature exterior_angle orientation cross_ratio closing; do
-  expected+="$promise error bound kept "
-done
-expected+='max_curvature_error max_cross_ratio_error flipped_triangles '
-expected+='degenerate_triangles flipped_slivers charts overlap_area overlapping_charts log_scale_min '
-expected+='log_scale_max log_scale_square_sum flips ptolemy_flips '
-expected+='subdivision vertices edges faces seconds read build cones optimize layout trace subdivide '
-expected+='write peak_memory_bytes'
-has_keys statistics.json $expected
+promises=$(printf '%s error bound kept ' layout curvature exterior_angle orientation cross_ratio closing)
+has_keys statistics.json $surface_keys cones iterations status promises $promises \
+  max_curvature_error max_cross_ratio_error flipped_triangles degenerate_triangles flipped_slivers charts \
+  overlap_area overlapping_charts log_scale_min log_scale_max log_scale_square_sum flips ptolemy_flips \
+  $subdivision_keys seconds read build cones optimize layout trace subdivide write peak_memory_bytes
 is_conformal statistics.json
 
 # Cones are marked, as many as are told; each edge has two vertices and a mark.
