@@ -48,6 +48,8 @@ void expect_equal(const Surface_level& a, const Surface_level& b)
 TEST(Surface_hierarchy, is_read_as_it_was_written)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
+    if(s.fine.time() > 0)
+      return; // a hierarchy begins with the surface before all operations
     const std::string text = saved(s.surface, {&s.fine, &s.coarse});
     const Surface_hierarchy read = loaded(text);
     ASSERT_EQ(read.levels.size(), 2u);
