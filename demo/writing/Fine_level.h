@@ -69,8 +69,8 @@ private:
   const Mesh* m_input;
   const Triangulation* m_split;
   std::size_t m_vertices, m_edges, m_faces; // without disks and cuts
-  // For each vertex that these have added, those in the middle of which it is to be seen: the vertex
-  // that it is a copy of, or those around a disk.
+  // For each vertex that these have added, those in the middle of which it is to be seen: the
+  // vertex that it is a copy of, or those around a disk.
   std::vector<std::vector<Mesh::Vertex_index>> m_sources;
 };
 
