@@ -82,6 +82,24 @@ TEST(Flat_triangle, beyond_the_triangle_inequality_angles_are_limits)
 }
 
 // The angle by which the corner grows with its scale is that of a finite difference.
+// Angles do not depend on the unit of lengths, in the range in which squares of lengths are finite.
+TEST(Flat_triangle, angles_in_any_unit)
+{
+  const std::array<double, 3> side{3, 5, 4};
+  const Flat_triangle expected(side);
+  for(int exponent : {-500, -300, -200, 200, 300, 500}) {
+    std::array<double, 3> scaled;
+    std::transform(side.begin(), side.end(), scaled.begin(),
+                   [&](double x) { return std::ldexp(x, exponent); });
+    const Flat_triangle triangle(scaled);
+    EXPECT_FALSE(triangle.is_flat());
+    EXPECT_LT(triangle.angle_error(), 1e-13);
+    for(std::size_t s = 0; s < 3; ++s)
+      EXPECT_EQ(triangle.angle(s), expected.angle(s)) << exponent;
+  }
+  EXPECT_NEAR(expected.angle(0), std::acos(0.), 1e-15);
+}
+
 TEST(Flat_triangle, derivative_of_an_angle)
 {
   const std::array<double, 3> side{2, 2.5, 1.7};

@@ -54,7 +54,7 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
     for(std::size_t j = n; j < n + points.size(); ++j) {
       EXPECT_NEAR(paths.distance(points[j - n]), truth[j], tolerance) << i << " " << j;
       const Path path = paths.path(points[j - n]);
-      EXPECT_EQ(IT::face_location(path.places.back(), t.input_mesh()), points[j - n]);
+      EXPECT_EQ(IT::face_location(path.places.back(), mesh), points[j - n]);
       expect_valid(path, faces, tolerance);
     }
   }

@@ -266,7 +266,8 @@ TEST(Distance_sources, vertices_in_all_forms)
   const Values expected = IT::heat_distance(surface, Vertex_index(5));
   EXPECT_EQ(expected, IT::heat_distance(surface, IT::Edge_point<double>{h, 0}));
   EXPECT_EQ(expected, IT::heat_distance(surface, IT::Edge_point<double>{mesh.opposite(h), 1}));
-  EXPECT_EQ(expected, IT::heat_distance(surface, IT::face_location<double>({h, 0}, mesh)));
+  EXPECT_EQ(expected,
+            IT::heat_distance(surface, IT::face_location(IT::Edge_point<double>{h, 0}, mesh)));
   EXPECT_EQ(expected, IT::heat_distance(surface, std::vector(3, Vertex_index(5))));
   EXPECT_EQ(expected[5], 0);
 }

@@ -33,6 +33,7 @@ namespace CGAL::Intrinsic_triangulations {
 template <typename FT>
 class Euclidean_strip
 {
+  /// \cond SKIP_IN_MANUAL
 protected:
   struct Vector
   {
@@ -68,6 +69,7 @@ protected:
     Vector place;
     FT way; // the length of the way along edges on which it was placed
   };
+  /// \endcond
 
 public:
   /// a crossing of the line with an inner edge: `along_line` is the barycentric coordinate on the
@@ -188,6 +190,7 @@ public:
     return clamped(projected(m_edges[m], along_edge));
   }
 
+  /// \cond SKIP_IN_MANUAL
 protected:
   // Returns whether the line passes between the ends of all inner edges, if no corner is displaced
   // by more than `displacement`.
@@ -246,6 +249,7 @@ protected:
   const Segment& last_edge() const { return m_edges.back(); }
   const Vector& direction() const { return m_direction; }
   const FT& longest_way() const { return m_longest_way; }
+  /// \endcond
 
 private:
   // of i->l in the triangle jil

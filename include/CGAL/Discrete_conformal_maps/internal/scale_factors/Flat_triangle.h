@@ -19,15 +19,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The sides, in the unit that keeps fourth powers in the range of the number type.
+// Returns the sides in a unit, a power of two, that keeps fourth powers in the range of the number
+// type.
 template <typename FT>
 std::array<FT, 3> in_range(const std::array<FT, 3>& side)
 {
-  return side;
-}
-inline std::array<Extended, 3> in_range(const std::array<Extended, 3>& side)
-{
+  using std::ldexp;
   const int exponent = exponent_of((std::max)({side[0], side[1], side[2]}));
+  if(std::abs(exponent) < std::numeric_limits<double>::max_exponent / 8)
+    return side;
   return {ldexp(side[0], -exponent), ldexp(side[1], -exponent), ldexp(side[2], -exponent)};
 }
 
