@@ -24,13 +24,13 @@ public:
   /// \f$l\f$, \f$j\f$, \f$i\f$.
   void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q);
 
-  /// returns the crossing with inner edge `m`, not before `least` on the geodesic. If triangles have
-  /// no area, the geodesic and the edge can run along each other: then it is a point that they
+  /// returns the crossing with inner edge `m`, not before `least` on the geodesic. If triangles
+  /// have no area, the geodesic and the edge can run along each other: then it is a point that they
   /// share. \pre the strip is finished
   Crossing crossing(std::size_t m, const FT& least) const;
 
-  /// returns the barycentric coordinate, on inner edge `m`, of the point closest to the point at `s`
-  /// on the geodesic. \pre the strip is finished
+  /// returns the barycentric coordinate, on inner edge `m`, of the point closest to the point at
+  /// `s` on the geodesic. \pre the strip is finished
   FT along_edge(std::size_t m, const FT& s) const;
 
   /// returns the barycentric coordinate, on the geodesic, of the point closest to the point at `t`

@@ -173,13 +173,6 @@ public:
       return FT(1);
   }
 
-  /// returns how many crossings come before crossing `id` on the first halfedge of its edge of
-  /// \f$T_1\f$.
-  size_type rank_on_input(size_type id) const
-  {
-    return m_records[id].order - part(input_edge(id), 0).first;
-  }
-
   /// returns the indices of the crossings on the edges of \f$T_2\f$.
   const Edge_marks& crossings_on_intrinsic() const { return m_on_intrinsic; }
 

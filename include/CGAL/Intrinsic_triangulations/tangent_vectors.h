@@ -71,7 +71,7 @@ tangent_vector_at_vertex(const Surface& surface, Halfedge_index outgoing,
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
 /// faces: see `logarithmic_map()`.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
-/// \param outgoing halfedge a halfedge of the face of `p`
+/// \param outgoing a halfedge of the face of `p`; the logarithm is taken at its source
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
