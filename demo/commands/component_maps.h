@@ -45,6 +45,7 @@ public:
     m_exit_code = (std::max)(m_exit_code, exit_code(map));
     const Map_part part(map, m_run.input().mesh, &component);
     Output_mesh mesh = described_mesh(statistics, map, part, output);
+    describe_crowding(m_run, statistics, map, &component);
     m_joined.add(component, std::move(mesh),
                  std::is_same<Map, Spherical_map>::value ? next_center(statistics) : 0);
     return summary_of(map, statistics);

@@ -109,6 +109,19 @@ void describe_status(Statistics& statistics, const Conformal_map& map)
   statistics["max_curvature_error"] = map.max_curvature_error();
 }
 
+void describe_crowding(Command_run& run, Statistics& statistics, const Conformal_map& map,
+                       const Component_mesh* component)
+{
+  Statistics& crowded = statistics["crowded_faces"] = Statistics::array();
+  for(const DCM::Face_index f : map.crowded_faces())
+    crowded.push_back(component ? component->faces[f.idx()].idx() : f.idx());
+  if(crowded.empty() || run.options().is_quiet)
+    return;
+  run.progress().clear();
+  std::cerr << run.options().input << ": note: face too small for the picture: " << crowded.size()
+            << ", first at face " << crowded.front() << '\n';
+}
+
 void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_part& part,
                     const Output_mesh& result)
 {

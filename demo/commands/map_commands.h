@@ -83,6 +83,11 @@ void describe_minimization(Statistics& statistics, const Conformal_map& map,
 // Adds the status, the errors of what is promised and the greatest error of curvatures.
 void describe_status(Statistics& statistics, const Conformal_map& map);
 
+// Adds the faces of the input that are too small for the picture, and says so. `component` is null if
+// the map is of all of the input.
+void describe_crowding(Command_run& run, Statistics& statistics, const Conformal_map& map,
+                       const Component_mesh* component = nullptr);
+
 // Adds the range of the logarithmic scale factors, which vertices without faces have not, the
 // numbers of flips and the size of the output.
 void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_part& part,
@@ -132,6 +137,7 @@ int finish(Command_run& run, const Map_output& output, const Map& map)
   run.timed("write", [&] {
     const Map_part part(map, run.input().mesh);
     Output_mesh mesh = described_mesh(run.statistics(), map, part, output);
+    describe_crowding(run, run.statistics(), map);
     run.show([&](View_page& page) { show(page, run, map, part, mesh, output); });
     add_input_data(run.input(), mesh);
     run.add_output(output.path, mesh, output.format);

@@ -12,12 +12,16 @@
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -51,6 +55,13 @@ struct Map_data
     const Face_index f = subdivision->mesh().face(h);
     return f.is_valid() && is_original(subdivision->parent_face(Layer::A, f));
   }
+
+  // of an edge of T^C
+  double scaled_length(Halfedge_index h) const
+  {
+    const double u = log_scale[bc.mesh().source(h).idx()] + log_scale[bc.mesh().target(h).idx()];
+    return internal::scaled_length(bc.length(bc.mesh().edge(h)), length_factor(u));
+  }
 };
 
 // How the search for a map has ended, and what was measured on the result.
@@ -61,6 +72,7 @@ struct Map_outcome
   std::string cause;
   Minimization_result minimization;
   double max_curvature_error = 0;
+  std::vector<Face_index> crowded_faces;
 };
 
 } // namespace internal
@@ -165,6 +177,15 @@ public:
   /// returns the greatest difference of a curvature from what was prescribed, in radians.
   double max_curvature_error() const { return m_outcome.max_curvature_error; }
 
+  /// returns the faces of the input with a part whose image is too small for the numbers of type
+  /// `double` that have its position, in ascending order: corners that are apart on the surface have
+  /// the same position, or sides have other lengths than they should have. Most often there are none.
+  ///
+  /// A long strip that is mapped to a disk has them: its ends shrink by a factor of \f$e^\pi\f$ for
+  /// every square, which is known as crowding. That is a property of the picture alone: the scale
+  /// factors, \f$T^C\f$ and the map to it are as good as without.
+  const std::vector<Face_index>& crowded_faces() const { return m_outcome.crowded_faces; }
+
   /// returns the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of
   /// \f$T^A\f$, or \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
   std::size_t number_of_flips(Layer layer) const
@@ -181,6 +202,25 @@ public:
     const Face_location on_B = point_across(Delaunay_correspondence(), Side::input, p);
     return point_across(ideal_correspondence(), Side::input, on_B);
   }
+
+protected:
+  /// \cond SKIP_IN_MANUAL
+  // The weights of the corners of a face of T^C in homogeneous coordinates, with another common
+  // factor where they are out of range.
+  std::array<double, 3> homogeneous_weights(const Face_location& on_C) const
+  {
+    const auto side = sides(on_C.first, ideal().mesh());
+    std::array<double, 3> u;
+    for(std::size_t s = 0; s < 3; ++s)
+      u[s] = log_scale(ideal().mesh().source(side[s]));
+    const double least = (std::min)({u[0], u[1], u[2]});
+    const double shift = std::abs(least) > internal::tolerance::narrow_log_scales ? least : 0;
+    for(std::size_t s = 0; s < 3; ++s)
+      u[s] = on_C.second[s] * std::exp(shift - u[s]);
+    return u;
+  }
+  const internal::Map_data& data() const { return *m_data; }
+  /// \endcond
 
 private:
   std::unique_ptr<const internal::Map_data> m_data;

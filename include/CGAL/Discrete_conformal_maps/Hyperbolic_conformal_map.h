@@ -159,9 +159,7 @@ public:
   /// returns the hyperbolic length of the edge `e` of \f$T^C\f$.
   double length(Edge_index e) const
   {
-    const double u =
-      log_scale(ideal().mesh().vertex(e, 0)) + log_scale(ideal().mesh().vertex(e, 1));
-    return 2 * std::asinh(internal::scaled_length(ideal().length(e), internal::length_factor(u)));
+    return 2 * std::asinh(data().scaled_length(ideal().mesh().halfedge(e)));
   }
 
   /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
@@ -213,8 +211,9 @@ public:
     const Delta_complex& mesh = ideal().mesh();
     std::array<double, 3> result{0, 0, 0};
     const auto side = sides(on_C.first, mesh);
+    const std::array<double, 3> weight = homogeneous_weights(on_C);
     for(std::size_t s = 0; s < 3; ++s) {
-      const double w = on_C.second[s] * std::exp(-log_scale(mesh.source(side[s])));
+      const double w = weight[s];
       for(std::size_t i = 0; i < 3; ++i)
         result[i] += w * m_layout.position[side[s].idx()][i];
     }

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/Plane_picture.h>
 
 #include <array>
 #include <cmath>
@@ -17,19 +18,6 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
-
-namespace internal {
-
-// Where the faces of T^C are in the plane.
-struct Planar_layout
-{
-  bool exists = false;
-  std::vector<char> is_laid_out;              // for each face
-  std::vector<std::complex<double>> position; // of the source of each halfedge
-  std::vector<char> is_seam;                  // for each edge
-};
-
-} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// a discrete conformal map of a surface to the plane: three triangulations with the correspondence
@@ -52,6 +40,8 @@ public:
       m_cones(std::move(cones)),
       m_layout(std::move(layout))
   {}
+
+  internal::Plane_picture picture() const { return {data(), m_layout}; }
   /// \endcond
 
   /// returns the vertices of the input at which cones were placed.
@@ -85,8 +75,9 @@ public:
     const Delta_complex& mesh = ideal().mesh();
     std::array<double, 3> result{0, 0, 0};
     const auto side = sides(on_C.first, mesh);
+    const std::array<double, 3> weight = homogeneous_weights(on_C);
     for(std::size_t s = 0; s < 3; ++s) {
-      const double w = on_C.second[s] * std::exp(-log_scale(mesh.source(side[s])));
+      const double w = weight[s];
       const std::complex<double> z = position(side[s]);
       result[0] += w * z.real();
       result[1] += w * z.imag();

@@ -184,13 +184,12 @@ public:
   {
     const Delta_complex& mesh = ideal().mesh();
     const auto side = sides(on_C.first, mesh);
+    const std::array<double, 3> weight = homogeneous_weights(on_C);
     std::array<double, 4> result{0, 0, 0, 0};
     for(std::size_t s = 0; s < 3; ++s) {
-      const Vertex_index v = mesh.source(side[s]);
-      const double w = on_C.second[s] * std::exp(-log_scale(v));
       for(std::size_t c = 0; c < 3; ++c)
-        result[c] += w * position(v)[c];
-      result[3] += w;
+        result[c] += weight[s] * position(mesh.source(side[s]))[c];
+      result[3] += weight[s];
     }
     return result;
   }

@@ -23,33 +23,33 @@ namespace CGAL::Discrete_conformal_maps {
 /// length cross ratio \f$\ell_{jk}\ell_{im} / (\ell_{ki}\ell_{mj})\f$ of an edge \f$ij\f$ of
 /// \f$T^C\f$ with faces
 /// \f$ijk\f$ and \f$jim\f$, between the lengths in the plane and those of the ideal polyhedron,
-/// which the scale factors do not change. Edges with a face that is not laid out do not count.
-/// Complexity: linear.
+/// which the scale factors do not change. Edges with a face that is not laid out do not count, nor
+/// do those with a side of a face beside them that rounding of positions has changed: see
+/// `Discrete_conformal_map::crowded_faces()`. Complexity: linear.
 inline double max_cross_ratio_error(const Planar_conformal_map& map)
 {
-  const Delta_complex& mesh = map.ideal().mesh();
-  const auto in_plane = [&](Halfedge_index h) {
-    return std::abs(map.position(mesh.next(h)) - map.position(h));
-  };
-  const auto ideal = [&](Halfedge_index h) { return map.ideal().length(mesh.edge(h)); };
-  const auto counts = [&](Halfedge_index h) {
-    return map.is_laid_out(mesh.face(h)) && map.is_laid_out(mesh.face(mesh.opposite(h)));
-  };
-  return internal::greatest_cross_ratio_error(mesh, counts, in_plane, ideal);
+  return map.picture().max_cross_ratio_error();
 }
 
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// returns the greatest relative error of a length cross ratio of an edge of \f$T^C\f$, between the
-/// lengths on the sphere and those of the ideal polyhedron. Positions have all digits that the map
-/// knows. Complexity: linear.
+/// lengths on the sphere and those of the ideal polyhedron. Positions have the digits of
+/// `Spherical_conformal_map::stereographic_position()`: edges do not count that have a side of a face
+/// beside them whose length these cannot tell. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
   std::vector<std::array<Spherical_conformal_map::Extended, 2>> position;
   for(Vertex_index v : mesh.vertices())
     position.push_back(map.stereographic_position(v));
+  const auto is_known = [&](Edge_index e) {
+    const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    return v == map.vertex_at_infinity() || w == map.vertex_at_infinity() ||
+           internal::has_known_distance(position[v.idx()], position[w.idx()]);
+  };
   return internal::max_stereographic_cross_ratio_error(
-    mesh, [&](Edge_index e) { return map.ideal().length(e); }, position, map.vertex_at_infinity());
+    mesh, [&](Edge_index e) { return map.ideal().length(e); }, position, map.vertex_at_infinity(),
+    is_known);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

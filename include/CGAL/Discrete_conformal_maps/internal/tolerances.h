@@ -70,6 +70,17 @@ constexpr double variable = 64 * unit;
 // decided by less.
 constexpr double roundings_of_squares = 16;
 
+// Rounding of positions: the error of a distance of two points, in units of their coordinates, and
+// the size below which they may be one point.
+constexpr double roundings_of_position = 8;
+// The greatest coordinate in the plane that is stored: squares have the range of `double`. And the
+// least distance of two positions, relative to their coordinates, that `Extended` tells with ten
+// digits.
+constexpr double greatest_position = 0x1p480, least_known_distance = 0x1p-70;
+// The range of logarithmic scale factors up to which squares of lengths, and products of four of
+// them, have the range of `double`.
+constexpr double narrow_log_scales = 100;
+
 // The center of mass: a hundred roundings of the sum of masses; the distance below which Newton's
 // method converges quadratically, so that a step that gains little is rounding; and the curvature
 // that masses in two points lack along the line through both.

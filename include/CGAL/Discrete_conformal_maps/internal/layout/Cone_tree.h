@@ -8,6 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Intrinsic_triangulations/Cut_graph.h>
 #include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 
@@ -17,6 +19,7 @@
 #include <cstddef>
 #include <queue>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -118,11 +121,28 @@ private:
   std::vector<char> m_contains;
 };
 
-// Cuts a surface into pieces that can be unfolded into the plane. `length` is that of edges;
-// `is_cut_edge` says which are not passed; `is_used` which faces are wanted; every vertex where
-// faces cannot close up, a cone or an end of a cut edge, is a terminal. Longest edges are crossed
-// first: positions are handed on through large triangles.
+// Returns what says in which order edges of these lengths are crossed, the greatest first. The longest
+// are: positions are handed on through large triangles. With numbers that have digits enough it is
+// the shortest, so that no small face is reached from another one across large ones, and errors are
+// small in proportion to both.
+template <typename FT>
+std::vector<double> crossing_order(const std::vector<FT>& length)
+{
+  std::vector<double> result;
+  for(const FT& l : length)
+    if constexpr(std::is_same<FT, Long_number>::value)
+      result.push_back(-static_cast<double>(exponent_of(l)));
+    else
+      result.push_back(static_cast<double>(l));
+  return result;
+}
+
+// Cuts a surface into pieces that can be unfolded into the plane. `length` is that of edges, which
+// are crossed in the order of `order`; `is_cut_edge` says which are not passed; `is_used` which faces
+// are wanted; every vertex where faces cannot close up, a cone or an end of a cut edge, is a
+// terminal.
 inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
+                               const std::vector<double>& order,
                                const std::vector<char>& is_cut_edge,
                                const std::vector<char>& is_used,
                                const std::vector<char>& is_terminal)
@@ -136,7 +156,7 @@ inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<doub
     result.join(entry, f);
     for(Halfedge_index h : sides(f, mesh))
       if(!is_cut_edge[Edge_index(h).idx()] && !tree.contains(Edge_index(h)))
-        queue.emplace(length[Edge_index(h).idx()], mesh.opposite(h).idx());
+        queue.emplace(order[Edge_index(h).idx()], mesh.opposite(h).idx());
   };
   for(Face_index root : mesh.faces()) {
     if(is_used[root.idx()] && !is_reached[root.idx()])

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -128,9 +129,12 @@ private:
   {
     if(v == m_at_infinity)
       return -Vector::UnitZ();
-    const Point p = centered(m_position[v]);
-    const FT square = p[0] * p[0] + p[1] * p[1], scale = 1 / (1 + square);
-    return {static_cast<double>(2 * p[0] * scale), static_cast<double>(2 * p[1] * scale),
+    typedef Difference_of<FT> Number;
+    const Number height = converted<Number>(m_height);
+    const Number x = converted<Number>(FT(m_position[v][0] - m_base[0])) / height,
+                 y = converted<Number>(FT(m_position[v][1] - m_base[1])) / height;
+    const Number square = x * x + y * y, scale = 1 / (1 + square);
+    return {static_cast<double>(2 * x * scale), static_cast<double>(2 * y * scale),
             static_cast<double>((1 - square) * scale)};
   }
 

@@ -10,12 +10,15 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <queue>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -44,6 +47,8 @@ public:
       height += p.y;
     if(height < 0)
       turn_around();
+    if(std::is_same<FT, Long_number>::value)
+      shift_to_axis(unfolded);
     for(Vertex_index v : problem.surface().vertices())
       if(problem.is_on_boundary(v))
         m_position[v.idx()].y = 0;
@@ -109,6 +114,47 @@ private:
     using std::sqrt;
     if(const FT length = sqrt(norm(v)); length > 0)
       m_direction = FT(1 / length) * v;
+  }
+
+  // Positions have errors in proportion to the greatest length on the way from one to the other, and
+  // faces beside the axis may be smaller than what they miss it by. So every vertex is shifted by
+  // what takes the vertex on the axis to it that can be reached by the shortest edges.
+  void shift_to_axis(const std::vector<std::optional<Vector>>& unfolded)
+  {
+    struct Shift
+    {
+      FT size; // the square of the greatest length on the way
+      std::size_t vertex;
+      FT by;
+    };
+    const auto is_later = [](const Shift& a, const Shift& b) {
+      return a.size != b.size ? a.size > b.size : a.vertex > b.vertex;
+    };
+    std::priority_queue<Shift, std::vector<Shift>, decltype(is_later)> queue(is_later);
+    for(std::size_t v = 0; v < m_position.size(); ++v)
+      if(unfolded[v] && m_problem.is_on_boundary(Vertex_index(Delta_complex::size_type(v))))
+        queue.push({FT(0), v, -m_position[v].y});
+    for(std::size_t w = m_problem.size(); w < unfolded.size(); ++w)
+      if(const std::size_t v = m_problem.originals()[w].idx(); unfolded[v] && unfolded[w]) {
+        const Vector copy = turned(*unfolded[w] - m_origin);
+        queue.push({norm(m_position[v] - copy), v, (m_position[v].y + copy.y) / -2});
+      }
+    std::vector<char> is_shifted(m_position.size(), 0);
+    const std::vector<Vector> before = m_position;
+    while(!queue.empty()) {
+      const Shift shift = queue.top();
+      queue.pop();
+      if(std::exchange(is_shifted[shift.vertex], 1))
+        continue;
+      m_position[shift.vertex].y += shift.by;
+      for_each_outgoing_halfedge(
+        Vertex_index(Delta_complex::size_type(shift.vertex)), m_mesh, [&](Halfedge_index h) {
+          const std::size_t w = m_mesh.target(h).idx();
+          if(w < before.size() && unfolded[w] && !is_shifted[w])
+            queue.push(
+              {(std::max)(shift.size, norm(before[w] - before[shift.vertex])), w, shift.by});
+        });
+    }
   }
 
   // Mirror images have the same abscissa and the opposite ordinate.

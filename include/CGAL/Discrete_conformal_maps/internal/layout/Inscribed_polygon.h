@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
@@ -20,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,9 +39,12 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Positions near infinity and near the origin have all digits, whatever their scale. So these two
 // are as far from each other as possible: a strip with ends of 1e-60 of its size keeps its vertices
 // apart.
+//
+// `FT` is the number type of lengths and positions.
+template <typename FT>
 class Inscribed_polygon
 {
-  typedef std::array<Extended, 2> Point;
+  typedef std::array<FT, 2> Point;
 
 public:
   // `mass` has the mass of each vertex; `start` is one of them.
@@ -57,8 +62,8 @@ public:
     measure_chords();
     m_at_infinity = mesh().source(smallest_side());
     measure_chords();
-    for(const Extended& chord : m_chord)
-      m_u.push_back(-2 * log(chord));
+    for(const FT& chord : m_chord)
+      m_u.push_back(static_cast<double>(FT(-2 * log(chord))));
     visitor.start(Flattening_stage::layout);
     m_result.layout.exists = true;
     clear_positions();
@@ -78,12 +83,9 @@ public:
 
 private:
   const Delta_complex& mesh() const { return m_surface.mesh(); }
-  const Extended& length(Halfedge_index h) const { return m_surface.length(Edge_index(h)); }
+  const FT& length(Halfedge_index h) const { return m_surface.length(Edge_index(h)); }
 
-  void clear_positions()
-  {
-    m_result.layout.in_plane.assign(m_problem.size(), Point{Extended(0), Extended(0)});
-  }
+  void clear_positions() { m_position.assign(m_problem.size(), Point{FT(0), FT(0)}); }
 
   // Scale factors need no search: every vertex is a neighbor of infinity, so that no angle is
   // prescribed.
@@ -93,8 +95,9 @@ private:
     m_result.layout.is_extended = m_result.layout.is_flat = true;
     m_result.angle_error = 0;
     m_result.flips = m_surface.flips();
-    m_result.log_scale = spherical_log_scales(m_u, m_scale, m_result.layout.in_plane, m_at_infinity,
-                                              m_problem.surface());
+    m_result.layout.in_plane = in_range_of_squares(m_position);
+    m_result.log_scale =
+      spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
   }
 
   // Flips until the edges of the boundary are there, and notes which halfedges of T^C have the
@@ -142,7 +145,7 @@ private:
   // each side, that to the opposite corner.
   void measure_chords()
   {
-    m_chord.assign(m_problem.size(), Extended(1));
+    m_chord.assign(m_problem.size(), FT(1));
     std::vector<Halfedge_index> waiting;
     for(Halfedge_index h : mesh().halfedges())
       if(is_original(mesh().face(h)) && mesh().source(h) == m_at_infinity) {
@@ -179,7 +182,7 @@ private:
   }
 
   // the distance of the ends of a side in the plane (Equation 4.15: a horocyclic arc at infinity)
-  Extended gap(Halfedge_index h) const
+  FT gap(Halfedge_index h) const
   {
     return length(h) / m_chord[mesh().source(h).idx()] / m_chord[mesh().target(h).idx()];
   }
@@ -200,25 +203,26 @@ private:
     const std::vector<Halfedge_index> sides = sides_in_plane();
     const auto end =
       std::size_t(std::find(sides.begin(), sides.end(), smallest_side()) - sides.begin());
-    add_gaps(sides, end, Extended(0));
+    add_gaps(sides, end, FT(0));
     if(!is_in_range(sides)) {
       clear_positions();
       certify();
       return;
     }
-    const Conformal_barycenter<Extended> center(m_result.layout.in_plane, mass,
-                                                m_at_infinity.idx());
+    const Conformal_barycenter<FT> center(m_position, mass, m_at_infinity.idx());
     m_scale = center.height();
-    const Extended base = center.base()[0];
+    const FT base = center.base()[0];
     const std::size_t nearest = nearest_side(sides, base);
     place(sides, nearest, at(mesh().source(sides[nearest])) - base);
     if(!m_result.is_good(tolerance::cross_ratio))
-      place(sides, end, Extended(0));
+      place(sides, end, FT(0));
   }
 
   // whether products of distances keep their digits
   bool is_in_range(const std::vector<Halfedge_index>& sides) const
   {
+    if(std::is_same<FT, Long_number>::value)
+      return true;
     const double least = static_cast<double>(gap(smallest_side())),
                  greatest = static_cast<double>(at(mesh().target(sides.back())) -
                                                 at(mesh().source(sides.front())));
@@ -226,9 +230,10 @@ private:
   }
 
   // the side with its source next to `x`
-  std::size_t nearest_side(const std::vector<Halfedge_index>& sides, const Extended& x) const
+  std::size_t nearest_side(const std::vector<Halfedge_index>& sides, const FT& x) const
   {
-    const auto distance = [&](Halfedge_index h) { return abs(at(mesh().source(h)) - x); };
+    using std::abs;
+    const auto distance = [&](Halfedge_index h) { return FT(abs(FT(at(mesh().source(h)) - x))); };
     return std::size_t(std::min_element(sides.begin(), sides.end(),
                                         [&](Halfedge_index h, Halfedge_index o) {
                                           return distance(h) < distance(o);
@@ -236,20 +241,19 @@ private:
                        sides.begin());
   }
 
-  void place(const std::vector<Halfedge_index>& sides, std::size_t first, const Extended& x)
+  void place(const std::vector<Halfedge_index>& sides, std::size_t first, const FT& x)
   {
     add_gaps(sides, first, x);
-    for(Point& p : m_result.layout.in_plane)
+    for(Point& p : m_position)
       p[0] = p[0] / m_scale;
     certify();
     m_result.cross_ratio_error = max_stereographic_cross_ratio_error(
-      mesh(), [this](Edge_index e) { return static_cast<double>(m_surface.length(e)); },
-      m_result.layout.in_plane, m_at_infinity);
+      mesh(), [this](Edge_index e) { return m_surface.length(e); }, m_position, m_at_infinity);
   }
 
   // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the
   // fewest digits.
-  void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const Extended& x)
+  void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const FT& x)
   {
     at(mesh().source(sides[first])) = x;
     for(std::size_t s = first; s < sides.size(); ++s)
@@ -258,8 +262,8 @@ private:
       at(mesh().source(sides[s - 1])) = at(mesh().target(sides[s - 1])) - gap(sides[s - 1]);
   }
 
-  Extended& at(Vertex_index v) { return m_result.layout.in_plane[v.idx()][0]; }
-  const Extended& at(Vertex_index v) const { return m_result.layout.in_plane[v.idx()][0]; }
+  FT& at(Vertex_index v) { return m_position[v.idx()][0]; }
+  const FT& at(Vertex_index v) const { return m_position[v.idx()][0]; }
 
   // The corners of each face must be in cyclic order on the line through infinity. This decides
   // all: faces on both sides of an edge do not overlap then, and all edges lie in one plane.
@@ -292,12 +296,14 @@ private:
 
   Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
-  Ptolemy_surface<Extended> m_surface; // in T^C
+  Ptolemy_surface<FT> m_surface;       // in T^C
   std::vector<char> m_is_on_boundary;  // of edges
   std::vector<Halfedge_index> m_sides; // of the polygon, which is on their left
   std::vector<char> m_is_original;     // of faces
-  std::vector<Extended> m_chord, m_u;
-  Extended m_scale = Extended(1);
+  std::vector<FT> m_chord;
+  std::vector<double> m_u;
+  std::vector<Point> m_position; // of the vertices of the surface itself, on a line
+  FT m_scale = FT(1);
   Unfolded_sphere m_result;
 };
 

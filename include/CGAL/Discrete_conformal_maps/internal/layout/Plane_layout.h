@@ -12,10 +12,12 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Half_plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,6 +59,10 @@ public:
   }
 
 private:
+  // Weights of sides are squares in `double`. Where sizes of faces are beyond its range, positions
+  // stay as they are, and have digits enough.
+  static constexpr bool distributes_errors = !std::is_same<FT, Long_number>::value;
+
   // The finite faces that can be reached from a vertex inside the surface itself: all but some
   // copies, where more copies would be needed to reach them.
   std::vector<char> faces_in_plane() const
@@ -101,16 +107,18 @@ private:
       if(is_cut_edge[e.idx()])
         is_terminal[m_mesh.vertex(e, 0).idx()] = is_terminal[m_mesh.vertex(e, 1).idx()] = 1;
     }
-    const Cut_graph cut = cut_to_pieces(m_mesh, rounded, is_cut_edge, is_used, is_terminal);
+    const Cut_graph cut =
+      cut_to_pieces(m_mesh, rounded, crossing_order(m_length), is_cut_edge, is_used, is_terminal);
     Unfolded_faces<FT> faces(m_mesh, m_length, cut);
-    if(m_problem.has_no_copies())
+    if(m_problem.has_no_copies() && distributes_errors)
       Least_squares_layout()(faces, *m_problem.order());
     for(Halfedge_index h : m_mesh.halfedges())
       if(!m_mesh.is_border(h) && is_used[m_mesh.face(h).idx()])
         m_position[m_mesh.source(h).idx()] = faces.position(h);
     if(!m_problem.has_no_copies()) {
       Half_plane_layout<FT> symmetric(m_mesh, m_problem, m_position);
-      symmetric.distribute_errors(faces);
+      if(distributes_errors)
+        symmetric.distribute_errors(faces);
       store_layout(symmetric);
     }
   }

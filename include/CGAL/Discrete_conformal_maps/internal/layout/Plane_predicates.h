@@ -10,6 +10,10 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 
+#ifdef CGAL_USE_MPFR
+#include <boost/multiprecision/gmp.hpp>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,6 +67,48 @@ private:
   static Exact_ring exact(double x) { return x; }
   static Exact_ring exact(const Extended& x) { return Exact_ring(x.high()) + Exact_ring(x.low()); }
 
+  // An integer times a power of two.
+  template <typename Number>
+  static Exact_ring exact(const Number& x)
+  {
+    if(x == 0)
+      return 0;
+    int exponent = 0;
+    const Number fraction = frexp(x, &exponent);
+    constexpr int digits = std::numeric_limits<Number>::digits;
+    const Exact_ring size = positive_integer(Number(ldexp(abs_of(fraction), digits)));
+    return (x > 0 ? size : -size) * power_of_two(exponent - digits);
+  }
+
+  template <typename Number>
+  static Exact_ring positive_integer(Number x)
+  {
+#if defined(CGAL_HAS_MPZF) && defined(CGAL_USE_MPFR)
+    const auto z = static_cast<boost::multiprecision::mpz_int>(x);
+    return Exact_ring(Gmpz(z.backend().data()));
+#else // a sum of numbers in `double`
+    Exact_ring result = 0;
+    while(x != 0) {
+      int exponent = 0;
+      const double leading = static_cast<double>(Number(frexp(x, &exponent)));
+      result += Exact_ring(leading) * power_of_two(exponent);
+      x -= ldexp(Number(leading), exponent);
+    }
+    return result;
+#endif
+  }
+
+  static Exact_ring power_of_two(int exponent)
+  {
+    constexpr int step = 1000;
+    Exact_ring result = 1;
+    for(; exponent > step; exponent -= step)
+      result *= std::ldexp(1., step);
+    for(; exponent < -step; exponent += step)
+      result *= std::ldexp(1., -step);
+    return result * std::ldexp(1., exponent);
+  }
+
   template <typename T>
   static T difference(const FT& x, const FT& y)
   {
@@ -98,7 +144,11 @@ private:
     return abs_of(a.x * b.y) + abs_of(a.y * b.x);
   }
 
-  static FT abs_of(const FT& x) { return x < 0 ? FT(-x) : x; }
+  template <typename Number>
+  static Number abs_of(const Number& x)
+  {
+    return x < 0 ? Number(-x) : x;
+  }
 
   template <typename T>
   static int sign_of(const T& x)
@@ -117,10 +167,25 @@ private:
   static bool are_finite(const Points&... point)
   {
     const auto is_finite = [](const auto& p) {
-      return std::all_of(p.begin(), p.end(),
-                         [](const FT& x) { return std::isfinite(static_cast<double>(x)); });
+      return std::all_of(p.begin(), p.end(), [](const FT& x) { return x - x == 0; });
     };
     return (is_finite(point) && ...);
+  }
+
+  // Whether four points of the plane are two pairs of mirror images: they are on a circle. The
+  // double of a disk has many of these ties, and exact numbers would take long for them.
+  template <typename Coordinates>
+  static bool is_trapezoid(const Coordinates& p, const Coordinates& q, const Coordinates& r,
+                           const Coordinates& s)
+  {
+    if constexpr(std::is_same<Coordinates, Point>::value) {
+      const auto is_mirrored = [](const Point& a, const Point& b) {
+        return a[0] == b[0] && a[1] == -b[1];
+      };
+      return (is_mirrored(p, q) && is_mirrored(r, s)) || (is_mirrored(p, r) && is_mirrored(q, s)) ||
+             (is_mirrored(p, s) && is_mirrored(q, r));
+    }
+    return false;
   }
 
   template <typename T>
@@ -140,7 +205,7 @@ private:
                       abs_of(c.z) * crossed_sizes(a, b));
     if(const FT det = determinant(a, b, c); is_certain(det, bound))
       return sign_of(det);
-    if(!are_finite(p, q, r, s))
+    if(!are_finite(p, q, r, s) || is_trapezoid(p, q, r, s))
       return 0;
     return sign_of(
       determinant(row<Exact_ring>(p, s), row<Exact_ring>(q, s), row<Exact_ring>(r, s)));

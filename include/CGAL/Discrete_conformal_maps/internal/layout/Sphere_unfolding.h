@@ -15,10 +15,12 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -61,20 +63,38 @@ private:
   template <typename Visitor>
   void unfold(Visitor& visitor)
   {
-    visitor.start(Flattening_stage::optimize);
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
-    rounded.minimize(tolerance::gradient, visitor);
-    visitor.start(Flattening_stage::layout);
-    store_scale_factors(rounded);
-    if(is_good())
+    if(search(rounded, tolerance::gradient, visitor))
       return;
-    visitor.start(Flattening_stage::optimize);
     Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
-    precise.minimize(tolerance::extended_gradient, visitor);
+    if(search(precise, tolerance::extended_gradient, visitor))
+      return;
+    unfold_with_wide_numbers(visitor);
+  }
+
+  // Finds scale factors beyond the range of `double`.
+  template <typename Visitor>
+  void unfold_with_wide_numbers(Visitor& visitor)
+  {
+    Spherical_scale_factors<Wide_number<double>> rounded(m_problem, m_at_infinity);
+    visitor.start(Flattening_stage::optimize);
+    rounded.minimize(tolerance::gradient, visitor);
+    Spherical_scale_factors<Wide_number<Extended>> precise(m_problem, m_at_infinity);
+    precise.set_start(rounded);
+    search(precise, tolerance::extended_gradient, visitor);
+  }
+
+  // Returns whether there is a good result.
+  template <typename FT, typename Visitor>
+  bool search(Spherical_scale_factors<FT>& scale, double tolerance, Visitor& visitor)
+  {
+    visitor.start(Flattening_stage::optimize);
+    scale.minimize(tolerance, visitor);
     visitor.start(Flattening_stage::layout);
-    store_scale_factors(precise);
+    store_scale_factors(scale);
+    return is_good();
   }
 
   template <typename FT>
@@ -96,49 +116,70 @@ private:
     }
   }
 
-  // in `double` if that is enough
+  // With as many digits as are enough.
   template <typename FT>
   void lay_out(const Partially_decorated_surface<FT>& surface,
                const Spherical_scale_factors<FT>& scale)
   {
-    if(std::is_same<FT, double>::value) {
-      lay_out_in<double>(surface, scale);
-      if(is_good())
-        return;
+    m_above_bound.clear();
+    m_u.clear();
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      m_above_bound.push_back(static_cast<double>(scale.values()[v] - scale.bounds()[v]));
+      m_u.push_back(static_cast<double>(scale.values()[v]));
     }
-    lay_out_in<Extended>(surface, scale);
+    if(std::is_same<FT, double>::value && is_good_in<double>(surface))
+      return;
+    if(!is_good_in<Extended>(surface) && !std::is_same<FT, double>::value)
+      lay_out(surface.mesh(), surface.flips(), lengths<Long_number>(surface));
+  }
+
+  // Lays out with numbers of this type, and returns whether the result is good.
+  template <typename Position_FT, typename FT>
+  bool is_good_in(const Partially_decorated_surface<FT>& surface)
+  {
+    try {
+      lay_out(surface.mesh(), surface.flips(), lengths<Position_FT>(surface));
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_result.cause = e.what();
+    }
+    return is_good();
+  }
+
+  // the scaled lengths of the edges
+  template <typename Length, typename FT>
+  static std::vector<Length> lengths(const Partially_decorated_surface<FT>& surface)
+  {
+    std::vector<Length> result;
+    for(Edge_index e : surface.mesh().edges())
+      result.push_back(converted<Length>(surface.scaled_length(e)));
+    return result;
   }
 
   // Lays the vertices out in the plane such that the inverse of the stereographic projection has
   // their center of mass in the center of the sphere, in the triangulation that is convex there.
-  template <typename Position_FT, typename FT>
-  void lay_out_in(const Partially_decorated_surface<FT>& surface,
-                  const Spherical_scale_factors<FT>& scale)
+  // `flips` have led to the triangulation `mesh`.
+  template <typename FT>
+  void lay_out(const Delta_complex& mesh, const std::vector<Halfedge_index>& flips,
+               const std::vector<FT>& length)
   {
-    const Delta_complex& mesh = surface.mesh();
-    std::vector<Position_FT> length;
-    for(Edge_index e : mesh.edges())
-      length.push_back(Position_FT(surface.scaled_length(e)));
-    auto position = Plane_layout<Position_FT>(mesh, length, m_at_infinity, m_problem).positions();
-    const Position_FT plane_scale = center(position);
+    auto position = Plane_layout<FT>(mesh, length, m_at_infinity, m_problem).positions();
+    const FT plane_scale = center(position);
     for(Vertex_index v : mesh.vertices())
       if(mesh.is_isolated(v))
-        position[v.idx()] = {Position_FT(0), Position_FT(0)};
-    Stereographic_triangulation<Position_FT> triangulation(mesh, position, m_at_infinity);
+        position[v.idx()] = {FT(0), FT(0)};
+    Stereographic_triangulation<FT> triangulation(mesh, position, m_at_infinity);
     const std::vector<Halfedge_index> to_convex = triangulation.make_convex();
     Spherical_layout& layout = m_result.layout;
     layout.exists = true;
-    layout.is_extended = !std::is_same<Position_FT, double>::value;
+    layout.is_extended = !std::is_same<FT, double>::value;
     layout.certificate = triangulation.certificate();
-    layout.in_plane.clear();
-    for(const auto& p : position)
-      layout.in_plane.push_back({Extended(p[0]), Extended(p[1])});
+    layout.in_plane = in_range_of_squares(position);
     m_number_of_edges = mesh.num_edges();
-    m_result.flips = surface.flips();
+    m_result.flips = flips;
     m_result.flips.insert(m_result.flips.end(), to_convex.begin(), to_convex.end());
-    m_result.log_scale = spherical_log_scales(scale.values(), Extended(plane_scale),
-                                              layout.in_plane, m_at_infinity, m_problem.surface());
-    compare(position, scale);
+    m_result.log_scale =
+      spherical_log_scales(m_u, plane_scale, position, m_at_infinity, m_problem.surface());
+    compare(position);
   }
 
   // Moves the center of mass of all vertices to that of the sphere, and returns by how much the
@@ -163,10 +204,12 @@ private:
   }
 
   // Compares the result with the ideal polyhedron and the bounds.
-  template <typename Point, typename FT>
-  void compare(const std::vector<Point>& position, const Spherical_scale_factors<FT>& scale)
+  template <typename FT>
+  void compare(const std::vector<std::array<FT, 2>>& position)
   {
-    Ptolemy_surface<double> ideal(m_problem.triangulation().mesh(),
+    typedef std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, double>
+      Length; // beyond the range of `double` only if positions are
+    Ptolemy_surface<Length> ideal(m_problem.triangulation().mesh(),
                                   m_problem.triangulation().length_map());
     ideal.replay(m_result.flips);
     const Delta_complex& mesh = ideal.mesh();
@@ -174,18 +217,19 @@ private:
       mesh, [&](Edge_index e) { return ideal.length(e); }, position, m_at_infinity);
     std::vector<char> is_wrong(m_problem.size(), 0);
     for(std::size_t v = 0; v < is_wrong.size(); ++v)
-      is_wrong[v] = !(scale.values()[v] >= scale.bounds()[v]);
+      is_wrong[v] = !(m_above_bound[v] >= 0);
     for(Halfedge_index h : mesh.halfedges())
       if(const std::size_t v = m_problem.original(mesh.target(h)).idx();
          mesh.source(h) == m_at_infinity)
-        is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > tolerance::bound;
+        is_wrong[v] |= m_above_bound[v] > tolerance::bound;
     m_result.layout.bound_violations = std::size_t(std::count(is_wrong.begin(), is_wrong.end(), 1));
   }
 
   Doubled_problem& m_problem;
   const std::vector<double>& m_mass;
   Vertex_index m_at_infinity;
-  std::size_t m_number_of_edges = 0; // of the triangulation that was laid out
+  std::vector<double> m_u, m_above_bound; // the scale factors, and what they exceed their bounds by
+  std::size_t m_number_of_edges = 0;      // of the triangulation that was laid out
   Unfolded_sphere m_result;
 };
 

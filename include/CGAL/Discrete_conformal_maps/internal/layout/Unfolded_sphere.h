@@ -10,13 +10,15 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -51,7 +53,24 @@ struct Unfolded_sphere
   }
 };
 
-inline double log_of_one_plus(const Extended& x)
+// Returns positions in the plane as they are stored: nothing but infinity can be told from those
+// whose squares are beyond the range of `double`.
+template <typename FT>
+std::vector<std::array<Extended, 2>>
+in_range_of_squares(const std::vector<std::array<FT, 2>>& position)
+{
+  const FT limit = tolerance::greatest_position;
+  const auto clamped = [&](const FT& x) {
+    return converted<Extended>(x > limit ? limit : x < -limit ? FT(-limit) : x);
+  };
+  std::vector<std::array<Extended, 2>> result;
+  for(const auto& p : position)
+    result.push_back({clamped(p[0]), clamped(p[1])});
+  return result;
+}
+
+template <typename Number>
+double log_of_one_plus(const Number& x)
 {
   return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
 }
@@ -61,15 +80,17 @@ inline double log_of_one_plus(const Extended& x)
 // At infinity, where neighbors have the distance one of horocycles, there is only the latter.
 // Isolated vertices of `surface` have zero.
 template <typename FT>
-std::vector<double> spherical_log_scales(const std::vector<FT>& u, const Extended& plane_scale,
-                                         const std::vector<std::array<Extended, 2>>& position,
+std::vector<double> spherical_log_scales(const std::vector<double>& u, const FT& plane_scale,
+                                         const std::vector<std::array<FT, 2>>& position,
                                          Vertex_index at_infinity, const Delta_complex& surface)
 {
-  const double shift = static_cast<double>(log(plane_scale));
+  typedef std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, Extended>
+    Number;
+  const double shift = static_cast<double>(log(converted<Number>(plane_scale)));
   std::vector<double> result;
   for(std::size_t v = 0; v < u.size(); ++v) {
-    const Extended square = position[v][0] * position[v][0] + position[v][1] * position[v][1];
-    result.push_back(std::log(2.) + static_cast<double>(u[v]) - shift - log_of_one_plus(square));
+    const Number x = converted<Number>(position[v][0]), y = converted<Number>(position[v][1]);
+    result.push_back(std::log(2.) + u[v] - shift - log_of_one_plus(x * x + y * y));
   }
   result[at_infinity.idx()] = std::log(2.) + shift;
   for(Vertex_index v : surface.vertices())

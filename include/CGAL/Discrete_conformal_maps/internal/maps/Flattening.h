@@ -19,8 +19,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/Plane_picture.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
-#include <CGAL/Discrete_conformal_maps/internal/verification/planar_errors.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
@@ -33,6 +33,16 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns what every map to the plane that is laid out is promised to have there.
+inline std::vector<Map_promise> planar_promises(const Plane_picture& picture)
+{
+  return {
+    {"orientation", double(picture.number_of_collapsed_faces()), 0, Map_status::layout_collapsed},
+    {"cross_ratio", picture.max_cross_ratio_error(), tolerance::cross_ratio,
+     Map_status::not_conformal},
+    {"closing", picture.edge_length_error(), tolerance::promised_length, Map_status::not_closed}};
+}
 
 // The steps from a doubled problem to a map.
 template <typename Visitor>
@@ -94,7 +104,9 @@ public:
     auto map = m_builder.template map<Planar_conformal_map>(m_scale.cones(), std::move(m_layout));
     if(map.is_laid_out()) {
       arrange_charts(map);
-      for(const auto& part : {planar_promises(map), shape.promises(map, whole_charts(map))})
+      const Plane_picture picture = map.picture();
+      m_builder.set_crowded(picture.crowded_faces());
+      for(const auto& part : {planar_promises(picture), shape.promises(map, whole_charts(map))})
         promises.insert(promises.end(), part.begin(), part.end());
     }
     m_builder.judge(map, greater_error(m_errors.greatest(), m_rounded_error), std::move(promises));
@@ -195,19 +207,38 @@ private:
     m_layout.is_seam.assign(mesh().num_edges(), 1);
   }
 
-  // In more digits, if those of `double` do not give the curvatures that are promised.
+  // With more digits, if those of `double` do not give the curvatures that are promised, or errors
+  // of positions are more than their rounding.
   template <typename Layout_model>
   void lay_out_in_plane(const Layout_model& layout)
   {
     const std::vector<double> correction = area_correction();
     m_builder.add_to_scale_factors(correction);
-    if(m_scale.is_extended())
-      return lay_out(measured(m_scale.extended_values(), correction), layout);
-    const std::vector<double> u(m_scale.values().begin(), m_scale.values().end());
-    const std::vector<double> length = measured(u, correction);
-    if(m_errors.greatest() <= tolerance::promised_angle)
-      return lay_out(length, layout);
-    lay_out(measured(std::vector<Extended>(u.begin(), u.end()), correction), layout);
+    if(!m_scale.is_extended()) {
+      const std::vector<double> length =
+        measured(std::vector<double>(m_scale.values().begin(), m_scale.values().end()), correction);
+      if(m_errors.greatest() <= tolerance::promised_angle && is_faithful(length, layout))
+        return;
+    }
+    const std::vector<Extended> u =
+      m_scale.is_extended()
+        ? m_scale.extended_values()
+        : std::vector<Extended>(m_scale.values().begin(), m_scale.values().end());
+    if(!m_scale.is_wide() && is_faithful(measured(u, correction), layout))
+      return;
+    const auto length =
+      measured(std::vector<Wide_number<Extended>>(u.begin(), u.end()), correction);
+    std::vector<Long_number> with_all_digits;
+    for(const auto& l : length)
+      with_all_digits.push_back(converted<Long_number>(l));
+    lay_out(with_all_digits, Incremental_layout());
+  }
+
+  template <typename FT, typename Layout_model>
+  bool is_faithful(const std::vector<FT>& length, const Layout_model& layout)
+  {
+    lay_out(length, layout);
+    return Plane_picture(m_builder.data(), m_layout).is_faithful();
   }
 
   // Returns the lengths of the edges of T^C, after their angles have been measured.
@@ -229,10 +260,12 @@ private:
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
-    const Cut_graph cut =
-      cut_to_pieces(mesh(), length, m_is_cut_edge, m_layout.is_laid_out, terminals());
+    const Cut_graph cut = cut_to_pieces(mesh(), length, crossing_order(exact), m_is_cut_edge,
+                                        m_layout.is_laid_out, terminals());
     Unfolded_faces<FT> faces(mesh(), exact, cut);
     layout(faces, *m_problem.expanded_order());
+    m_layout.position.clear();
+    m_layout.is_seam.clear();
     m_layout.position.reserve(mesh().num_halfedges());
     for(Halfedge_index h : mesh().halfedges())
       m_layout.position.push_back(to_complex(faces.position(h)));

@@ -12,8 +12,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_faces.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
@@ -75,6 +75,8 @@ public:
       leave_out();
     std::vector<Map_promise> promises = this->promises();
     m_builder.subdivide(m_visitor);
+    if(m_layout.exists)
+      m_builder.find_crowded([this](Halfedge_index h) { return length_in_disk(h); });
     auto map = m_builder.template map<Hyperbolic_conformal_map>(std::move(m_layout));
     m_builder.judge(map, m_errors.greatest(), std::move(promises));
     return map;
@@ -90,6 +92,15 @@ private:
     m_layout.groups.clear();
     m_layout.position.assign(mesh().num_halfedges(), {0, 0, 1});
     m_layout.seam.assign(mesh().num_edges(), m_layout.no_seam);
+  }
+
+  // of a side of a face, in the Poincare disk: a hyperbolic length shrinks by half of 1 - r^2 at the
+  // distance r from the center
+  double length_in_disk(Halfedge_index h) const
+  {
+    const double t =
+      (std::max)(m_layout.position[h.idx()][2], m_layout.position[mesh().next(h).idx()][2]);
+    return 2 * std::asinh(m_builder.scaled_length(h)) / (1 + t);
   }
 
   // what was measured in the precision of the layout
@@ -283,7 +294,7 @@ private:
   rounded_to_digits(const std::vector<Disk_motion<FT>>& motions, int digits)
   {
     const auto number = [&](const FT& x) {
-      const More_extended exact = to_more_extended(x);
+      const More_extended exact = converted<More_extended>(x);
       return digits == 0 ? exact : More_extended(exact.str(digits));
     };
     std::vector<Disk_motion<More_extended>> result;

@@ -13,9 +13,12 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -86,6 +89,35 @@ public:
     return Map(std::move(m_owner), std::forward<Parts>(parts)...);
   }
 
+  // Notes the faces of the input with a part in one of these faces of T^C. There is a subdivision.
+  void set_crowded(const std::vector<char>& is_crowded)
+  {
+    std::vector<Face_index>& result = m_outcome.crowded_faces;
+    result.clear();
+    if(std::count(is_crowded.begin(), is_crowded.end(), 0) == std::ptrdiff_t(is_crowded.size()))
+      return;
+    const auto& subdivision = *m_data.subdivision;
+    for(Face_index f : subdivision.mesh().faces())
+      if(const Face_index on_A = subdivision.parent_face(Layer::A, f);
+         m_data.is_original(on_A) && is_crowded[subdivision.parent_face(Layer::C, f).idx()])
+        result.push_back(on_A);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+  }
+
+  // Notes faces of T^C with a side of which `size(h)`, its length in a picture with coordinates of
+  // at most one, may be no more than their rounding.
+  template <typename Size>
+  void find_crowded(const Size& size)
+  {
+    std::vector<char> is_crowded(mesh().num_faces(), 0);
+    for(Halfedge_index h : mesh().halfedges())
+      if(!mesh().is_border(h))
+        is_crowded[mesh().face(h).idx()] |=
+          size(h) <= tolerance::roundings_of_position * tolerance::unit;
+    set_crowded(is_crowded);
+  }
+
   // Decides about the map, by what was measured on it. `curvature_error` is that of all vertices.
   void judge(Discrete_conformal_map& map, double curvature_error, std::vector<Map_promise> promises)
   {
@@ -107,9 +139,12 @@ public:
   template <typename Scale_factors>
   void flip(const Scale_factors& scale)
   {
-    flip(m_problem.scaled(scale.values()).flips());
+    if(scale.is_wide())
+      flip(wide_flips(scale.extended_values()));
+    else
+      flip(m_problem.scaled(scale.values()).flips());
     set_scale_factors(scale);
-    if(m_problem.has_precise_lengths())
+    if(m_problem.has_precise_lengths() && !scale.is_wide())
       flip_exactly();
   }
 
@@ -173,12 +208,7 @@ public:
   // T^C
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
 
-  double scaled_length(Halfedge_index h) const
-  {
-    const double u =
-      m_data.log_scale[mesh().source(h).idx()] + m_data.log_scale[mesh().target(h).idx()];
-    return internal::scaled_length(m_data.bc.length(mesh().edge(h)), length_factor(u));
-  }
+  double scaled_length(Halfedge_index h) const { return m_data.scaled_length(h); }
 
   // of the edges of T^C, by the recorded flips in the precision of the scale factors, which `u` has
   // for the vertices of the surface itself
@@ -197,6 +227,11 @@ public:
   }
 
 private:
+  std::vector<Halfedge_index> wide_flips(const std::vector<Extended>& u)
+  {
+    return m_problem.scaled(std::vector<Wide_number<Extended>>(u.begin(), u.end())).flips();
+  }
+
   // Makes T^C exactly ideal Delaunay with the scale factors and lengths as they are in `double`,
   // where rounding has left it undecided. An edge at which the copy of the surface ends stays.
   void flip_exactly()

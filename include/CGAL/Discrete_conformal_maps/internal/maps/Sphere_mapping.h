@@ -40,14 +40,12 @@ public:
       store(unfold());
       if(m_layout.exists)
         find_lost_faces();
-    } else {
-      const Inscribed_polygon polygon(m_problem, m_mass, candidates().front(), m_visitor);
-      store(polygon.result());
-      m_layout.lost_in_output = number_of_faces(
-        [&](Face_index f) { return polygon.is_original(f) && orientation(f, 0, 1) <= 0; });
-    }
+    } else if(!store_polygon<Extended>())
+      store_polygon<Long_number>();
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
+    if(m_layout.exists)
+      m_builder.find_crowded([this](Halfedge_index h) { return m_builder.scaled_length(h); });
     auto map = m_builder.template map<Spherical_conformal_map>(std::move(m_layout));
     m_builder.judge(map, m_errors.greatest(), std::move(m_promises));
     return map;
@@ -115,6 +113,19 @@ private:
     return std::any_of(vertices.begin(), vertices.end(), [this](Vertex_index v) {
       return !m_problem.surface().is_isolated(v) && !m_problem.is_on_boundary(v);
     });
+  }
+
+  // Returns whether a polygon with numbers of this type is good.
+  template <typename FT>
+  bool store_polygon()
+  {
+    const Inscribed_polygon<FT> polygon(m_problem, m_mass, candidates().front(), m_visitor);
+    if(std::is_same<FT, Extended>::value && !polygon.result().is_good(tolerance::cross_ratio))
+      return false;
+    store(polygon.result());
+    m_layout.lost_in_output = number_of_faces(
+      [&](Face_index f) { return polygon.is_original(f) && orientation(f, 0, 1) <= 0; });
+    return true;
   }
 
   // The first good result, or else the best. Results with different copies of a disk cannot be

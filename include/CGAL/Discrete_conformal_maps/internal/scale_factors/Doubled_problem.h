@@ -10,8 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -103,8 +103,7 @@ public:
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
       if(m_precise_length.empty())
         return FT(t.length(e));
-      const Extended& length = m_precise_length[e.idx()];
-      return FT(FT(length.high()) + FT(length.low()));
+      return converted<FT>(m_precise_length[e.idx()]);
     });
   }
 
@@ -199,17 +198,20 @@ public:
   }
 
   // Returns the surface in T^C of these scale factors, for which the copy is made deep enough.
-  Penner_surface<double> scaled(const Vector& scale)
+  template <typename FT>
+  Penner_surface<FT> scaled(const std::vector<FT>& scale)
   {
     for(;;) {
-      Penner_surface<double> result(m_triangulation.mesh(), lengths<double>(m_triangulation),
-                                    m_flipping);
-      const Vector all = expanded(scale);
-      result.scale({all.begin(), all.end()});
+      Penner_surface<FT> result(m_triangulation.mesh(), lengths<FT>(m_triangulation), m_flipping);
+      result.scale(expanded(scale));
       if(!has_exceeded(result.flips()))
         return result;
       extend(result.flips());
     }
+  }
+  Penner_surface<double> scaled(const Vector& scale)
+  {
+    return scaled(std::vector<double>(scale.begin(), scale.end()));
   }
 
   // Copies all of the surface. Returns whether that is more than before.

@@ -17,23 +17,23 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// a floating point number with that many decimal digits, whose exponent has no end in practice
 #ifdef CGAL_USE_MPFR // many times as fast
-typedef boost::multiprecision::mpfr_float_backend<115, boost::multiprecision::allocate_stack>
-  More_extended_backend;
+template <unsigned int Digits>
+using Decimal_number = boost::multiprecision::number<
+  boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+  boost::multiprecision::et_off>;
 #else
-typedef boost::multiprecision::cpp_bin_float<115> More_extended_backend;
+template <unsigned int Digits>
+using Decimal_number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>,
+                                                     boost::multiprecision::et_off>;
 #endif
 
 // takes over from `Extended` where errors grow on very long ways
-typedef boost::multiprecision::number<More_extended_backend, boost::multiprecision::et_off>
-  More_extended;
+typedef Decimal_number<115> More_extended;
 
-inline More_extended to_more_extended(const More_extended& x) { return x; }
-inline More_extended to_more_extended(double x) { return x; }
-inline More_extended to_more_extended(const Extended& x)
-{
-  return More_extended(x.high()) + x.low();
-}
+// has positions in one plane of faces that differ in size by a factor of up to e^3400
+typedef Decimal_number<1500> Long_number;
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

@@ -15,8 +15,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
@@ -46,6 +46,8 @@ public:
   const Vector& values() const { return m_u; }
   const std::vector<Extended>& extended_values() const { return m_extended; }
   bool is_extended() const { return !m_extended.empty(); }
+  // whether lengths with these scale factors may be beyond the range of `double`
+  bool is_wide() const { return m_is_wide; }
 
   const Minimization_result& result() const { return m_result; }
   // of the vertices where curvatures are prescribed
@@ -70,12 +72,16 @@ public:
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     m_extended.clear();
+    m_is_wide = false;
     auto energy = energy_at_start<double>(m_problem.triangulation());
     run(energy, minimizer, visitor);
     if(m_problem.has_precise_lengths())
       measure_precisely();
     if(is_rounded(tolerance) && !has_no_solution())
-      minimize_extended(minimizer, tolerance, visitor);
+      minimize_in<Extended>(minimizer, tolerance, visitor);
+    if constexpr(Triangle<double>::has_similar_ones)
+      if(is_out_of_range(tolerance))
+        minimize_beyond_range(minimizer, tolerance, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
   }
@@ -166,17 +172,52 @@ private:
   }
 
   // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
-  template <typename Minimizer, typename Visitor>
-  void minimize_extended(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  template <typename FT, typename Minimizer, typename Visitor>
+  void minimize_in(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
-    auto energy = energy_at_start<Extended>(m_problem.triangulation());
+    auto energy = energy_at_start<FT>(m_problem.triangulation());
     double before = 0;
     do {
       before = (std::max)(m_max_curvature_error, m_result.gradient_error);
       run(energy, minimizer, visitor);
     } while(!is_within(tolerance) && !has_no_solution() &&
             (std::max)(m_max_curvature_error, m_result.gradient_error) < before / 2);
-    m_extended = energy.scale_factors();
+    m_extended.clear();
+    for(const FT& u : energy.scale_factors())
+      m_extended.push_back(converted<Extended>(u));
+  }
+
+  // Where scale factors differ so much, lengths on the way may be beyond the range of `double`.
+  bool is_out_of_range(double tolerance) const
+  {
+    return m_problem.flipping() == Flipping::to_Delaunay && !is_within(tolerance) &&
+           m_u.size() > 0 && m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
+  }
+
+  template <typename Minimizer, typename Visitor>
+  void minimize_beyond_range(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    m_is_wide = true;
+    auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
+    run(energy, minimizer, visitor);
+    minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
+    shift_to_zero();
+  }
+
+  // Where nothing is prescribed, makes the greatest scale factor of a component zero, so that no
+  // scaled length is too great for `double`.
+  void shift_to_zero()
+  {
+    const auto& component = m_problem.components();
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<double> greatest(fixed.size(), -std::numeric_limits<double>::infinity());
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      greatest[component[v]] = (std::max)(greatest[component[v]], m_u[Eigen::Index(v)]);
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(const std::size_t c = component[v]; fixed[c] == 0) {
+        m_extended[v] -= greatest[c];
+        m_u[Eigen::Index(v)] = static_cast<double>(m_extended[v]);
+      }
   }
 
   template <typename FT, typename Minimizer, typename Visitor>
@@ -264,7 +305,7 @@ private:
   std::vector<Extended> m_extended;
   Minimization_result m_result;
   Map_status m_status = Map_status::success;
-  bool m_has_layout = true;
+  bool m_has_layout = true, m_is_wide = false;
   double m_max_curvature_error = 0;
 };
 

@@ -9,9 +9,14 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Map_promise.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -19,7 +24,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h
 // is ij.
 template <typename Length>
-double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
+auto length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
 {
   const Halfedge_index o = mesh.opposite(h);
   return length(mesh.next(h)) / length(mesh.prev(h)) *
@@ -34,34 +39,64 @@ double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& count
 {
   double result = 0;
   for(Edge_index e : mesh.edges())
-    if(const Halfedge_index h = mesh.halfedge(e); counts(h))
-      result = greater_error(
-        result,
-        std::abs(length_cross_ratio(h, mesh, in_image) / length_cross_ratio(h, mesh, ideal) - 1));
+    if(const Halfedge_index h = mesh.halfedge(e); counts(h)) {
+      const auto ratio = length_cross_ratio(h, mesh, in_image) / length_cross_ratio(h, mesh, ideal);
+      result = greater_error(result, std::abs(static_cast<double>(ratio) - 1));
+    }
   return result;
 }
 
 // That of points in the plane, and one at infinity, whose distances are all the same. `length`
-// gives what the length of an edge should be. An edge of a border does not count.
-template <typename FT, typename Length>
+// gives what the length of an edge should be. An edge of a border does not count, nor do those with
+// a side of their faces of which `is_known()` is false.
+template <typename FT, typename Length, typename Is_known>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
                                            const std::vector<std::array<FT, 2>>& position,
-                                           Vertex_index at_infinity)
+                                           Vertex_index at_infinity, const Is_known& is_known)
 {
   using std::sqrt;
-  std::vector<double> distance(mesh.num_edges(), 1.);
+  typedef Difference_of<FT> Number;
+  typedef std::conditional_t<std::is_same<FT, Number>::value, double, Number> Distance;
+  std::vector<Distance> distance(mesh.num_edges(), Distance(1));
   for(Edge_index e : mesh.edges()) {
     const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
     if(v == at_infinity || w == at_infinity)
       continue;
     const auto &p = position[v.idx()], &q = position[w.idx()];
-    const FT x = p[0] - q[0], y = p[1] - q[1], square = x * x + y * y;
-    distance[e.idx()] = static_cast<double>(FT(sqrt(square)));
+    const Number x = converted<Number>(FT(p[0] - q[0])), y = converted<Number>(FT(p[1] - q[1]));
+    distance[e.idx()] = converted<Distance>(Number(sqrt(Number(x * x + y * y))));
   }
+  const auto counts = [&](Halfedge_index h) {
+    const auto is_side_known = [&](Halfedge_index side) { return is_known(Edge_index(side)); };
+    const Halfedge_index o = mesh.opposite(h);
+    return !mesh.is_border(Edge_index(h)) && is_side_known(mesh.next(h)) &&
+           is_side_known(mesh.prev(h)) && is_side_known(mesh.next(o)) &&
+           is_side_known(mesh.prev(o));
+  };
   return greatest_cross_ratio_error(
-    mesh, [&](Halfedge_index h) { return !mesh.is_border(Edge_index(h)); },
-    [&](Halfedge_index h) { return distance[Edge_index(h).idx()]; },
-    [&](Halfedge_index h) { return length(Edge_index(h)); });
+    mesh, counts, [&](Halfedge_index h) { return distance[Edge_index(h).idx()]; },
+    [&](Halfedge_index h) { return converted<Distance>(length(Edge_index(h))); });
+}
+
+// Whether positions in the plane as a map stores them, in the range of squares, tell their distance
+// with the digits that a cross ratio is promised to have.
+inline bool has_known_distance(const std::array<Extended, 2>& p, const std::array<Extended, 2>& q)
+{
+  double size = 0, distance = 0;
+  for(std::size_t c = 0; c < 2; ++c) {
+    size = (std::max)({size, std::abs(p[c].high()), std::abs(q[c].high())});
+    distance = (std::max)(distance, std::abs(static_cast<double>(p[c] - q[c])));
+  }
+  return size < tolerance::greatest_position && distance > tolerance::least_known_distance * size;
+}
+
+template <typename FT, typename Length>
+double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
+                                           const std::vector<std::array<FT, 2>>& position,
+                                           Vertex_index at_infinity)
+{
+  return max_stereographic_cross_ratio_error(mesh, length, position, at_infinity,
+                                             [](Edge_index) { return true; });
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

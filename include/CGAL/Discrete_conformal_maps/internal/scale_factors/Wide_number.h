@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_WIDE_NUMBER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_WIDE_NUMBER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// A number with the digits of `Mantissa`, `double` or `Extended`, and an exponent of its own: the
+// lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares in a row, and
+// are beyond the range of both.
+template <typename Mantissa>
+class Wide_number
+{
+public:
+  Wide_number(double x = 0) : Wide_number(Mantissa(x), 0) {}
+  Wide_number(const Extended& x) : Wide_number(static_cast<Mantissa>(x), 0) {}
+  // `mantissa` times a power of two
+  explicit Wide_number(const Mantissa& mantissa, std::int64_t exponent)
+    : m_mantissa(mantissa), m_exponent(exponent)
+  {
+    normalize();
+  }
+  template <typename Other>
+  explicit Wide_number(const Wide_number<Other>& x)
+    : Wide_number(Mantissa(x.mantissa()), x.exponent())
+  {}
+
+  // zero, not finite, or from 1/2 to 1 by absolute value
+  const Mantissa& mantissa() const { return m_mantissa; }
+  // zero if the mantissa is zero or not finite
+  std::int64_t exponent() const { return m_exponent; }
+  bool is_finite() const { return std::isfinite(leading_part()); }
+  // the sign, and what says whether the number is zero or finite
+  double leading_part() const { return static_cast<double>(m_mantissa); }
+
+  explicit operator double() const { return static_cast<double>(in_range_of_mantissa()); }
+
+  // Beyond the range of `Mantissa`, zero or infinity.
+  Mantissa in_range_of_mantissa() const
+  {
+    using std::ldexp;
+    constexpr std::int64_t limit = 4096;
+    return ldexp(m_mantissa, static_cast<int>(std::clamp(m_exponent, -limit, limit)));
+  }
+
+  friend Wide_number operator-(const Wide_number& x)
+  {
+    return Wide_number(-x.m_mantissa, x.m_exponent);
+  }
+  friend Wide_number operator+(const Wide_number& x, const Wide_number& y)
+  {
+    if(x.is_absorbed_by(y))
+      return y;
+    if(y.is_absorbed_by(x))
+      return x;
+    using std::ldexp;
+    const std::int64_t exponent = (std::max)(x.m_exponent, y.m_exponent);
+    return Wide_number(ldexp(x.m_mantissa, static_cast<int>(x.m_exponent - exponent)) +
+                         ldexp(y.m_mantissa, static_cast<int>(y.m_exponent - exponent)),
+                       exponent);
+  }
+  friend Wide_number operator-(const Wide_number& x, const Wide_number& y) { return x + -y; }
+  friend Wide_number operator*(const Wide_number& x, const Wide_number& y)
+  {
+    return Wide_number(x.m_mantissa * y.m_mantissa, x.m_exponent + y.m_exponent);
+  }
+  friend Wide_number operator/(const Wide_number& x, const Wide_number& y)
+  {
+    return Wide_number(x.m_mantissa / y.m_mantissa, x.m_exponent - y.m_exponent);
+  }
+
+  Wide_number& operator+=(const Wide_number& y) { return *this = *this + y; }
+  Wide_number& operator-=(const Wide_number& y) { return *this = *this - y; }
+  Wide_number& operator*=(const Wide_number& y) { return *this = *this * y; }
+  Wide_number& operator/=(const Wide_number& y) { return *this = *this / y; }
+
+  friend bool operator<(const Wide_number& x, const Wide_number& y) { return x.order(y) < 0; }
+  friend bool operator>(const Wide_number& x, const Wide_number& y) { return x.order(y) > 0; }
+  friend bool operator<=(const Wide_number& x, const Wide_number& y) { return x.order(y) <= 0; }
+  friend bool operator>=(const Wide_number& x, const Wide_number& y) { return x.order(y) >= 0; }
+  friend bool operator==(const Wide_number& x, const Wide_number& y) { return x.order(y) == 0; }
+  friend bool operator!=(const Wide_number& x, const Wide_number& y) { return !(x == y); }
+
+  friend Wide_number abs(const Wide_number& x) { return x.leading_part() < 0 ? -x : x; }
+  friend Wide_number ldexp(const Wide_number& x, int exponent)
+  {
+    return Wide_number(x.m_mantissa, x.m_exponent + exponent);
+  }
+  friend Wide_number sqrt(const Wide_number& x)
+  {
+    using std::ldexp;
+    using std::sqrt;
+    const int odd = static_cast<int>(x.m_exponent & 1);
+    return Wide_number(sqrt(ldexp(x.m_mantissa, odd)), (x.m_exponent - odd) / 2);
+  }
+
+  friend Wide_number exp(const Wide_number& x)
+  {
+    using std::exp;
+    const Mantissa power = x.in_range_of_mantissa();
+    const double quotient = std::round(static_cast<double>(power) / static_cast<double>(ln_two()));
+    if(!(std::abs(quotient) < 0x1p52)) // nor are there such exponents
+      return Wide_number(exp(power), 0);
+    return Wide_number(exp(Mantissa(power - Mantissa(quotient) * ln_two())),
+                       static_cast<std::int64_t>(quotient));
+  }
+  friend Wide_number log(const Wide_number& x)
+  {
+    using std::log;
+    return Wide_number(log(x.m_mantissa) + Mantissa(static_cast<double>(x.m_exponent)) * ln_two(),
+                       0);
+  }
+  friend Wide_number cos(const Wide_number& x)
+  {
+    using std::cos;
+    return Wide_number(cos(x.in_range_of_mantissa()), 0);
+  }
+  friend Wide_number sin(const Wide_number& x)
+  {
+    using std::sin;
+    return Wide_number(sin(x.in_range_of_mantissa()), 0);
+  }
+  friend Wide_number atan2(const Wide_number& y, const Wide_number& x)
+  {
+    using std::atan2;
+    const std::int64_t exponent = (std::max)(y.m_exponent, x.m_exponent);
+    const auto scaled = [&](const Wide_number& z) {
+      return Wide_number(z.m_mantissa, z.m_exponent - exponent).in_range_of_mantissa();
+    };
+    return Wide_number(atan2(scaled(y), scaled(x)), 0);
+  }
+
+private:
+  static Mantissa ln_two()
+  {
+    return static_cast<Mantissa>(Intrinsic_triangulations::internal::ln_two());
+  }
+
+  void normalize()
+  {
+    int exponent = 0;
+    const double leading = std::frexp(leading_part(), &exponent);
+    if(leading == 0 || !std::isfinite(leading)) {
+      m_exponent = 0;
+      return;
+    }
+    using std::ldexp;
+    m_mantissa = ldexp(m_mantissa, -exponent);
+    m_exponent += exponent;
+  }
+
+  // whether a sum of both is the other
+  bool is_absorbed_by(const Wide_number& other) const
+  {
+    constexpr std::int64_t digits = 200; // more than two mantissas have
+    if(!other.is_finite() || leading_part() == 0)
+      return true;
+    return is_finite() && other.leading_part() != 0 && m_exponent < other.m_exponent - digits;
+  }
+
+  // the sign of the difference; NaN if there is none
+  double order(const Wide_number& other) const
+  {
+    if(!is_finite() || !other.is_finite())
+      return leading_part() == other.leading_part() ? 0 : leading_part() - other.leading_part();
+    return (*this - other).leading_part();
+  }
+
+  Mantissa m_mantissa;
+  std::int64_t m_exponent;
+};
+
+template <typename Mantissa>
+int exponent_of(const Wide_number<Mantissa>& x)
+{
+  constexpr std::int64_t limit = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(x.exponent(), -limit, limit));
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+// The exponent has no end that a computation could reach.
+template <typename Mantissa>
+class std::numeric_limits<CGAL::Discrete_conformal_maps::internal::Wide_number<Mantissa>>
+  : public std::numeric_limits<Mantissa>
+{
+  typedef CGAL::Discrete_conformal_maps::internal::Wide_number<Mantissa> Number;
+
+public:
+  static constexpr bool is_iec559 = false;
+  static Number epsilon() { return Number(std::numeric_limits<Mantissa>::epsilon(), 0); }
+  static Number(min)() { return Number(Mantissa(0.5), -(std::int64_t(1) << 52)); }
+  static Number(max)() { return Number(Mantissa(0.5), std::int64_t(1) << 52); }
+  static Number lowest() { return -(max)(); }
+  static Number infinity() { return Number(std::numeric_limits<Mantissa>::infinity(), 0); }
+  static Number quiet_NaN() { return Number(std::numeric_limits<Mantissa>::quiet_NaN(), 0); }
+};
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_WIDE_NUMBER_H

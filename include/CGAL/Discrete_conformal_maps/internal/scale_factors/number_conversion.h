@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_NUMBER_CONVERSION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_NUMBER_CONVERSION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
+
+#include <type_traits>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// `converted<To>(x)` is the number `x` of any type as the type `To`, rounded if that has fewer
+// digits; infinite or zero beyond its range.
+
+template <typename To>
+To converted(double x)
+{
+  return To(x);
+}
+
+template <typename To>
+To converted(const Extended& x)
+{
+  if constexpr(std::is_same<To, double>::value)
+    return x.high();
+  else
+    return To(x.high()) + To(x.low());
+}
+
+template <typename To, unsigned int Digits>
+To converted(const Decimal_number<Digits>& x)
+{
+  if constexpr(std::is_same<To, Extended>::value) {
+    const double high = static_cast<double>(x);
+    return Extended(high) + Extended(static_cast<double>(x - high));
+  } else if constexpr(std::is_same<To, Wide_number<double>>::value) {
+    int exponent = 0;
+    const Decimal_number<Digits> mantissa = frexp(x, &exponent);
+    return To(static_cast<double>(mantissa), exponent);
+  } else
+    return static_cast<To>(x);
+}
+
+template <typename To, typename Mantissa>
+To converted(const Wide_number<Mantissa>& x)
+{
+  if constexpr(std::is_same<To, double>::value || std::is_same<To, Extended>::value)
+    return converted<To>(x.in_range_of_mantissa());
+  else if constexpr(std::is_constructible<To, Wide_number<Mantissa>>::value)
+    return To(x);
+  else
+    return ldexp(converted<To>(x.mantissa()), exponent_of(x));
+}
+
+// What has as many digits of a difference of two numbers as are of use: those of a long number only
+// keep positions apart.
+template <typename FT>
+using Difference_of =
+  std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, FT>;
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_NUMBER_CONVERSION_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_VERIFICATION_PLANE_PICTURE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_VERIFICATION_PLANE_PICTURE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Where the faces of T^C are in the plane.
+struct Planar_layout
+{
+  bool exists = false;
+  std::vector<char> is_laid_out;              // for each face
+  std::vector<std::complex<double>> position; // of the source of each halfedge
+  std::vector<char> is_seam;                  // for each edge
+};
+
+// The faces of T^C in the plane as positions in `double` show them, compared with their scaled
+// lengths.
+//
+// A side or a face is crowded if the picture has not its shape, and rounding of its corners alone
+// can be the reason. Errors are those of all others.
+class Plane_picture
+{
+public:
+  // The picture refers to both.
+  Plane_picture(const Map_data& data, const Planar_layout& layout)
+    : m_data(data),
+      m_layout(layout),
+      m_length(mesh().num_edges()),
+      m_is_crowded(mesh().num_halfedges(), 0)
+  {
+    for(Edge_index e : mesh().edges())
+      m_length[e.idx()] = data.scaled_length(mesh().halfedge(e));
+    for(Halfedge_index h : mesh().halfedges())
+      m_is_crowded[h.idx()] = is_laid_out(mesh().face(h)) && has_changed_by_rounding(h);
+  }
+
+  bool is_laid_out(Face_index f) const { return f.is_valid() && m_layout.is_laid_out[f.idx()]; }
+
+  // whether the side `h` of a face that is laid out is crowded
+  bool is_crowded(Halfedge_index h) const { return m_is_crowded[h.idx()] != 0; }
+
+  bool is_crowded(Face_index f) const
+  {
+    const auto side = sides(f, mesh());
+    return std::any_of(side.begin(), side.end(), [&](Halfedge_index h) { return is_crowded(h); }) ||
+           (!is_positive(f) && height(f) <= rounding(side[0]));
+  }
+
+  // for each face of T^C
+  std::vector<char> crowded_faces() const
+  {
+    std::vector<char> result(mesh().num_faces(), 0);
+    for(Face_index f : mesh().faces())
+      result[f.idx()] = is_laid_out(f) && is_crowded(f);
+    return result;
+  }
+
+  // Returns the number of faces that are turned over or have no area, exactly.
+  std::size_t number_of_collapsed_faces() const
+  {
+    const auto faces = mesh().faces();
+    return std::size_t(std::count_if(faces.begin(), faces.end(), [this](Face_index f) {
+      return is_laid_out(f) && !is_positive(f) && !is_crowded(f);
+    }));
+  }
+
+  // Returns the greatest relative difference of a length in the plane from the scaled length. The
+  // two sides of a seam have the same scaled length: without a difference, the charts close up.
+  double edge_length_error() const
+  {
+    double result = 0;
+    for(Halfedge_index h : mesh().halfedges())
+      if(!mesh().is_border(h) && is_laid_out(mesh().face(h)) && !is_crowded(h))
+        result = greater_error(result, std::abs(length_of(h) / scaled_length(h) - 1));
+    return result;
+  }
+
+  double max_cross_ratio_error() const
+  {
+    const auto counts = [this](Halfedge_index h) {
+      const Halfedge_index o = mesh().opposite(h);
+      return is_laid_out(mesh().face(h)) && is_laid_out(mesh().face(o)) &&
+             !is_crowded(mesh().next(h)) && !is_crowded(mesh().prev(h)) &&
+             !is_crowded(mesh().next(o)) && !is_crowded(mesh().prev(o));
+    };
+    const auto ideal = [this](Halfedge_index h) { return m_data.bc.length(mesh().edge(h)); };
+    return greatest_cross_ratio_error(
+      mesh(), counts, [this](Halfedge_index h) { return length_of(h); }, ideal);
+  }
+
+  // whether every difference from the scaled lengths is rounding
+  bool is_faithful() const
+  {
+    return edge_length_error() <= tolerance::promised_length / 8 &&
+           number_of_collapsed_faces() == 0;
+  }
+
+private:
+  const Delta_complex& mesh() const { return m_data.bc.mesh(); }
+  const std::complex<double>& at(Halfedge_index h) const { return m_layout.position[h.idx()]; }
+
+  // in the plane
+  double length_of(Halfedge_index h) const { return std::abs(at(mesh().next(h)) - at(h)); }
+
+  double scaled_length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
+
+  // A cross ratio has the errors of four lengths.
+  bool has_changed_by_rounding(Halfedge_index h) const
+  {
+    const double length = scaled_length(h), error = std::abs(length_of(h) - length);
+    return error > tolerance::promised_length / 8 * length && error <= rounding(h);
+  }
+
+  // what a length may change by if positions in the face of `h` are rounded
+  double rounding(Halfedge_index h) const
+  {
+    double size = 0;
+    for(Halfedge_index side : sides(mesh().face(h), mesh()))
+      size = (std::max)({size, std::abs(at(side).real()), std::abs(at(side).imag())});
+    return tolerance::roundings_of_position * tolerance::unit * size;
+  }
+
+  bool is_positive(Face_index f) const
+  {
+    const auto side = sides(f, mesh());
+    const auto point = [this](Halfedge_index h) {
+      return Plane_predicates<double>::Point{at(h).real(), at(h).imag()};
+    };
+    return Plane_predicates<double>().orientation(point(side[0]), point(side[1]), point(side[2])) >
+           0;
+  }
+
+  // above the longest side of a triangle with the scaled lengths
+  double height(Face_index f) const
+  {
+    const auto side = sides(f, mesh());
+    std::array<double, 3> length;
+    for(std::size_t s = 0; s < 3; ++s)
+      length[s] = scaled_length(side[s]);
+    return std::sqrt(
+             Intrinsic_triangulations::squared_quadrupled_area(length[0], length[1], length[2])) /
+           (2 * (std::max)({length[0], length[1], length[2]}));
+  }
+
+  const Map_data& m_data;
+  const Planar_layout& m_layout;
+  std::vector<double> m_length;   // the scaled length of each edge
+  std::vector<char> m_is_crowded; // for each halfedge
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_VERIFICATION_PLANE_PICTURE_H
