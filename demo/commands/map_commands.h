@@ -83,8 +83,8 @@ void describe_minimization(Statistics& statistics, const Conformal_map& map,
 // Adds the status, the errors of what is promised and the greatest error of curvatures.
 void describe_status(Statistics& statistics, const Conformal_map& map);
 
-// Adds the faces of the input that are too small for the picture, and says so. `component` is null if
-// the map is of all of the input.
+// Adds the faces of the input that are too small for the picture, and says so. `component` is null
+// if the map is of all of the input.
 void describe_crowding(Command_run& run, Statistics& statistics, const Conformal_map& map,
                        const Component_mesh* component = nullptr);
 

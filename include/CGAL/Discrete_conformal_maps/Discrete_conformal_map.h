@@ -178,8 +178,9 @@ public:
   double max_curvature_error() const { return m_outcome.max_curvature_error; }
 
   /// returns the faces of the input with a part whose image is too small for the numbers of type
-  /// `double` that have its position, in ascending order: corners that are apart on the surface have
-  /// the same position, or sides have other lengths than they should have. Most often there are none.
+  /// `double` that have its position, in ascending order: corners that are apart on the surface
+  /// have the same position, or sides have other lengths than they should have. Most often there
+  /// are none.
   ///
   /// A long strip that is mapped to a disk has them: its ends shrink by a factor of \f$e^\pi\f$ for
   /// every square, which is known as crowding. That is a property of the picture alone: the scale

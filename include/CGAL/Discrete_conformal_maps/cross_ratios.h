@@ -34,8 +34,8 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// returns the greatest relative error of a length cross ratio of an edge of \f$T^C\f$, between the
 /// lengths on the sphere and those of the ideal polyhedron. Positions have the digits of
-/// `Spherical_conformal_map::stereographic_position()`: edges do not count that have a side of a face
-/// beside them whose length these cannot tell. Complexity: linear.
+/// `Spherical_conformal_map::stereographic_position()`: edges do not count that have a side of a
+/// face beside them whose length these cannot tell. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();

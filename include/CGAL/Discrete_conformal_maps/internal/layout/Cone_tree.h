@@ -121,10 +121,10 @@ private:
   std::vector<char> m_contains;
 };
 
-// Returns what says in which order edges of these lengths are crossed, the greatest first. The longest
-// are: positions are handed on through large triangles. With numbers that have digits enough it is
-// the shortest, so that no small face is reached from another one across large ones, and errors are
-// small in proportion to both.
+// Returns what says in which order edges of these lengths are crossed, the greatest first. The
+// longest are: positions are handed on through large triangles. With numbers that have digits
+// enough it is the shortest, so that no small face is reached from another one across large ones,
+// and errors are small in proportion to both.
 template <typename FT>
 std::vector<double> crossing_order(const std::vector<FT>& length)
 {
@@ -138,8 +138,8 @@ std::vector<double> crossing_order(const std::vector<FT>& length)
 }
 
 // Cuts a surface into pieces that can be unfolded into the plane. `length` is that of edges, which
-// are crossed in the order of `order`; `is_cut_edge` says which are not passed; `is_used` which faces
-// are wanted; every vertex where faces cannot close up, a cone or an end of a cut edge, is a
+// are crossed in the order of `order`; `is_cut_edge` says which are not passed; `is_used` which
+// faces are wanted; every vertex where faces cannot close up, a cone or an end of a cut edge, is a
 // terminal.
 inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
                                const std::vector<double>& order,

@@ -116,9 +116,9 @@ private:
       m_direction = FT(1 / length) * v;
   }
 
-  // Positions have errors in proportion to the greatest length on the way from one to the other, and
-  // faces beside the axis may be smaller than what they miss it by. So every vertex is shifted by
-  // what takes the vertex on the axis to it that can be reached by the shortest edges.
+  // Positions have errors in proportion to the greatest length on the way from one to the other,
+  // and faces beside the axis may be smaller than what they miss it by. So every vertex is shifted
+  // by what takes the vertex on the axis to it that can be reached by the shortest edges.
   void shift_to_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
     struct Shift

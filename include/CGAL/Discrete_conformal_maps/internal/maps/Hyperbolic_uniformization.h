@@ -94,8 +94,8 @@ private:
     m_layout.seam.assign(mesh().num_edges(), m_layout.no_seam);
   }
 
-  // of a side of a face, in the Poincare disk: a hyperbolic length shrinks by half of 1 - r^2 at the
-  // distance r from the center
+  // of a side of a face, in the Poincare disk: a hyperbolic length shrinks by half of 1 - r^2 at
+  // the distance r from the center
   double length_in_disk(Halfedge_index h) const
   {
     const double t =
