@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Maps whose scale factors, or pictures, are beyond the range of `double`.
+
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+
+#include "../Intrinsic_triangulations/generators.h"
+#include "../Intrinsic_triangulations/refined_meshes.h"
+
+namespace Test_crowding {
+
+using namespace Test_surfaces;
+using DCM::Spherical_conformal_map;
+
+// unit squares in a row, each cut along a diagonal
+Mesh strip(std::size_t n)
+{
+  return grid(n, 1, [](double x, double y) { return Point(x, y, 0); });
+}
+
+// `n` by `m` squares along a spiral
+Mesh spiral(std::size_t n, std::size_t m)
+{
+  return grid(n, m, [m](double x, double y) {
+    const double angle = 0.2 * x, r = 1 + 0.12 * angle + 0.3 * y / double(m);
+    return Point(r * std::cos(angle), r * std::sin(angle), 0);
+  });
+}
+
+Mesh stretched(Mesh mesh, double factor)
+{
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    mesh.point(v) = Point(factor * p.x(), p.y(), p.z());
+  }
+  return mesh;
+}
+
+// Whether faces that are not crowded have corners that are apart on the sphere.
+void check_crowded_faces(const Spherical_conformal_map& map, const Mesh& mesh)
+{
+  const std::vector<Face_index>& crowded = map.crowded_faces();
+  EXPECT_TRUE(std::is_sorted(crowded.begin(), crowded.end()));
+  EXPECT_EQ(std::adjacent_find(crowded.begin(), crowded.end()), crowded.end());
+  for(Mesh::Face_index f : mesh.faces()) {
+    std::set<std::array<double, 3>> corners;
+    for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.insert(map.position(Vertex_index(v.idx())));
+    if(!std::binary_search(crowded.begin(), crowded.end(), Face_index(f.idx()))) {
+      EXPECT_EQ(corners.size(), 3u) << f;
+    }
+  }
+}
+
+// In a row of squares, each is the image of the one before it under x -> q x, between the lines
+// from the origin: its cross ratio (q - 1)^2 / (4 q) is one, so q is 3 + 2 sqrt 2. The vertical
+// edge at q^k has length one, and the chord 4 q^k / (1 + q^2k) on the sphere.
+void check_strip(std::size_t n)
+{
+  const Mesh mesh = strip(n);
+  const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
+  EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+  EXPECT_TRUE(map.certificate().is_convex());
+  const double log_q = std::log(3 + 2 * std::sqrt(2.));
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    const double k = std::abs(mesh.point(v).x() - double(n) / 2),
+                 log_cosh = k * log_q + std::log1p(std::exp(-2 * k * log_q)) - std::log(2.);
+    EXPECT_NEAR(map.log_scale(Vertex_index(v.idx())), std::log(2.) - log_cosh, 1e-9 * (1 + k)) << v;
+  }
+  check_crowded_faces(map, mesh);
+}
+
+TEST(Crowding, short_strip)
+{
+  check_strip(8);
+  EXPECT_TRUE(DCM::map_to_sphere(strip(8)).crowded_faces().empty());
+}
+
+TEST(Crowding, strip_beyond_the_digits_of_double)
+{
+  check_strip(60);
+  EXPECT_FALSE(DCM::map_to_sphere(strip(60)).crowded_faces().empty());
+}
+
+TEST(Crowding, strip_beyond_the_range_of_double) { check_strip(1000); }
+
+TEST(Crowding, stretched_spheres)
+{
+  for(const double factor : {100., 3000., 1e5}) {
+    SCOPED_TRACE(factor);
+    const Mesh mesh = stretched(unit_sphere(10), factor);
+    const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
+    EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+    EXPECT_TRUE(map.certificate().is_convex());
+    EXPECT_LE(map.max_curvature_error(), 1e-10);
+    EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8);
+    check_crowded_faces(map, mesh);
+  }
+}
+
+// A disk with vertices inside, whose double has many ties.
+TEST(Crowding, spiral_on_the_hemisphere)
+{
+  const Spherical_conformal_map map = DCM::map_to_sphere(spiral(200, 3));
+  EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+  EXPECT_TRUE(map.certificate().is_convex());
+  EXPECT_FALSE(map.crowded_faces().empty());
+}
+
+// Curvatures are those of a flat polygon also where faces have the size 1e-80.
+TEST(Crowding, spiral_in_a_disk)
+{
+  const Mesh mesh = spiral(150, 3);
+  const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+  ASSERT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+  EXPECT_FALSE(map.crowded_faces().empty());
+  EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8);
+  const Delta_complex& C = mesh_C(map);
+  const std::vector<double> angle = angle_sums(C, scaled_lengths(map));
+  double turns = 0;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    if(!mesh.is_border(v)) {
+      EXPECT_NEAR(angle[v.idx()], 2 * pi, 1e-8) << v;
+    } else
+      turns += pi - angle[v.idx()] / 2;
+  EXPECT_NEAR(turns, 2 * pi, 1e-8);
+}
+
+// What is not crowded is in a rectangle as ever.
+TEST(Crowding, spiral_in_a_rectangle)
+{
+  const Mesh mesh = spiral(150, 3);
+  const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_TRUE(map.crowded_faces().empty());
+  check_layout(map);
+}
+
+} // namespace Test_crowding

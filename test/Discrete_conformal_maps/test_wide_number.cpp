@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Numbers with an exponent of their own against numbers of 120 digits.
+
+#include "../Intrinsic_triangulations/testing.h"
+
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+namespace Test_wide_number {
+
+namespace DCM = CGAL::Discrete_conformal_maps;
+using DCM::internal::converted;
+using DCM::internal::Extended;
+using DCM::internal::Long_number;
+using DCM::internal::Wide_number;
+using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>,
+                                          boost::multiprecision::et_off>;
+
+Big big(double x) { return x; }
+Big big(const Extended& x) { return Big(x.high()) + Big(x.low()); }
+template <typename Mantissa>
+Big big(const Wide_number<Mantissa>& x)
+{
+  return ldexp(big(x.mantissa()), static_cast<int>(x.exponent()));
+}
+
+template <typename Mantissa>
+class Wide_numbers : public testing::Test
+{
+protected:
+  typedef Wide_number<Mantissa> Number;
+
+  // with a random sign and exponent
+  Number random_number(int range)
+  {
+    const double unit = std::numeric_limits<double>::epsilon();
+    const Mantissa mantissa = Mantissa(m_random.get_double(0.5, 1)) +
+                              Mantissa(m_random.get_double(-unit, unit)) * Mantissa(unit);
+    return Number(m_random.get_bool() ? mantissa : -mantissa, m_random.get_int(-range, range + 1));
+  }
+
+  // the error in units of rounding, relative to `scale`
+  static double error(const Number& x, const Big& expected, const Big& scale)
+  {
+    const double unit = static_cast<double>(std::numeric_limits<Mantissa>::epsilon());
+    return static_cast<double>(Big(abs((big(x) - expected) / scale))) / unit;
+  }
+  static double error(const Number& x, const Big& expected) { return error(x, expected, expected); }
+
+  CGAL::Random m_random{7};
+};
+
+typedef testing::Types<double, Extended> Mantissas;
+TYPED_TEST_SUITE(Wide_numbers, Mantissas);
+
+TYPED_TEST(Wide_numbers, arithmetic_beyond_the_range_of_double)
+{
+  for(int i = 0; i < 1000; ++i) {
+    const auto x = this->random_number(5000), y = this->random_number(5000),
+               z = ldexp(this->random_number(60), int(x.exponent()));
+    EXPECT_LE(this->error(x * y, big(x) * big(y)), 8);
+    EXPECT_LE(this->error(x / y, big(x) / big(y)), 8);
+    EXPECT_LE(this->error(x + z, big(x) + big(z), abs(big(x)) + abs(big(z))), 8);
+    EXPECT_LE(this->error(x - z, big(x) - big(z), abs(big(x)) + abs(big(z))), 8);
+    EXPECT_LE(this->error(sqrt(abs(x)), sqrt(abs(big(x)))), 8);
+    EXPECT_EQ(x < y, big(x) < big(y));
+    EXPECT_EQ(x <= z, big(x) <= big(z));
+    EXPECT_EQ(x == y, big(x) == big(y));
+    EXPECT_TRUE(x == x && x <= x && !(x < x));
+    EXPECT_EQ(x + 0., x);
+    EXPECT_EQ(x - x, 0.);
+  }
+}
+
+TYPED_TEST(Wide_numbers, elementary_functions)
+{
+  typedef Wide_number<TypeParam> Number;
+  for(int i = 0; i < 200; ++i) {
+    const double power = this->m_random.get_double(-5000, 5000);
+    // errors of a power are those of the exponent, times the exponent
+    EXPECT_LE(this->error(exp(Number(power)), exp(Big(power))), 8 * (1 + std::abs(power)));
+    const Number x = abs(this->random_number(5000));
+    EXPECT_LE(this->error(log(x), log(big(x)), 1 + abs(log(big(x)))), 200);
+    const Number y = ldexp(this->random_number(30), int(x.exponent()));
+    EXPECT_LE(this->error(atan2(y, x), atan2(big(y), big(x))), 200);
+  }
+}
+
+TYPED_TEST(Wide_numbers, no_number_is_lost_among_infinities)
+{
+  typedef Wide_number<TypeParam> Number;
+  const Number infinity = std::numeric_limits<Number>::infinity(), x = exp(Number(3000.));
+  EXPECT_FALSE(infinity.is_finite());
+  EXPECT_TRUE(x < infinity && -infinity < x);
+  EXPECT_EQ(x + infinity, infinity);
+  EXPECT_FALSE((infinity - infinity).is_finite());
+  EXPECT_EQ(static_cast<double>(x), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(static_cast<double>(1 / x), 0.);
+  EXPECT_FALSE(exp(Number(1e30)).is_finite());
+  EXPECT_EQ(exp(Number(-1e30)), 0.);
+}
+
+TYPED_TEST(Wide_numbers, conversions_keep_what_fits)
+{
+  for(int i = 0; i < 100; ++i) {
+    const auto x = this->random_number(5000);
+    const Long_number same = converted<Long_number>(x);
+    EXPECT_EQ(converted<Wide_number<double>>(same), converted<Wide_number<double>>(x));
+    const auto y = this->random_number(300);
+    EXPECT_EQ(converted<Extended>(converted<Long_number>(y)), converted<Extended>(y));
+  }
+}
+
+} // namespace Test_wide_number
