@@ -109,8 +109,10 @@ multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
 A map that lacks something it should have (curvatures, exterior angles, the shape of its boundary,
 length cross ratios, orientation) is not written, and the message says what can be tried. With
 --keep-going it is written, with exit code 3; "promises" in the statistics has all errors.
-"flipped_triangles" in the statistics leaves out slivers, triangles with heights in space of up to
-16 units in the last place of their coordinates; "flipped_slivers" counts those.
+Texture coordinates are rounded such that no triangle is flipped. "flipped_triangles" in the
+statistics counts those for which this fails; it leaves out slivers, triangles with heights in space
+of up to 16 units in the last place of their coordinates, which "flipped_slivers" counts.
+"flipped_faces" has the first ten faces with one or the other.
 
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
@@ -299,8 +301,9 @@ std::string summary_of(const Planar_map&, const Statistics& s)
   std::ostringstream text;
   text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
        << s["log_scale_max"].get<double>() << ", " << s["flips"] << " + " << s["ptolemy_flips"]
-       << " flips, " << s["flipped_triangles"] << " triangles flipped in the plane, "
-       << s["subdivision"]["faces"] << " faces in the common subdivision, " << s["charts"]
+       << " flips, " << s["flipped_triangles"] << " triangles flipped in the plane"
+       << first_flipped_face(s) << ", " << s["subdivision"]["faces"]
+       << " faces in the common subdivision, " << s["charts"]
        << (s["charts"] == 1 ? " chart" : " charts");
   if(!s["overlapping_charts"].empty())
     text << ", an area of " << s["overlap_area"].get<double>()

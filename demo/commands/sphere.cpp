@@ -10,6 +10,7 @@
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 #include "writing/Mesh_writer.h"
+#include "writing/flat_triangles.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
@@ -111,8 +112,10 @@ std::string summary_of(const Spherical_map&, const Statistics& s)
        << (s["convex"] ? ", convex" : "") << ", log scale factors "
        << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
        << s["flips"] << " + " << s["ptolemy_flips"] << " flips, " << s["lost_in_output"]
-       << " triangles lost by rounding, " << s["subdivision"]["faces"]
-       << " faces in the common subdivision";
+       << " triangles lost by rounding, ";
+  if(s.contains("flipped_in_output"))
+    text << s["flipped_in_output"] << " triangles flipped" << first_flipped_face(s) << ", ";
+  text << s["subdivision"]["faces"] << " faces in the common subdivision";
   return text.str();
 }
 
@@ -121,6 +124,8 @@ Output_mesh described_mesh(Statistics& statistics, const Spherical_map& map, con
 {
   describe(statistics, map);
   Output_mesh result = sphere_mesh(map, part);
+  if(!map.is_flat())
+    describe_triangles_on_sphere(statistics, result);
   describe_sizes(statistics, map, part, result);
   return result;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace {
 
@@ -24,21 +25,44 @@ bool has_area(const Point& p, const Point& q, const Point& r)
   return 2 * std::sqrt(CGAL::squared_area(p, q, r)) > rounding * longest;
 }
 
+// The orientation in the plane of the points with three coordinates. Those that are homogeneous are
+// not divided, which would round.
+CGAL::Orientation turn(const Corner_data& texture, std::size_t i, std::size_t j, std::size_t k)
+{
+  const auto& [p, q, r] =
+    std::tie(texture.coordinates[i], texture.coordinates[j], texture.coordinates[k]);
+  if(texture.dimension == 2)
+    return CGAL::orientation(Kernel::Point_2(p[0], p[1]), Kernel::Point_2(q[0], q[1]),
+                             Kernel::Point_2(r[0], r[1]));
+  return CGAL::orientation(Point(0, 0, 0), Point(p[0], p[1], p[2]), Point(q[0], q[1], q[2]),
+                           Point(r[0], r[1], r[2]));
+}
+
 // Calls `visit` with each polygon, the orientation in the plane of each triangle into which it is
 // cut, and whether the triangle has area in space beyond rounding.
 template <class Visit>
 void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
 {
-  const auto place = [&](std::size_t c) {
-    const std::array<double, 3>& z = mesh.texture.coordinates[c];
-    return Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
-  };
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
     const Polygons::Polygon p = mesh.polygons[i], t = mesh.texture.polygons[i];
     for(std::size_t k = 2; k < p.size(); ++k)
-      visit(i, CGAL::orientation(place(t[0]), place(t[k - 1]), place(t[k])),
+      visit(i, turn(mesh.texture, t[0], t[k - 1], t[k]),
             has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]));
   }
+}
+
+// Adds the first faces of the input to which polygons belong, if there are any.
+void name_faces(Statistics& statistics, const Output_mesh& mesh,
+                const std::vector<std::size_t>& polygons)
+{
+  constexpr std::size_t most = 10;
+  std::vector<std::int64_t> faces;
+  for(std::size_t n = 0; n < polygons.size() && faces.size() < most; ++n)
+    if(const std::int64_t face = number_of(mesh.placement.face(polygons[n], 0));
+       std::find(faces.begin(), faces.end(), face) == faces.end())
+      faces.push_back(face);
+  if(!faces.empty())
+    statistics["flipped_faces"] = faces;
 }
 
 } // namespace
@@ -57,12 +81,38 @@ std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh)
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
 {
   std::size_t flipped = 0, degenerate = 0, slivers = 0;
-  for_each_triangle(mesh, [&](std::size_t, CGAL::Orientation turn, bool has_area) {
+  std::vector<std::size_t> polygons;
+  for_each_triangle(mesh, [&](std::size_t i, CGAL::Orientation turn, bool has_area) {
     flipped += has_area && turn == CGAL::RIGHT_TURN;
     degenerate += has_area && turn == CGAL::COLLINEAR;
     slivers += !has_area && turn != CGAL::LEFT_TURN;
+    if(turn == CGAL::RIGHT_TURN)
+      polygons.push_back(i);
   });
   statistics["flipped_triangles"] = flipped;
   statistics["degenerate_triangles"] = degenerate;
   statistics["flipped_slivers"] = slivers;
+  name_faces(statistics, mesh, polygons);
+}
+
+void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mesh)
+{
+  std::vector<std::size_t> polygons;
+  for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const Polygons::Polygon p = mesh.polygons[i];
+    for(std::size_t k = 2; k < p.size(); ++k)
+      if(CGAL::orientation(Point(0, 0, 0), mesh.points[p[0]], mesh.points[p[k - 1]],
+                           mesh.points[p[k]]) == CGAL::NEGATIVE)
+        polygons.push_back(i);
+  }
+  if(!polygons.empty())
+    statistics["flipped_in_output"] = polygons.size();
+  name_faces(statistics, mesh, polygons);
+}
+
+std::string first_flipped_face(const Statistics& statistics)
+{
+  return statistics.contains("flipped_faces")
+           ? " (the first in face " + statistics["flipped_faces"][0].dump() + ")"
+           : "";
 }

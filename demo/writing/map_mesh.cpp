@@ -6,10 +6,11 @@
 
 #include "writing/subdivision_elements.h"
 
-#include <CGAL/Discrete_conformal_maps/common_subdivision_mesh.h>
+#include <CGAL/Discrete_conformal_maps/hyperbolic_texture_points.h>
+#include <CGAL/Discrete_conformal_maps/sphere_points.h>
+#include <CGAL/Discrete_conformal_maps/texture_points.h>
 
 #include <array>
-#include <complex>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -23,16 +24,6 @@ using DCM::Face_index;
 using DCM::Halfedge_index;
 using DCM::Vertex_index;
 
-std::complex<double> position(const Planar_map& map, const std::array<double, 3>& z)
-{
-  return map.to_plane(z);
-}
-
-std::complex<double> position(const Hyperbolic_map& map, const std::array<double, 3>& z)
-{
-  return map.to_disk(z);
-}
-
 template <class Map>
 Corner_data texture(const Map& map, const Map_part& part, bool is_homogeneous)
 {
@@ -45,12 +36,11 @@ Corner_data texture(const Map& map, const Map_part& part, bool is_homogeneous)
       result.polygons.add_corner(corners.index(h));
     result.polygons.close();
   }
-  for(std::size_t n = 0; n < corners.size(); ++n) {
-    const std::array<double, 3> z =
-      map.homogeneous_coordinates(part.subdivision().location(DCM::Layer::C, corners.halfedge(n)));
-    const std::complex<double> p = is_homogeneous ? 0 : position(map, z);
-    result.coordinates.push_back(is_homogeneous ? z : std::array{p.real(), p.imag(), 1.});
-  }
+  if(is_homogeneous)
+    result.coordinates = DCM::homogeneous_texture_points(map, part.part(), corners).points;
+  else
+    for(const auto& p : DCM::texture_points(map, part.part(), corners).points)
+      result.coordinates.push_back({p[0], p[1], 1});
   return result;
 }
 
@@ -93,17 +83,15 @@ Output_mesh sphere_mesh(const Spherical_map& map, const Map_part& part)
 {
   const auto homogeneous = std::make_shared<const std::vector<std::array<double, 4>>>(
     DCM::homogeneous_coordinates(map, part.part()));
+  const auto points = DCM::sphere_points(map, part.part(), *homogeneous).points;
   Output_mesh result;
-  for(const Vertex_index v : part.vertices()) {
-    const auto p =
-      part.part().is_of_input(v) ? map.position(v) : map.image((*homogeneous)[part.number(v)]);
+  for(const auto& p : points)
     result.points.emplace_back(p[0], p[1], p[2]);
-    if(const auto z = map.is_disk() ? Spherical_map::to_plane(p) : 0; map.is_disk())
-      result.texture.coordinates.push_back({z.real(), z.imag(), 1});
-  }
   part.add_elements("sphere", result);
   if(map.is_disk()) {
     result.texture.dimension = 2;
+    for(const auto& p : DCM::disk_points(part.part(), points).points)
+      result.texture.coordinates.push_back({p[0], p[1], 1});
     result.texture.polygons = result.polygons;
   }
   const auto add = [&](const std::string& name, const auto& value) {

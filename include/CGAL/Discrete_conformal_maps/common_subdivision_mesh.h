@@ -11,13 +11,15 @@
 #include <CGAL/Discrete_conformal_maps/Input_part.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/hyperbolic_texture_points.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
+#include <CGAL/Discrete_conformal_maps/sphere_points.h>
 #include <CGAL/Discrete_conformal_maps/texture_coordinates.h>
+#include <CGAL/Discrete_conformal_maps/texture_points.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <complex>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -26,41 +28,7 @@
 
 namespace CGAL::Discrete_conformal_maps {
 
-/// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns the homogeneous coordinates of the image of each vertex of an input part, in the order
-/// of its vertices. Complexity: linear.
-inline std::vector<std::array<double, 4>>
-homogeneous_coordinates(const Spherical_conformal_map& map, const Input_part& part)
-{
-  std::vector<std::array<double, 4>> result(part.vertices().size());
-  for(Halfedge_index h : part.mesh().halfedges())
-    if(part.has(h))
-      result[part.number(part.mesh().target(h))] =
-        map.homogeneous_coordinates(part.subdivision().location(Layer::C, h));
-  return result;
-}
-
 namespace internal {
-
-inline std::array<double, 2> affine_coordinates(const Planar_conformal_map& map,
-                                                const std::array<double, 3>& z)
-{
-  const std::complex<double> p = map.to_plane(z);
-  return {p.real(), p.imag()};
-}
-
-inline std::array<double, 2> affine_coordinates(const Hyperbolic_conformal_map& map,
-                                                const std::array<double, 3>& z)
-{
-  const std::complex<double> p = map.to_disk(z);
-  return {p.real(), p.imag()};
-}
-
-inline std::array<double, 3> affine_coordinates(const Spherical_conformal_map& map,
-                                                const std::array<double, 4>& z)
-{
-  return map.image(z);
-}
 
 template <typename Value, std::size_t size, std::size_t... n>
 Value made_of(const std::array<double, size>& a, std::index_sequence<n...>)
@@ -68,7 +36,7 @@ Value made_of(const std::array<double, size>& a, std::index_sequence<n...>)
   return Value{a[n]...};
 }
 
-// The coordinates of the corner at the target of a halfedge.
+// The images of the corners at the targets of halfedges, in the coordinates that are asked for.
 template <typename Map>
 class Corner_images
 {
@@ -77,18 +45,21 @@ public:
     : m_map(map), m_part(part), m_corners(map, part)
   {}
 
-  std::array<double, 3> homogeneous(Halfedge_index h) const
+  auto homogeneous() const
   {
-    return m_map.homogeneous_coordinates(
-      m_part.subdivision().location(Layer::C, m_corners.halfedge(m_corners.index(h))));
+    return at_corners(homogeneous_texture_points(m_map, m_part, m_corners));
   }
-
-  std::array<double, 2> affine(Halfedge_index h) const
-  {
-    return affine_coordinates(m_map, homogeneous(h));
-  }
+  auto affine() const { return at_corners(texture_points(m_map, m_part, m_corners)); }
 
 private:
+  template <typename Points>
+  auto at_corners(Points rounded) const
+  {
+    return [this, points = std::move(rounded.points)](Halfedge_index h) {
+      return points[m_corners.index(h)];
+    };
+  }
+
   const Map& m_map;
   const Input_part& m_part;
   Texture_corners m_corners;
@@ -99,26 +70,26 @@ class Corner_images<Spherical_conformal_map>
 {
 public:
   Corner_images(const Spherical_conformal_map& map, const Input_part& part)
-    : m_map(map), m_part(part), m_homogeneous(homogeneous_coordinates(map, part))
+    : m_part(part),
+      m_homogeneous(homogeneous_coordinates(map, part)),
+      m_points(sphere_points(map, part, m_homogeneous).points)
   {}
 
-  const std::array<double, 4>& homogeneous(Halfedge_index h) const
+  auto homogeneous() const
   {
-    return m_homogeneous[m_part.number(m_part.mesh().target(h))];
+    return [this](Halfedge_index h) { return m_homogeneous[number_of_target(m_part)(h)]; };
+  }
+  auto affine() const
+  {
+    return [this](Halfedge_index h) { return m_points[number_of_target(m_part)(h)]; };
   }
 
-  std::array<double, 3> affine(Halfedge_index h) const { return at(m_part.mesh().target(h)); }
-
-  // vertices of the input have their positions
-  std::array<double, 3> at(Vertex_index v) const
-  {
-    return m_part.is_of_input(v) ? m_map.position(v) : m_map.image(m_homogeneous[m_part.number(v)]);
-  }
+  const std::array<double, 3>& at(Vertex_index v) const { return m_points[m_part.number(v)]; }
 
 private:
-  const Spherical_conformal_map& m_map;
   const Input_part& m_part;
   std::vector<std::array<double, 4>> m_homogeneous;
+  std::vector<std::array<double, 3>> m_points;
 };
 
 inline void check_layout(const Planar_conformal_map& map)
@@ -131,17 +102,18 @@ template <typename Map>
 void check_layout(const Map&)
 {}
 
-// Puts `value(h)` to the map that `np` has for `Tag`, if there is one, for the corners of faces.
-template <typename Tag, typename Copy, typename Value_of, typename NamedParameters>
-void put_corners(const Input_part& part, const Copy& copy, const Value_of& value,
+// Puts `images()(h)` to the map that `np` has for `Tag`, if there is one, for the corners of faces.
+template <typename Tag, typename Copy, typename Images, typename NamedParameters>
+void put_corners(const Input_part& part, const Copy& copy, const Images& images,
                  const NamedParameters& np)
 {
   if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value) {
     const auto map = CGAL::parameters::get_parameter(np, Tag());
     typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Value;
+    const auto image = images();
     for(Halfedge_index h : part.mesh().halfedges())
       if(part.has(h)) {
-        const auto z = value(h);
+        const auto z = image(h);
         put(map, copy.halfedge_of(h),
             made_of<Value>(
               z, std::make_index_sequence<std::tuple_size<std::decay_t<decltype(z)>>::value>()));
@@ -167,7 +139,8 @@ constexpr bool has_corners()
 /// homogeneous texture coordinates is the whole map.
 ///
 /// The vertices are those of the input, in their order, then crossings. Faces are convex polygons;
-/// they have the orientation of the input. Complexity: linear.
+/// they have the orientation of the input. Images are rounded such that no face is reversed, if that
+/// is possible (\ref dcm_reversed). Complexity: linear, without faces that are reversed at first.
 ///
 /// \tparam Map `Planar_conformal_map`, `Hyperbolic_conformal_map` or `Spherical_conformal_map`
 /// \tparam Graph a model of `MutableFaceGraph`
@@ -254,9 +227,9 @@ void common_subdivision(const Map& map, Graph& out,
         },
         np);
     internal::put_corners<internal_np::texture_coordinates_map_t>(
-      part, copy, [&](Halfedge_index h) { return images.affine(h); }, np);
+      part, copy, [&] { return images.affine(); }, np);
     internal::put_corners<internal_np::homogeneous_texture_coordinates_map_t>(
-      part, copy, [&](Halfedge_index h) { return images.homogeneous(h); }, np);
+      part, copy, [&] { return images.homogeneous(); }, np);
   }
 }
 

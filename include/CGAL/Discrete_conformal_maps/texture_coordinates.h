@@ -7,7 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Input_part.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/texture_points.h>
 #include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -51,10 +53,8 @@ public:
     for_each_original_face(map, [&](Face_index f) { add(f); });
   }
 
-  std::array<double, 3> homogeneous_coordinates(Halfedge_index h) const
-  {
-    return m_map.homogeneous_coordinates(m_map.subdivision().location(Layer::C, m_part[h.idx()]));
-  }
+  // Returns the halfedge of the subdivision that `h`, a halfedge of the input, is.
+  Halfedge_index part(Halfedge_index h) const { return m_part[h.idx()]; }
 
 private:
   void add(Face_index part)
@@ -108,10 +108,11 @@ inline bool has_whole_faces(const Planar_conformal_map& map)
 
 namespace internal {
 
-// Calls `write` with the halfedges of the faces of a graph and the homogeneous coordinates of their
-// targets.
-template <typename Graph, typename Function>
-void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Function& write)
+// Calls `write` with the halfedges of the faces of a graph and the images of their targets, of which
+// `images` computes those of the corners of a part.
+template <typename Graph, typename Images, typename Function>
+void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Images& images,
+                     const Function& write)
 {
   if(!map.is_laid_out())
     throw No_texture_coordinates(std::string("the map is not laid out: ") +
@@ -121,10 +122,13 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Func
                                  "face; common_subdivision() makes "
                                  "a mesh on whose faces it is");
   const Whole_faces whole(map);
+  const Input_part part(map);
+  const Texture_corners corners(map, part);
+  const auto points = images(map, part, corners).points;
   Intrinsic_triangulations::with_numbering(g, [&](const auto& numbering) {
     for(auto h : halfedges(g))
       if(face(h, g) != boost::graph_traits<Graph>::null_face())
-        write(h, whole.homogeneous_coordinates(numbering.halfedge_of(h)));
+        write(h, points[corners.index(whole.part(numbering.halfedge_of(h)))]);
   });
 }
 
@@ -149,14 +153,17 @@ void homogeneous_texture_coordinates(const Planar_conformal_map& map, const Grap
                                      HalfedgeMap uvw)
 {
   typedef typename boost::property_traits<HalfedgeMap>::value_type Value;
-  internal::for_each_corner(map, g, [&](auto h, const std::array<double, 3>& z) {
-    put(uvw, h, Value{z[0], z[1], z[2]});
-  });
+  internal::for_each_corner(
+    map, g, [](const auto&... args) { return homogeneous_texture_points(args...); },
+    [&](auto h, const std::array<double, 3>& z) {
+      put(uvw, h, Value{z[0], z[1], z[2]});
+    });
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// writes texture coordinates \f$(x, y)\f$ of the corners of a mesh. Interpolated linearly, they
 /// give the map at vertices and, on each edge and face, its image; in between they approximate it.
+/// They are rounded such that no face is reversed, if that is possible (\ref dcm_reversed).
 /// Complexity: linear.
 ///
 /// This is for maps whose faces are whole, which is rare. `common_subdivision()` makes a mesh with
@@ -173,9 +180,11 @@ template <typename Graph, typename HalfedgeMap>
 void texture_coordinates(const Planar_conformal_map& map, const Graph& g, HalfedgeMap uv)
 {
   typedef typename boost::property_traits<HalfedgeMap>::value_type Value;
-  internal::for_each_corner(map, g, [&](auto h, const std::array<double, 3>& z) {
-    put(uv, h, Value{z[0] / z[2], z[1] / z[2]});
-  });
+  internal::for_each_corner(
+    map, g, [](const auto&... args) { return texture_points(args...); },
+    [&](auto h, const std::array<double, 2>& z) {
+      put(uv, h, Value{z[0], z[1]});
+    });
 }
 
 } // namespace CGAL::Discrete_conformal_maps
