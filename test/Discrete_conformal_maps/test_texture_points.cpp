@@ -71,8 +71,9 @@ struct Drawing
   Triangles triangles;
 };
 
-// A triangulated polygon with vertices 10^-1 to 10^-20 of a face from its corners or sides.
-Drawing needles(int seed)
+// A triangulated polygon with vertices 10^-1 to 10^-20 of a face from its corners or sides. Faces may
+// get several, and then they are nested.
+Drawing needles(int seed, bool are_nested)
 {
   Portable_random random(std::uint64_t(seed) + 1);
   Drawing result;
@@ -80,8 +81,9 @@ Drawing needles(int seed)
   for(const Vector& p : corners)
     result.points.push_back({Exact(3 * p.x + p.y) / 7, Exact(5 * p.y - p.x + 2000) / 11});
   result.triangles = swept_triangles(corners);
-  for(int n = 0; n < 60; ++n) {
-    const auto face = std::size_t(random.get_int(0, int(result.triangles.size())));
+  const std::size_t number_of_faces = result.triangles.size();
+  for(std::size_t n = 0; n < (are_nested ? 60 : number_of_faces); ++n) {
+    const auto face = are_nested ? std::size_t(random.get_int(0, int(result.triangles.size()))) : n;
     const auto [a, b, c] = result.triangles[face];
     std::array<Exact, 3> weight;
     for(Exact& w : weight)
@@ -135,37 +137,57 @@ std::array<double, 4> bounding_box(const std::vector<Point_2>& points)
   return result;
 }
 
+// Returns how many polygons were reversed, and how many are.
+std::array<std::size_t, 2> expect_repaired(const Drawing& drawing, int seed)
+{
+  Portable_random random{std::uint64_t(seed)};
+  const Number_lists polygons = corners(drawing);
+  const std::vector<Point_2> start = rounded(drawing, 1, random);
+  std::vector<Point_2> points = start;
+  DCM::internal::Orientation_repair<2> repair(points, polygons);
+  const std::vector<std::size_t> left = repair.run();
+  EXPECT_EQ(left, reversed(points, polygons)) << seed;
+  EXPECT_EQ(bounding_box(points), bounding_box(start)) << seed;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(std::size_t c = 0; c < 2; ++c)
+      EXPECT_LE(std::abs(points[i][c] - start[i][c]), repair.maximum_move * unit(start[i]));
+  const std::size_t before = reversed(start, polygons).size();
+  if(before == 0)
+    EXPECT_EQ(points, start);
+  return {before, left.size()};
+}
+
 TEST(Orientation_repair, mends_rounded_needles)
 {
   std::size_t before = 0, after = 0;
   for(int seed = 0; seed < 60; ++seed) {
-    Portable_random random{std::uint64_t(seed)};
-    const Drawing drawing = needles(seed);
-    const Number_lists polygons = corners(drawing);
-    const std::vector<Point_2> start = rounded(drawing, 1, random);
-    std::vector<Point_2> points = start;
-    DCM::internal::Orientation_repair<2> repair(points, polygons);
-    const std::vector<std::size_t> left = repair.run();
-    before += reversed(start, polygons).size();
-    after += left.size();
-    EXPECT_EQ(left, reversed(points, polygons)) << seed;
-    EXPECT_EQ(bounding_box(points), bounding_box(start)) << seed;
-    for(std::size_t i = 0; i < points.size(); ++i)
-      for(std::size_t c = 0; c < 2; ++c)
-        EXPECT_LE(std::abs(points[i][c] - start[i][c]), repair.maximum_move * unit(start[i]));
-    if(reversed(start, polygons).empty())
-      EXPECT_EQ(points, start);
+    const auto [b, a] = expect_repaired(needles(seed, false), seed);
+    before += b;
+    after += a;
   }
-  EXPECT_GT(before, 500u);
+  EXPECT_GT(before, 200u);
   EXPECT_EQ(after, 0u);
+}
+
+// Of needles inside needles, no move may help all.
+TEST(Orientation_repair, mends_most_nested_needles)
+{
+  std::size_t before = 0, after = 0;
+  for(int seed = 0; seed < 30; ++seed) {
+    const auto [b, a] = expect_repaired(needles(seed, true), seed);
+    before += b;
+    after += a;
+  }
+  EXPECT_GT(before, 300u);
+  EXPECT_LT(3 * after, before);
 }
 
 TEST(Orientation_repair, mends_vectors_around_the_origin)
 {
   std::size_t before = 0;
-  for(int seed = 0; seed < 20; ++seed) {
+  for(int seed = 0; seed < 30; ++seed) {
     Portable_random random{std::uint64_t(seed)};
-    const Drawing drawing = needles(seed);
+    const Drawing drawing = needles(seed, false);
     const Number_lists polygons = corners(drawing);
     std::vector<Point_3> points;
     for(const Point_2& p : rounded(drawing, 1, random)) {
@@ -173,8 +195,9 @@ TEST(Orientation_repair, mends_vectors_around_the_origin)
       points.push_back({p[0] * w, p[1] * w, w});
     }
     before += reversed(points, polygons).size();
-    DCM::internal::Orientation_repair<3> repair(points, polygons);
-    EXPECT_TRUE(repair.run().empty()) << seed;
+    EXPECT_EQ(DCM::internal::Orientation_repair<3>(points, polygons).run(),
+              reversed(points, polygons))
+      << seed;
     EXPECT_TRUE(reversed(points, polygons).empty()) << seed;
   }
   EXPECT_GT(before, 100u);
@@ -214,7 +237,7 @@ Number_lists corners(const DCM::Input_part& part, const Index& index)
 std::vector<Mesh> spoilt_meshes()
 {
   std::vector<Mesh> result;
-  for(unsigned int seed = 0; seed < 12; ++seed) {
+  for(unsigned int seed = 0; seed < 5; ++seed) {
     Portable_random random(seed);
     result.push_back(grid(
       8, 8, [&](double x, double y) { return Point(x / 8, y / 8, random.get_double(0, 0.4)); }));
@@ -238,15 +261,24 @@ std::size_t expect_no_reversed_faces(const Planar_conformal_map& map, const std:
     plain.push_back({z.real(), z.imag()});
   }
   const auto rounded = DCM::texture_points(map, part, texture);
-  EXPECT_TRUE(rounded.reversed_faces.empty()) << name;
-  EXPECT_TRUE(reversed(rounded.points, polygons).empty()) << name;
+  const auto numbers = [&](const std::vector<Face_index>& faces) {
+    std::vector<std::size_t> result;
+    for(Face_index f : faces)
+      result.push_back(
+        std::size_t(std::find(part.faces().begin(), part.faces().end(), f) - part.faces().begin()));
+    return result;
+  };
+  EXPECT_EQ(reversed(rounded.points, polygons), numbers(rounded.reversed_faces)) << name;
   const std::size_t before = reversed(plain, polygons).size();
   if(before == 0) {
     EXPECT_EQ(rounded.points, plain) << name;
   }
   const auto homogeneous = DCM::homogeneous_texture_points(map, part, texture);
-  EXPECT_TRUE(homogeneous.reversed_faces.empty()) << name;
-  EXPECT_TRUE(reversed(homogeneous.points, polygons).empty()) << name;
+  EXPECT_EQ(reversed(homogeneous.points, polygons), numbers(homogeneous.reversed_faces)) << name;
+  if(map.status() == DCM::Map_status::success) {
+    EXPECT_TRUE(rounded.reversed_faces.empty()) << name;
+    EXPECT_TRUE(homogeneous.reversed_faces.empty()) << name;
+  }
   return before;
 }
 
@@ -264,10 +296,13 @@ TEST(Texture_points, reverse_no_face_of_a_map)
   EXPECT_GT(before, 5u);
 }
 
-TEST(Texture_points, are_those_of_ordinary_maps)
+TEST(Texture_points, reverse_no_face_of_an_ordinary_map)
 {
-  for(const Named_mesh& m : meshes())
-    EXPECT_EQ(expect_no_reversed_faces(DCM::flatten(m.mesh), m.name), 0u) << m.name;
+  for(const Named_mesh& m : meshes()) {
+    const Planar_conformal_map map = DCM::flatten(m.mesh);
+    EXPECT_EQ(map.status(), DCM::Map_status::success) << m.name;
+    expect_no_reversed_faces(map, m.name);
+  }
 }
 
 // The mesh of the common subdivision has them at its corners.
@@ -275,7 +310,7 @@ TEST(Texture_points, are_texture_coordinates_of_the_subdivision)
 {
   for(const Mesh& mesh : spoilt_meshes()) {
     const Planar_conformal_map map = DCM::flatten(mesh);
-    if(!map.is_laid_out())
+    if(map.status() != DCM::Map_status::success)
       continue;
     Mesh flat;
     const auto uv = flat.add_property_map<Halfedge_index, Point_2>("h:uv").first;
@@ -296,9 +331,9 @@ TEST(Texture_points, are_texture_coordinates_of_the_subdivision)
 
 TEST(Texture_points, reverse_no_face_on_the_sphere)
 {
-  for(unsigned int seed = 0; seed < 8; ++seed) {
+  for(unsigned int seed = 0; seed < 5; ++seed) {
     Portable_random random(seed);
-    Mesh mesh = random_sphere(100, seed + 1);
+    Mesh mesh = random_sphere(60, seed + 1);
     for(Point& p : mesh.points())
       p = Point(p.x() * std::pow(10, seed / 2.), p.y(), p.z());
     add_near_vertices(mesh, 0.05, random);
