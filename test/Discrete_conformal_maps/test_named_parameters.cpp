@@ -6,9 +6,13 @@
 
 #include "flat_maps.h"
 
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+#include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -76,6 +80,35 @@ TEST(Named_parameters, cones_are_placed_as_is_said)
   }
   expect_cones(DCM::flatten(mesh, np::maximum_log_scale(bound)), true);
   expect_cones(DCM::flatten(mesh, np::vertex_condition_map(map)), false);
+}
+
+// A visitor with functions that are not constant, whose copies count together.
+struct Counting_visitor : DCM::Default_flattening_visitor
+{
+  void start(DCM::Flattening_stage) { ++own, ++*all; }
+
+  std::size_t own = 0;
+  std::shared_ptr<std::size_t> all = std::make_shared<std::size_t>(0);
+};
+
+// `run(v)` calls a function with a visitor, and with one that `std::ref()` refers to.
+template <typename Run>
+void expect_notified(const Run& run)
+{
+  Counting_visitor copied, referred;
+  run(copied);
+  run(std::ref(referred));
+  EXPECT_GT(*copied.all, 0u);
+  EXPECT_EQ(copied.own, 0u);
+  EXPECT_EQ(referred.own, *copied.all);
+}
+
+TEST(Named_parameters, take_visitors_and_references_to_them)
+{
+  const Mesh sphere = random_sphere(20, 1), plate = plate_with_holes(2);
+  expect_notified([&](const auto& v) { DCM::flatten(sphere, np::visitor(v)); });
+  expect_notified([&](const auto& v) { DCM::map_to_sphere(sphere, np::visitor(v)); });
+  expect_notified([&](const auto& v) { DCM::uniformize_hyperbolic(plate, np::visitor(v)); });
 }
 
 } // namespace Test_named_parameters

@@ -216,6 +216,26 @@ TEST(Simplification, takes_parameters_in_any_order)
   EXPECT_EQ(visitor.order.size(), 55u);
 }
 
+// a visitor with functions that are not constant, whose copies count together
+struct Counting_visitor : IS::Default_simplification_visitor
+{
+  void after_removal(Vertex_index) { ++own, ++*all; }
+
+  std::size_t own = 0;
+  std::shared_ptr<std::size_t> all = std::make_shared<std::size_t>(0);
+};
+
+TEST(Simplification, takes_visitors_and_references_to_them)
+{
+  Counting_visitor copied, referred;
+  Evolving_surface s(random_sphere(60, 4)), t(random_sphere(60, 4));
+  simplify(s, number_of_vertices(std::size_t(5)).visitor(copied));
+  simplify(t, number_of_vertices(std::size_t(5)).visitor(std::ref(referred)));
+  EXPECT_EQ(*copied.all, 55u);
+  EXPECT_EQ(copied.own, 0u);
+  EXPECT_EQ(referred.own, 55u);
+}
+
 // a user's cost: the number of the vertex
 struct Last_number_first
 {

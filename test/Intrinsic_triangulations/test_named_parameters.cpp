@@ -10,6 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
+#include <functional>
+#include <memory>
+
 namespace Test_named_parameters {
 
 using namespace Test_surfaces;
@@ -136,6 +139,45 @@ TEST(Named_parameters, reach_the_algorithms)
     IT::refine(t, np::visitor(std::ref(counter)).minimum_angle(20).maximum_number_of_insertions(3));
   EXPECT_EQ(result.status, IT::Refinement_status::insertion_limit);
   EXPECT_EQ(counter.insertions, 3u);
+}
+
+// A visitor with functions that are not constant, whose copies count together.
+struct Counting_visitor : IT::Default_refinement_visitor
+{
+  void after_flip(IT::Halfedge_index) { ++own, ++*all; }
+  template <typename Traits>
+  void after_insertion(IT::Vertex_index, const IT::Vertex_inserter<Traits>&)
+  {
+    ++own, ++*all;
+  }
+
+  std::size_t own = 0;
+  std::shared_ptr<std::size_t> all = std::make_shared<std::size_t>(0);
+};
+
+// `run(v)` calls a function with a visitor, and with one that `std::ref()` refers to.
+template <typename Run>
+void expect_notified(const Run& run)
+{
+  Counting_visitor copied, referred;
+  run(copied);
+  run(std::ref(referred));
+  EXPECT_GT(*copied.all, 0u);
+  EXPECT_EQ(copied.own, 0u);
+  EXPECT_EQ(referred.own, *copied.all);
+}
+
+TEST(Named_parameters, take_visitors_and_references_to_them)
+{
+  const Mesh mesh = perturbed(embedded_torus(6, 5), 0.4, 3);
+  expect_notified([&](const auto& visitor) {
+    IT::Intrinsic_triangulation<> tri(mesh);
+    IT::make_Delaunay(tri, np::visitor(visitor));
+  });
+  expect_notified([&](const auto& visitor) {
+    IT::Intrinsic_triangulation<> tri(mesh);
+    IT::refine(tri, np::visitor(visitor));
+  });
 }
 
 } // namespace Test_named_parameters

@@ -94,8 +94,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
 ///       work}
-///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
-///       state}
+///     \cgalParamType{a model of `FlatteningVisitor`; it is copied unless
+///       `std::ref()` refers to it}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

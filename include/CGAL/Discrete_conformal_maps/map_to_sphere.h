@@ -48,8 +48,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
 ///       work}
-///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
-///       state}
+///     \cgalParamType{a model of `FlatteningVisitor`; it is copied unless
+///       `std::ref()` refers to it}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -66,11 +66,8 @@ template <typename Graph, typename NamedParameters = CGAL::parameters::Default_n
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter_reference;
   Default_flattening_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const std::vector<Vertex_condition> conditions(input.mesh().num_vertices());
   internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);

@@ -57,8 +57,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
 ///       work}
-///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
-///       state}
+///     \cgalParamType{a model of `FlatteningVisitor`; it is copied unless
+///       `std::ref()` refers to it}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -78,10 +78,8 @@ uniformize_hyperbolic(const Graph& g,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   Default_flattening_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const auto conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));

@@ -67,11 +67,8 @@ Intrinsic_triangulations::Refinement_result
 refine(Evolving_surface& surface, const NamedParameters& np = CGAL::parameters::default_values())
 {
   namespace IT = Intrinsic_triangulations;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter_reference;
   IT::Default_refinement_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = IT::internal::visitor_of(np, silent);
   typedef std::remove_reference_t<decltype(visitor)> Visitor;
   Evolving_surface::Triangulation tri =
     internal::constrained_triangulation(Surface_level(surface), surface.surface());

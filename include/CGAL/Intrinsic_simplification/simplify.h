@@ -157,11 +157,9 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   check_target<NamedParameters>();
   Default_simplification_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   return run(static_cast<std::size_t>(choose_parameter(
                get_parameter(np, internal_np::number_of_vertices), std::size_t(0))),
              double(choose_parameter(get_parameter(np, internal_np::maximum_cost),
@@ -196,8 +194,8 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of every removal; an exception that it throws stops the
 ///                           simplification and leaves `surface` valid}
-///     \cgalParamType{a model of `SimplificationVisitor`; use `std::ref()` to pass an object with a
-///       state}
+///     \cgalParamType{a model of `SimplificationVisitor`; it is copied unless
+///       `std::ref()` refers to it}
 ///     \cgalParamDefault{`Default_simplification_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

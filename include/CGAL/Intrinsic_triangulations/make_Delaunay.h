@@ -313,7 +313,7 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of every flip; an exception that it throws stops the
 ///                           flipping and leaves `tri` valid}
-///     \cgalParamType{a model of `FlipVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamType{a model of `FlipVisitor`; it is copied unless `std::ref()` refers to it}
 ///     \cgalParamDefault{`Default_flip_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -335,15 +335,13 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   const Delta_complex& mesh = tri.mesh();
   const auto limit = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                      default_flip_limit(mesh.number_of_edges())));
   const Concurrency concurrency = concurrency_of(np);
   Default_flip_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = internal::visitor_of(np, silent);
   [[maybe_unused]] const bool are_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>())
     if(internal::Is_exact<Traits>::value || are_exact)

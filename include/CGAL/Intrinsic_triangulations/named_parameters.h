@@ -10,6 +10,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <type_traits>
+
 namespace CGAL::Intrinsic_triangulations {
 
 #ifndef DOXYGEN_RUNNING
@@ -114,6 +116,26 @@ auto parent_face_map(const Map& map);
 } // namespace parameters
 
 #endif // DOXYGEN_RUNNING
+
+namespace internal {
+
+// Returns the visitor of named parameters: a reference to what `std::ref()` has been given, or else a
+// copy, whose functions need not be constant. Without a visitor it is `silent`.
+template <typename NamedParameters, typename Visitor>
+decltype(auto) visitor_of(const NamedParameters& np, Visitor& silent)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  using Reference =
+    decltype(choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent));
+  if constexpr(std::is_const_v<std::remove_reference_t<Reference>>)
+    return std::decay_t<Reference>(
+      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent));
+  else
+    return choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

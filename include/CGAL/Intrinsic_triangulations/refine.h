@@ -351,8 +351,8 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of every change of `tri`; an exception that it throws
 ///                           stops the refinement and leaves `tri` valid}
-///     \cgalParamType{a model of `RefinementVisitor`; use `std::ref()` to pass an object with a
-///       state}
+///     \cgalParamType{a model of `RefinementVisitor`; it is copied unless
+///       `std::ref()` refers to it}
 ///     \cgalParamDefault{`Default_refinement_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -371,7 +371,6 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   typedef typename Traits::FT FT;
   const FT degrees(choose_parameter(get_parameter(np, internal_np::minimum_angle), FT(25)));
   const FT circumradius(choose_parameter(get_parameter(np, internal_np::maximum_circumradius),
@@ -387,8 +386,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                      default_flip_limit(tri.mesh().number_of_edges())));
   Default_refinement_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = internal::visitor_of(np, silent);
   const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
                                                                   simplicial, predicate);
   const internal::Refinement_limits limits{insertions, flips};

@@ -389,10 +389,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   Default_flattening_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   Doubled_problem problem(
     std::move(input), conditions,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
