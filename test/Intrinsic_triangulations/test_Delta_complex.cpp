@@ -443,7 +443,7 @@ TEST(Delta_complex, pinched_vertices_are_found)
     if(mesh.target(h) == w)
       mesh.set_target(h, v);
   mesh.remove_vertex(w);
-  expect_defect(mesh, "it has more than one umbrella");
+  expect_defect(mesh, "it has more than one vertex fan");
 }
 
 // Handles and loops are glued in and cut out one by one.

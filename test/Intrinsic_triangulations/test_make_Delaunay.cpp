@@ -456,7 +456,7 @@ TEST(Intrinsic_triangulation, refuses_pinched_vertices)
   const std::vector<Point> points{at(0, 0), at(1, 0), at(1, 1), at(-1, 0), at(-1, -1)};
   const Mesh mesh = make_mesh(points, {{0, 1, 2}, {0, 3, 4}});
   ASSERT_EQ(mesh.number_of_faces(), 2u);
-  EXPECT_EQ(refusal(mesh), "vertex 0 has more than one umbrella");
+  EXPECT_EQ(refusal(mesh), "vertex 0 has more than one vertex fan");
 }
 
 TEST(Intrinsic_triangulation, refuses_pinched_vertices_without_boundary)
@@ -470,7 +470,7 @@ TEST(Intrinsic_triangulation, refuses_pinched_vertices_without_boundary)
   const auto one = boost::make_function_property_map<Edge_index>([](Edge_index) { return 1.; });
   const std::string message = refusal(mesh, IT::parameters::edge_length_map(one));
   EXPECT_TRUE(contains(message, "vertex " + std::to_string(v.idx()))) << message;
-  EXPECT_TRUE(contains(message, "more than one umbrella")) << message;
+  EXPECT_TRUE(contains(message, "more than one vertex fan")) << message;
 }
 
 TEST(Intrinsic_triangulation, refuses_edges_without_faces)

@@ -88,7 +88,7 @@ inline void set_border_halfedge(Halfedge_index h, Delta_complex& mesh)
 {
   const Vertex_index v = mesh.target(h);
   if(mesh.halfedge(v) != h && mesh.is_border(mesh.halfedge(v)))
-    throw Invalid_input("vertex " + std::to_string(v.idx()) + " has more than one umbrella");
+    throw Invalid_input("vertex " + std::to_string(v.idx()) + " has more than one vertex fan");
   mesh.set_halfedge(v, h);
 }
 

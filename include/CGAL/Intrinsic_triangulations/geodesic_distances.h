@@ -277,7 +277,8 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
     return result;
   } else {
     if(internal::method_of(np) == Distance_method::exact)
-      throw Invalid_input("exact distances need a surface, in which every vertex has one umbrella");
+      throw Invalid_input(
+        "exact distances need a surface, in which every vertex has one vertex fan");
     return internal::distances_by_heat(surface, all, internal::positions_of(surface, np), np);
   }
 }

@@ -58,7 +58,7 @@ std::string vertex_defect(SM_Vertex_index v, std::size_t degree, std::size_t bor
   if(border_degree == 1 && !mesh.is_border(h))
     return "it is on the boundary but its halfedge is not";
   if(border_degree > 1 || fan_size(v, degree, mesh) != degree)
-    return "it has more than one umbrella";
+    return "it has more than one vertex fan";
   return {};
 }
 
