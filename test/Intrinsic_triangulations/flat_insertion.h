@@ -243,7 +243,7 @@ public:
   {
     const IT::internal::Edge_courses fresh(m_tri, IT::Concurrency());
     for(Halfedge_index h : m_tri.mesh().halfedges()) {
-      const IT::Edge_course course = m_inserter.courses()(h), expected = fresh(h);
+      const IT::Edge_course course = m_inserter.course(h), expected = fresh(h);
       ASSERT_EQ(course.size(), expected.size()) << h;
       for(std::size_t m = 0; m < course.size(); ++m)
         ASSERT_EQ(course[m], expected[m]) << h << ' ' << m;

@@ -29,7 +29,7 @@ void check_courses(const Vertex_inserter& inserter)
   Triangulation compact(t);
   const IT::internal::Edge_courses fresh(compact, IT::Concurrency());
   for(Halfedge_index h : t.mesh().halfedges()) {
-    const IT::Edge_course course = inserter.courses()(h), expected = fresh(h);
+    const IT::Edge_course course = inserter.course(h), expected = fresh(h);
     ASSERT_EQ(course.size(), expected.size()) << h;
     for(std::size_t m = 0; m < course.size(); ++m)
       ASSERT_EQ(course[m], expected[m]) << h << ' ' << m;

@@ -179,8 +179,10 @@ public:
   /// returns the course of the halfedge `h` of \f$T_2\f$ over \f$T_1\f$. Complexity: constant.
   Edge_course course(Halfedge_index h) const { return m_courses(h); }
 
-  /// returns the courses of all halfedges of \f$T_2\f$.
+  /// \cond SKIP_IN_MANUAL
+  // the courses of all halfedges, for functions that read courses of both triangulations alike
   const internal::Edge_courses<Traits>& courses() const { return m_courses; }
+  /// \endcond
 
   /// returns whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its
   /// edges.

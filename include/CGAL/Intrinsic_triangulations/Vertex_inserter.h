@@ -67,8 +67,14 @@ public:
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// returns the courses of the halfedges of \f$T_2\f$ over \f$T_1\f$.
+  /// returns the course of the halfedge `h` of \f$T_2\f$ over \f$T_1\f$. Complexity: linear in
+  /// the crossings.
+  Edge_course course(Halfedge_index h) const { return m_courses(h); }
+
+  /// \cond SKIP_IN_MANUAL
+  // the courses of all halfedges, for functions that read courses of both triangulations alike
   const internal::Edge_courses<Traits>& courses() const { return m_courses; }
+  /// \endcond
 
   /// returns whether decisions are exact.
   bool is_exact() const { return internal::has_exact_decisions<Traits>() && m_is_exact; }
