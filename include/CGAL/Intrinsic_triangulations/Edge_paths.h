@@ -110,9 +110,6 @@ public:
     return add(halfedges, true);
   }
 
-  /// returns the number of paths and loops.
-  std::size_t number_of_paths() const { return m_path.size(); }
-
   /// returns whether path `i` is a loop.
   bool is_loop(std::size_t i) const { return m_path[i].is_loop; }
 

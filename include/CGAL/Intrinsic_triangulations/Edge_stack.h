@@ -119,8 +119,9 @@ struct Flipping_result
 // An edge stays if `is_good(e)`. It need not wait if `is_certain(e)`, which should be branch-free.
 // `flip(h)` returns whether the edge of `h` could be flipped.
 template <typename Is_certain, typename Is_good, typename Flip>
-Flipping_result flip_waiting(const Delta_complex& mesh, Edge_stack& stack, std::size_t limit,
-                             const Is_certain& is_certain, const Is_good& is_good, const Flip& flip)
+Flipping_result flip_within_limit(const Delta_complex& mesh, Edge_stack& stack, std::size_t limit,
+                                  const Is_certain& is_certain, const Is_good& is_good,
+                                  const Flip& flip)
 {
   std::size_t flips = 0;
   while(!stack.empty()) {
@@ -163,8 +164,8 @@ void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& i
     return is_good(h) || flip_status(h, mesh) != Operation_status::possible;
   };
   const auto flipped = [&](Halfedge_index h) { return flip(h), true; };
-  const auto result = internal::flip_waiting(mesh, stack, default_flip_limit(mesh.num_edges()),
-                                             never, stays, flipped);
+  const auto result = internal::flip_within_limit(mesh, stack, default_flip_limit(mesh.num_edges()),
+                                                  never, stays, flipped);
   internal::check_flip_limit(!result.is_Delaunay());
 }
 

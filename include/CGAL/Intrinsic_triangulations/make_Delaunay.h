@@ -126,7 +126,7 @@ Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, 
                                  Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   Edge_stack stack = doubtful_edges(mesh, flipping, concurrency);
-  return flip_waiting(
+  return flip_within_limit(
     mesh, stack, limit, [&](Edge_index e) { return flipping.is_certainly_Delaunay(e); },
     [&](Edge_index e) { return flipping.is_Delaunay(e); },
     [&](Halfedge_index h) {
