@@ -21,10 +21,8 @@ public:
   /// It is constructible from `double`, exactly.
   typedef unspecified_type Exact_number;
 
-  /// provides `Uncertain<bool> operator()(const Diamond<double>& length) const`, which returns
-  /// whether the edge \f$ij\f$ satisfies the local Delaunay condition, if lengths determine that,
-  /// and `bool is_certain(const Diamond<double>& length) const`, which returns whether it certainly
-  /// does.
+  /// a model of `LocalDelaunayPredicate` for lengths of type `double` whose result is of type
+  /// `CGAL::Uncertain<bool>`: indeterminate if lengths within the error of stored ones disagree.
   typedef unspecified_type Is_locally_Delaunay;
 
   /// returns the function object.

@@ -43,13 +43,8 @@ public:
   /// later.
   typedef unspecified_type Compute_flipped_length;
 
-  /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the edge
-  /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has
-  /// just been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use
-  /// up its flips. Further `bool is_certain(const Diamond<FT>& length) const`, which returns `true`
-  /// only if the first does, and `false` if it would take long to decide; for a border
-  /// edge, two of the five lengths are unspecified. Exact decisions know the condition of
-  /// `Euclidean_geometry_traits<double>` only: traits that replace it have none.
+  /// a model of `LocalDelaunayPredicate` for lengths of type `FT`. Exact decisions know the
+  /// condition of `Euclidean_geometry_traits<double>` only: traits that replace it have none.
   typedef unspecified_type Is_locally_Delaunay;
 
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union

@@ -125,6 +125,7 @@ public:
   /// lengths within `rounding_unit()` of the stored ones. So four cocircular points are a tie and
   /// ties are kept, an edge that has just been flipped is never flipped back, and a triangle of
   /// zero area over its long side gives way.
+  /// \cgalModels `LocalDelaunayPredicate`
   struct Is_locally_Delaunay
   {
     /// the relative error that is granted to every length.

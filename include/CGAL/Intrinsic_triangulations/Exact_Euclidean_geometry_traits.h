@@ -43,6 +43,7 @@ public:
 
   /// decides whether the edge \f$ij\f$ of a diamond is locally Delaunay, if all lengths within the
   /// error of stored lengths agree on that.
+  /// \cgalModels `LocalDelaunayPredicate`
   class Is_locally_Delaunay
   {
   public:

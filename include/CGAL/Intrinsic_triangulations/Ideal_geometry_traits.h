@@ -89,6 +89,7 @@ public:
   /// of the stored ones: these change a term on the left by four such units and one on the right,
   /// which is a sum of quotients of two lengths, by two. So an edge that has just been flipped is
   /// never flipped back.
+  /// \cgalModels `LocalDelaunayPredicate`
   struct Is_locally_Delaunay
   {
     /// returns whether the edge is Delaunay.
