@@ -71,8 +71,8 @@ struct Drawing
   Triangles triangles;
 };
 
-// A triangulated polygon with vertices 10^-1 to 10^-20 of a face from its corners or sides. Faces may
-// get several, and then they are nested.
+// A triangulated polygon with vertices 10^-1 to 10^-20 of a face from its corners or sides. Faces
+// may get several, and then they are nested.
 Drawing needles(int seed, bool are_nested)
 {
   Portable_random random(std::uint64_t(seed) + 1);

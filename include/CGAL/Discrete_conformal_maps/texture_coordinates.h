@@ -108,8 +108,8 @@ inline bool has_whole_faces(const Planar_conformal_map& map)
 
 namespace internal {
 
-// Calls `write` with the halfedges of the faces of a graph and the images of their targets, of which
-// `images` computes those of the corners of a part.
+// Calls `write` with the halfedges of the faces of a graph and the images of their targets, of
+// which `images` computes those of the corners of a part.
 template <typename Graph, typename Images, typename Function>
 void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Images& images,
                      const Function& write)

@@ -23,8 +23,8 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// the images of the corners or vertices of an input part, as `double` has them, with the faces that
-/// are reversed (\ref dcm_reversed).
+/// the images of the corners or vertices of an input part, as `double` has them, with the faces
+/// that are reversed (\ref dcm_reversed).
 ///
 /// \tparam Point the type of points
 template <typename Point>
@@ -37,8 +37,8 @@ struct Rounded_points
 
 namespace internal {
 
-// Moves points until no face of a part is reversed, if that is possible. `index(h)` is the number of
-// the point at the target of `h`.
+// Moves points until no face of a part is reversed, if that is possible. `index(h)` is the number
+// of the point at the target of `h`.
 template <std::size_t dimension, typename Index>
 Rounded_points<std::array<double, dimension>>
 without_reversed_faces(std::vector<std::array<double, dimension>> points, const Input_part& part,

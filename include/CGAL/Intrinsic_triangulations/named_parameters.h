@@ -119,8 +119,8 @@ auto parent_face_map(const Map& map);
 
 namespace internal {
 
-// Returns the visitor of named parameters: a reference to what `std::ref()` has been given, or else a
-// copy, whose functions need not be constant. Without a visitor it is `silent`.
+// Returns the visitor of named parameters: a reference to what `std::ref()` has been given, or else
+// a copy, whose functions need not be constant. Without a visitor it is `silent`.
 template <typename NamedParameters, typename Visitor>
 decltype(auto) visitor_of(const NamedParameters& np, Visitor& silent)
 {

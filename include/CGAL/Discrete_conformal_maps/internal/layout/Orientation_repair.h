@@ -24,10 +24,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // triangles. A triangle without area is not reversed. Points are in the plane, or vectors in space
 // that are seen from the origin.
 //
-// Exact predicates decide. A move is made only if it reduces the number of triples that turn right,
-// so the search ends; its work is bounded beside that. No coordinate of a point changes by more
-// than `maximum_move` units in the last place of the greatest one. Points stay in their bounding
-// box, and those on a side of it stay there.
+// Exact predicates decide. A move is made only if it reduces the number of triples that turn
+// right, so the search ends; its work is bounded beside that. No coordinate of a point changes by
+// more than `maximum_move` units in the last place of the greatest one. Points stay in their
+// bounding box, and those on a side of it stay there.
 template <std::size_t dimension>
 class Orientation_repair
 {
@@ -146,8 +146,8 @@ private:
       reversed.push_back(i);
   }
 
-  // Takes the best move of a corner by 2^exponent units that is better than `best` and makes polygon
-  // `i` better.
+  // Takes the best move of a corner by 2^exponent units that is better than `best` and makes
+  // polygon `i` better.
   void find_move(std::size_t i, std::size_t corner, int exponent, bool may_flatten, Move& best)
   {
     const Point from = m_points[corner];
