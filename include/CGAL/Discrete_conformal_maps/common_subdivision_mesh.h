@@ -140,7 +140,8 @@ constexpr bool has_corners()
 ///
 /// The vertices are those of the input, in their order, then crossings. Faces are convex polygons;
 /// they have the orientation of the input. Images are rounded such that no face is reversed, if
-/// that is possible (\ref dcm_reversed). Complexity: linear, without faces that are reversed at first.
+/// that is possible (\ref dcm_reversed). Complexity: linear, without faces that are reversed at
+/// first.
 ///
 /// \tparam Map `Planar_conformal_map`, `Hyperbolic_conformal_map` or `Spherical_conformal_map`
 /// \tparam Graph a model of `MutableFaceGraph`
