@@ -47,7 +47,19 @@ inline std::vector<std::complex<double>> seam_translations(const Planar_conforma
   return result;
 }
 
-// of the flat surface, with its second copy if it has a boundary
+// Returns whether the axis of a flat double, on which the boundary is, cuts a face that is laid out:
+// the axis is straight, so there are vertices on both sides.
+inline bool is_cut_by_axis(Face_index f, const Planar_conformal_map& map)
+{
+  const auto h = sides(f, map.ideal().mesh());
+  return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) {
+    const Vertex_index v = map.ideal().mesh().source(x);
+    return map.input_vertex(v) != v;
+  });
+}
+
+// Returns the area of a flat surface with straight boundaries, without the second copy, of which
+// there may be a part only. Faces that the axis cuts are, in pairs or alone, symmetric to it.
 inline double flat_area(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -58,9 +70,12 @@ inline double flat_area(const Planar_conformal_map& map)
   };
   double result = 0;
   for(Face_index f : mesh.faces()) {
+    if(!map.is_laid_out(f))
+      continue;
     const auto h = sides(f, mesh);
-    result +=
+    const double area =
       Intrinsic_triangulations::quadrupled_area(length(h[0]), length(h[1]), length(h[2])) / 4;
+    result += is_cut_by_axis(f, map) ? area / 2 : area;
   }
   return result;
 }
@@ -100,7 +115,7 @@ inline double annulus_modulus(const Planar_conformal_map& map)
 {
   const std::vector<double> length = internal::flat_boundary_lengths(map);
   const double circumference = std::accumulate(length.begin(), length.end(), 0.) / 2;
-  return internal::flat_area(map) / 2 / (circumference * circumference);
+  return internal::flat_area(map) / (circumference * circumference);
 }
 
 } // namespace CGAL::Discrete_conformal_maps
