@@ -134,7 +134,7 @@ def survey(arguments):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=Path)
+    parser.add_argument("program", type=lambda path: Path(path).resolve())
     parser.add_argument("folder", type=Path)
     parser.add_argument("--timeout", type=float, default=20, help="seconds of the processor for each map")
     parser.add_argument("--rows", type=Path, help="JSON lines, one for each map; those in it are not computed again")
