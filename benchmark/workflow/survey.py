@@ -91,7 +91,7 @@ def summary(rows):
 
 
 def print_table(rows, key):
-    names = list(dict.fromkeys(r[key] for r in rows))
+    names = sorted({r[key] for r in rows})
     lines = [[key, *COLUMNS]] + [[n, *summary([r for r in rows if r[key] == n])] for n in names]
     lines.append(["all", *summary(rows)])
     widths = [max(len(str(line[i])) for line in lines) for i in range(len(lines[0]))]
@@ -118,13 +118,16 @@ def survey(arguments):
     if arguments.rows and arguments.rows.exists():
         rows = [json.loads(line) for line in arguments.rows.read_text().splitlines()]
     known = {(r["mesh"], r["map"]) for r in rows}
-    for path in sorted(arguments.folder.glob("*.off"), key=lambda p: (p.stem.rsplit("_", 1)[0], len(p.stem), p.stem)):
+    family = lambda path: path.stem.rsplit("_", 1)[0]
+    number = lambda path: int(path.stem.rsplit("_", 1)[1])
+    # the first of each family come first: an interrupted survey has something of all
+    for path in sorted(arguments.folder.glob("*.off"), key=lambda p: (number(p), family(p))):
         for name in suitable_calls(path):
             if (path.name, name) in known:
                 continue
             command, *options = CALLS[name].split()
             row = run(arguments.program, path, arguments.timeout, command, options)
-            row.update(map=name, family=path.stem.rsplit("_", 1)[0])
+            row.update(map=name, family=family(path))
             rows.append(row)
             if arguments.rows:
                 with open(arguments.rows, "a", encoding="utf-8") as file:

@@ -77,7 +77,7 @@ std::vector<Problem> problems()
     with_curvatures("torus", torus, {}),
     with_curvatures("torus with cones", torus, {{3, 5}, {50, -9}, {71, 4}}),
     with_curvatures("sphere with cones", ball,
-                    {{0, pi}, {30, 2 * pi}, {60, -pi}, {90, 2 * pi - 1e-3}, {91, 1e-3}}),
+                    {{0, 1.5 * pi}, {30, 1.9 * pi}, {60, -pi}, {90, 1.6 * pi - 1e-3}, {91, 1e-3}}),
     with_curvatures("frame", perturbed(frame(2, 1), 0.05, 3), {{0, -3 * pi}, {7, -pi}}),
     with_curvatures("torus with needles", with_needles_and_caps(torus, 1e-4), {}),
     with_curvatures("stretched torus", stretched_along_x(torus, 100), {}),
@@ -130,9 +130,11 @@ TEST(Hundred_digits, scale_factors_have_the_curvatures_that_are_promised)
     const std::vector<Long_real> curvature = surface.curvatures();
     const std::vector<double> expected = target(p);
     const std::vector<bool> is_fixed = fixed(p);
-    for(std::size_t v = 0; v < expected.size(); ++v)
-      if(!is_fixed[v])
-        EXPECT_LT(abs(curvature[v] - Long_real(expected[v])), 1e-10) << v;
+    for(std::size_t v = 0; v < expected.size(); ++v) {
+      if(is_fixed[v])
+        continue;
+      EXPECT_LT(abs(curvature[v] - Long_real(expected[v])), 1e-10) << v;
+    }
   }
 }
 
@@ -205,12 +207,11 @@ TEST(Hundred_digits, spheres_have_the_distances_of_a_convex_polyhedron)
     EXPECT_EQ(map.status(), DCM::Map_status::success);
     Reference_surface surface(mesh);
     surface.scale(scale_factors(map, mesh));
-    const auto position = [&](std::size_t v) {
-      return map.position(Vertex_index(Mesh::size_type(v)));
-    };
+    // positions in double precision do not resolve the ends of a long surface
     const auto chord = [&](std::size_t v, std::size_t w) {
-      const auto p = position(v), q = position(w);
-      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      const auto p = map.position_in<Long_real>(Vertex_index(Mesh::size_type(v))),
+                 q = map.position_in<Long_real>(Vertex_index(Mesh::size_type(w)));
+      return Long_real(sqrt(pow(p[0] - q[0], 2) + pow(p[1] - q[1], 2) + pow(p[2] - q[2], 2)));
     };
     EXPECT_LT(error_of_distances(surface, chord, [](std::size_t) { return true; }), 1e-8);
   }
