@@ -69,7 +69,7 @@ say() { # NAME STATISTICS EXIT
 say right '{"status": "success", "iterations": 7, "max_curvature_error": 1e-12, "max_cross_ratio_error": 1e-9}' 0
 say liar '{"status": "success", "iterations": 7, "max_curvature_error": 1e-3}' 0
 say lost '{"status": "success", "iterations": 7, "max_curvature_error": NaN}' 0
-say crowded '{"status": "crowded", "iterations": 300, "max_curvature_error": 1e-12, "flipped_triangles": 9}' 0
+say crowded '{"status": "success", "iterations": 300, "crowded_faces": [3, 8], "max_curvature_error": 1e-12, "flipped_triangles": 9}' 0
 say mollified '{"status": "success", "iterations": 1, "mollification": 1e-6}' 0
 say fails '{}' 1
 expect_counts() { # PROGRAM COUNTS: maps, found, crowded, failed, too slow, contradictory, mollified
