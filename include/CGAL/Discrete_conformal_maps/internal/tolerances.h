@@ -28,6 +28,8 @@ constexpr double extended_gradient = 1e-22;
 constexpr double known_angle = 1;
 // What a map is promised to have: curvatures and exterior angles as measured on the result.
 constexpr double promised_angle = 1e-10;
+// Straight boundaries that need too many digits are bent by that at each vertex, or less.
+constexpr double bend = 1e-13;
 // Curvatures on the exact surface, after scale factors have been rounded to `double`.
 constexpr double promised_rounded_angle = 1e-8;
 // Lengths in the plane, relative, and the shapes of boundaries, relative to their sizes: what cross

@@ -75,6 +75,11 @@ public:
   // whether there are scale factors
   bool has_succeeded() const { return m_scale.status() == Map_status::success; }
 
+  // the last minimization
+  const Minimization_result& minimization() const { return m_scale.result(); }
+
+  Visitor& visitor() const { return m_visitor; }
+
   // Calls `search()`, which finds scale factors. A numerical error ends the search.
   template <typename Search>
   void attempt(const Search& search)

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
@@ -29,14 +30,14 @@ class Sphere_mapping
 {
 public:
   Sphere_mapping(Doubled_problem& problem, Visitor& visitor)
-    : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas()), m_builder(problem)
+    : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas(problem)), m_builder(problem)
   {
     check();
   }
 
   Spherical_conformal_map run()
   {
-    if(has_vertices_inside()) {
+    if(has_vertices_inside(m_problem)) {
       store(unfold());
       if(m_layout.exists)
         find_lost_faces();
@@ -69,57 +70,12 @@ private:
         "the surface is " + description(*type) + ", neither a sphere nor a disk: use uniformize");
   }
 
-  // A third of the area of each face of the double belongs to each of its corners.
-  std::vector<double> vertex_areas() const
-  {
-    const auto& triangulation = m_problem.triangulation();
-    const Delta_complex& mesh = m_problem.surface();
-    std::vector<double> result(mesh.num_vertices(), 0);
-    for(Face_index f : mesh.faces()) {
-      const auto side = sides(f, mesh);
-      const auto length = [&](std::size_t s) {
-        return triangulation.input_length(mesh.edge(side[s]));
-      };
-      const double area = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
-                            length(0), length(1), length(2))) /
-                          4;
-      for(Halfedge_index h : side)
-        result[mesh.target(h).idx()] += area / (3 * m_problem.part(mesh.target(h).idx()));
-    }
-    return result;
-  }
-
-  // Vertices with much area are best at infinity: all others can be seen from there. Of a disk,
-  // they are on the boundary.
-  std::vector<Vertex_index> candidates() const
-  {
-    std::vector<Vertex_index> all, on_boundary;
-    for(Vertex_index v : m_problem.surface().vertices()) {
-      if(!m_problem.surface().is_isolated(v))
-        all.push_back(v);
-      if(m_problem.is_on_boundary(v))
-        on_boundary.push_back(v);
-    }
-    std::vector<Vertex_index>& result = on_boundary.empty() ? all : on_boundary;
-    std::stable_sort(result.begin(), result.end(), [this](Vertex_index v, Vertex_index w) {
-      return m_mass[v.idx()] > m_mass[w.idx()];
-    });
-    return result;
-  }
-
-  bool has_vertices_inside() const
-  {
-    const auto vertices = m_problem.surface().vertices();
-    return std::any_of(vertices.begin(), vertices.end(), [this](Vertex_index v) {
-      return !m_problem.surface().is_isolated(v) && !m_problem.is_on_boundary(v);
-    });
-  }
-
   // Returns whether a polygon with numbers of this type is good.
   template <typename FT>
   bool store_polygon()
   {
-    const Inscribed_polygon<FT> polygon(m_problem, m_mass, candidates().front(), m_visitor);
+    const Inscribed_polygon<FT> polygon(m_problem, m_mass,
+                                        vertices_at_infinity(m_problem, m_mass).front(), m_visitor);
     if(std::is_same<FT, Extended>::value && !polygon.result().is_good(tolerance::cross_ratio))
       return false;
     store(polygon.result());
@@ -132,7 +88,7 @@ private:
   // compared: unless the first is good, they have all of it.
   Unfolded_sphere unfold()
   {
-    const std::vector<Vertex_index> vertices = candidates();
+    const std::vector<Vertex_index> vertices = vertices_at_infinity(m_problem, m_mass);
     const auto unfolded = [&](Vertex_index v) {
       return Sphere_unfolding(m_problem, m_mass, v).run(m_visitor);
     };

@@ -75,6 +75,16 @@ public:
     return is_better;
   }
 
+  // Makes the point the best one and the origin of the energy: steps from there have all digits of
+  // the variables of the energy, which may be more than those of `double`.
+  void move_origin()
+  {
+    m_energy.move_origin();
+    m_point.setZero();
+    m_best = m_point;
+    m_best_norm = m_norm;
+  }
+
   double tolerance() const
   {
     return (std::max)(m_limits.gradient_tolerance, m_energy.gradient_error());

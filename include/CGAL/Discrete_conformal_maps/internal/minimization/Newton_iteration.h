@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Gradient_path.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
@@ -58,10 +60,50 @@ private:
         return Status::converged;
       if(m_iterations == m_descent.limits().iterations)
         return Status::iteration_limit;
+      if(is_far_off())
+        return follow_path();
       if(const std::optional<Status> end = iterate())
-        return *end;
+        return is_lost(*end) ? follow_path() : *end;
     }
     polish();
+    return Status::converged;
+  }
+
+  // Close enough to a minimum, ten steps suffice, and none of them is long.
+  static constexpr std::size_t usual_iterations = 16;
+  static constexpr double usual_length = 100;
+
+  bool has_path() const
+  {
+    return std::is_same<Direction, Newton_direction>::value &&
+           Has_smooth_gradient<Energy>::get(m_descent.energy());
+  }
+
+  bool is_far_off() const
+  {
+    return has_path() && (m_iterations >= usual_iterations || m_bound > usual_length);
+  }
+
+  bool is_lost(Status end) const
+  {
+    return has_path() && (end == Status::no_descent || end == Status::not_finite);
+  }
+
+  // Goes on from the best point so far, on a path that does not lose its way.
+  Status follow_path()
+  {
+    if constexpr(std::is_same<Direction, Newton_direction>::value) {
+      m_largest_error = 0; // the path has no points to store
+      m_descent.move_to_best();
+      Gradient_path path(m_descent, m_direction);
+      while(!m_descent.has_converged()) {
+        if(m_iterations == m_descent.limits().iterations)
+          return Status::iteration_limit;
+        if(const std::optional<Status> end = path.take_step())
+          return *end;
+        m_visitor.after_iteration(++m_iterations, m_descent.norm(), path.step_length());
+      }
+    }
     return Status::converged;
   }
 

@@ -114,6 +114,38 @@ public:
     return result;
   }
 
+  // Straight boundaries may be bent outwards by this angle at each vertex: zero at first.
+  double bend() const { return m_bend; }
+  void set_bend(double angle) { m_bend = angle; }
+
+  // Returns by how much the angle defects that are tried differ from those that are prescribed.
+  // Beside a straight boundary without vertices inside, every triangle reaches to a vertex inside,
+  // however small its side on the boundary is and however far that vertex: lengths of as many
+  // digits would be needed. A bend of 1e-13 is a rounding error of angles, and it makes triangles
+  // with a third corner on the boundary Delaunay where sides are so small. The other exterior
+  // angles of the component shrink in proportion.
+  Vector bends() const
+  {
+    Vector result = Vector::Zero(m_value.size());
+    if(m_bend == 0)
+      return result;
+    std::vector<double> bent(m_components.size(), 0), convex(m_components.size(), 0);
+    for(std::size_t v = 0; v < size(); ++v)
+      if(is_straight(v))
+        bent[m_components[v]] += 2 * m_bend - m_value[Eigen::Index(v)];
+      else if(is_convex(v))
+        convex[m_components[v]] += m_value[Eigen::Index(v)];
+    for(std::size_t v = 0; v < size(); ++v)
+      if(const std::size_t c = m_components[v]; convex[c] > 0) {
+        const double value = m_value[Eigen::Index(v)];
+        if(is_straight(v))
+          result[Eigen::Index(v)] = 2 * m_bend - value;
+        else if(is_convex(v))
+          result[Eigen::Index(v)] = -value * bent[c] / convex[c];
+      }
+    return result;
+  }
+
   // Of each component of the double, how much the prescribed curvatures exceed 2 pi times the Euler
   // characteristic; this much less must be the curvature of the vertices with prescribed scale
   // factors (Equation 4.11). Zero for an isolated vertex.
@@ -174,6 +206,16 @@ public:
   }
 
 private:
+  // whether an exterior angle is prescribed that is almost zero, or greater
+  bool is_straight(std::size_t v) const
+  {
+    return m_is_on_boundary[v] && !m_is_fixed[v] && std::abs(m_value[Eigen::Index(v)]) < 2 * m_bend;
+  }
+  bool is_convex(std::size_t v) const
+  {
+    return m_is_on_boundary[v] && !m_is_fixed[v] && m_value[Eigen::Index(v)] >= 2 * m_bend;
+  }
+
   // by Euler, with all boundary loops filled
   void set_topology(const Delta_complex& surface)
   {
@@ -257,6 +299,7 @@ private:
   std::vector<char> m_is_on_boundary;
   std::vector<char> m_is_fixed;
   Vector m_value; // a scale factor or an angle defect
+  double m_bend = 0;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

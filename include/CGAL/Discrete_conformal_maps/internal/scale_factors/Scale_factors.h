@@ -73,15 +73,23 @@ public:
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     m_extended.clear();
     m_is_wide = false;
+    if(m_problem.bend() > 0)
+      tolerance = tolerance::promised_angle;
     auto energy = energy_at_start<double>(m_problem.triangulation());
     run(energy, minimizer, visitor);
     if(m_problem.has_precise_lengths())
       measure_precisely();
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    if constexpr(Triangle<double>::has_similar_ones)
+    if constexpr(Triangle<double>::has_similar_ones) {
+      if(may_be_bent(tolerance)) {
+        bend();
+        tolerance = tolerance::promised_angle;
+        minimize_in<Extended>(minimizer, tolerance, visitor);
+      }
       if(is_out_of_range(tolerance))
         minimize_beyond_range(minimizer, tolerance, visitor);
+    }
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
   }
@@ -187,6 +195,23 @@ private:
       m_extended.push_back(converted<Extended>(u));
   }
 
+  // Whether a boundary may have too small sides for straight angles in extended precision.
+  bool may_be_bent(double tolerance) const
+  {
+    return m_problem.flipping() == Flipping::to_Delaunay && m_problem.bend() == 0 &&
+           !m_problem.has_precise_lengths() && m_status == Map_status::not_converged &&
+           m_result.status != Minimization_status::unbounded && !is_within(tolerance);
+  }
+
+  // By so little that the sum of all bends is less than is promised of one angle.
+  void bend()
+  {
+    double sides = 1;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      sides += m_problem.part(v) < 1;
+    m_problem.set_bend((std::min)(tolerance::bend, tolerance::promised_angle / sides));
+  }
+
   // Where scale factors differ so much, lengths on the way may be beyond the range of `double`.
   bool is_out_of_range(double tolerance) const
   {
@@ -237,12 +262,13 @@ private:
   void note_values(const Energy& energy)
   {
     m_max_curvature_error = 0;
+    const Vector bends = m_problem.bends();
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       const auto i = static_cast<Eigen::Index>(v);
       m_u[i] = static_cast<double>(energy.scale_factor(v));
       if(!m_problem.is_fixed()[v])
-        m_max_curvature_error =
-          greater_error(m_max_curvature_error, std::abs(energy.gradient()[i]));
+        m_max_curvature_error = greater_error(
+          m_max_curvature_error, std::abs(energy.gradient()[i] + m_problem.part(v) * bends[i]));
     }
   }
 

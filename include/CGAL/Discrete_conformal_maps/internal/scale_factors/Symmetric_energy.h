@@ -53,6 +53,9 @@ public:
 
   std::size_t size() const { return m_problem.size(); }
 
+  // Triangulations that follow the scale factors do not break the derivatives of angles.
+  bool has_smooth_gradient() const { return m_problem.flipping() == Flipping::to_Delaunay; }
+
   // of the variables
   std::shared_ptr<Shared_order> shared_order() const { return m_problem.order(); }
 
@@ -167,9 +170,10 @@ Symmetric_energy<Conformal_energy<FT, Triangle>>
 symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation& triangulation)
 {
   const auto make = [&problem](const Doubled_problem::Triangulation& t) {
-    Conformal_energy<FT, Triangle> result(t.mesh(), problem.template lengths<FT>(t),
-                                          problem.expanded(problem.target_defect()),
-                                          problem.flipping());
+    Conformal_energy<FT, Triangle> result(
+      t.mesh(), problem.template lengths<FT>(t),
+      problem.expanded(Eigen::VectorXd(problem.target_defect() + problem.bends())),
+      problem.flipping());
     result.set_concurrency(problem.concurrency());
     return result;
   };

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Fixed_point_acceleration.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/half_arcs_of_hemisphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
 
@@ -26,6 +27,17 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns the exterior angles of a polygon in a circle, at the start of each edge, for half of the
+// angles under which the center sees its edges.
+inline std::vector<double> angles_between(const std::vector<double>& half_arc)
+{
+  const std::size_t n = half_arc.size();
+  std::vector<double> result(n);
+  for(std::size_t i = 0; i < n; ++i)
+    result[i] = half_arc[i] + half_arc[(i + n - 1) % n];
+  return result;
+}
 
 // Returns the exterior angles of the polygon in a circle whose edges have these lengths: at the
 // start of each edge. Half the angle under which the center sees an edge of length l, in a circle
@@ -54,10 +66,7 @@ inline std::vector<double> circle_angles(const std::vector<double>& length)
     ((excess(half_arcs(x, is_outside)) > 0) != is_outside ? high : low) = x;
   std::vector<double> arcs = half_arcs(high, is_outside);
   arcs[longest] -= excess(arcs); // if that is near a diameter, its arc has half of the digits
-  std::vector<double> result(n);
-  for(std::size_t i = 0; i < n; ++i)
-    result[i] = arcs[i] + arcs[(i + n - 1) % n];
-  return result;
+  return angles_between(arcs);
 }
 
 // The exterior angles of a boundary whose components are circles, found by repetition: those that a
@@ -96,6 +105,7 @@ public:
   template <typename Flattening, typename Find>
   void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
+    bool has_started_again = false;
     for(std::size_t i = 0; i < m_rounds; ++i) {
       find();
       if(!flattening.has_succeeded())
@@ -103,6 +113,10 @@ public:
       m_change = update(flat_boundary_lengths(problem, flattening.log_scales()));
       if(m_change <= tolerance::circle_angle)
         return;
+      if(!has_started_again && (i + 1 == usual_rounds || is_far_off(flattening.minimization()))) {
+        has_started_again = true;
+        start_from_hemisphere(problem, flattening.visitor());
+      }
       if(i + 1 < m_rounds) // otherwise the angles stay those of the map
         prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
     }
@@ -133,6 +147,32 @@ private:
     Edge_index edge;
   };
   typedef std::vector<Side> Circle;
+
+  // The angles of most disks need no more rounds than that.
+  static constexpr std::size_t usual_rounds = 20;
+
+  // Where the first angles are as far from those of the surface, the next ones are far off, too.
+  static bool is_far_off(const Minimization_result& first) { return first.iterations > 16; }
+
+  // Takes the angles of the map of the disk to a hemisphere, of which this one is the stereographic
+  // projection unless edges of T^C cross the boundary: then the angles are close to these.
+  template <typename Visitor>
+  void start_from_hemisphere(Doubled_problem& problem, Visitor& visitor)
+  {
+    if(m_circles.size() != 1 ||
+       problem.topology()[m_components[m_circles[0][0].source.idx()]].genus > 0)
+      return;
+    std::vector<Vertex_index> boundary;
+    for(const Side& side : m_circles[0])
+      boundary.push_back(side.source);
+    if(const auto arcs = half_arcs_of_hemisphere(problem, boundary, visitor)) {
+      const std::vector<double> angle = angles_between(*arcs);
+      if(*std::max_element(angle.begin(), angle.end()) < boost::math::constants::pi<double>()) {
+        m_angle = closed(Eigen::Map<const Vector>(angle.data(), m_angle.size()));
+        m_acceleration = Fixed_point_acceleration();
+      }
+    }
+  }
 
   // Moves the angles towards those of circles with the lengths of the image, and returns the
   // greatest difference of both before.

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_AREAS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_AREAS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns, for each vertex of the surface, a third of the area of the faces of the double around
+// it.
+inline std::vector<double> vertex_areas(const Doubled_problem& problem)
+{
+  const auto& triangulation = problem.triangulation();
+  const Delta_complex& mesh = problem.surface();
+  std::vector<double> result(mesh.num_vertices(), 0);
+  for(Face_index f : mesh.faces()) {
+    const auto side = sides(f, mesh);
+    const auto length = [&](std::size_t s) {
+      return triangulation.input_length(mesh.edge(side[s]));
+    };
+    const double area = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
+                          length(0), length(1), length(2))) /
+                        4;
+    for(Halfedge_index h : side)
+      result[mesh.target(h).idx()] += area / (3 * problem.part(mesh.target(h).idx()));
+  }
+  return result;
+}
+
+// Returns the vertices from which a surface is unfolded best, the best first: vertices with much
+// area, for all others can be seen from there. If there is a boundary, they are on it.
+inline std::vector<Vertex_index> vertices_at_infinity(const Doubled_problem& problem,
+                                                      const std::vector<double>& area)
+{
+  std::vector<Vertex_index> all, on_boundary;
+  for(Vertex_index v : problem.surface().vertices()) {
+    if(!problem.surface().is_isolated(v))
+      all.push_back(v);
+    if(problem.is_on_boundary(v))
+      on_boundary.push_back(v);
+  }
+  std::vector<Vertex_index>& result = on_boundary.empty() ? all : on_boundary;
+  std::stable_sort(result.begin(), result.end(),
+                   [&](Vertex_index v, Vertex_index w) { return area[v.idx()] > area[w.idx()]; });
+  return result;
+}
+
+// Returns whether a vertex of the surface is not on its boundary.
+inline bool has_vertices_inside(const Doubled_problem& problem)
+{
+  const auto vertices = problem.surface().vertices();
+  return std::any_of(vertices.begin(), vertices.end(), [&](Vertex_index v) {
+    return !problem.surface().is_isolated(v) && !problem.is_on_boundary(v);
+  });
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_AREAS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_GRADIENT_PATH_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_GRADIENT_PATH_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns whether the gradient of an energy has continuous derivatives, as far as the energy says
+// so: then there is a path to its minimum on which the gradient shrinks in proportion. Such an
+// energy can move its origin.
+template <typename Energy, typename = void>
+struct Has_smooth_gradient
+{
+  static bool get(const Energy&) { return false; }
+};
+template <typename Energy>
+struct Has_smooth_gradient<
+  Energy, std::void_t<decltype(std::declval<const Energy&>().has_smooth_gradient())>>
+{
+  static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
+};
+
+// Follows the path on which the gradient g of an energy shrinks to zero in proportion: angle
+// defects move from those of today to those that are prescribed. Its tangent is Newton's direction,
+// of which a step takes a part t such that the greatest |g_i| shrinks by t/4 of it or more. The
+// slope along the direction, which suffices near a minimum, can vanish where single defects have
+// grown to full turns, and from there Newton's method hardly moves.
+//
+// How far the tangent is good depends on how much neighbors change relative to each other, not on
+// how much they change together: the scale factors of a strip can move by hundreds in one step. So
+// a bound holds for differences of neighbors, which grows and shrinks with the steps that succeed.
+template <typename Descent>
+class Gradient_path
+{
+public:
+  typedef Minimization_status Status;
+
+  // `descent` is at a point with a finite gradient.
+  Gradient_path(Descent& descent, Newton_direction& direction)
+    : m_descent(descent), m_direction(direction)
+  {}
+
+  // Takes a step; returns the status if none could be taken.
+  std::optional<Status> take_step()
+  {
+    const Eigen::SparseMatrix<double>& hessian = m_descent.energy().Hessian();
+    if(!hessian.coeffs().allFinite())
+      return Status::not_finite;
+    if(!m_direction.find(hessian, m_descent.gradient(), m_descent.point(), longest))
+      return Status::no_descent;
+    return search(greatest_difference(hessian));
+  }
+
+  double step_length() const { return m_step * m_direction.length(); }
+
+private:
+  static constexpr double longest = 1e100;
+
+  // Returns by how much the direction differs at neighbors, at most.
+  double greatest_difference(const Eigen::SparseMatrix<double>& hessian) const
+  {
+    const Eigen::VectorXd& d = m_direction.direction();
+    double result = 0;
+    for(Eigen::Index column = 0; column < hessian.outerSize(); ++column)
+      for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, column); i; ++i)
+        result = (std::max)(result, std::abs(d[i.row()] - d[column]));
+    return result;
+  }
+
+  std::optional<Status> search(double difference)
+  {
+    const Eigen::VectorXd base = m_descent.point();
+    const double norm = max_norm(m_descent.gradient()), base_slope = slope(),
+                 known = (std::max)(tolerance::known_angle, m_descent.energy().gradient_error());
+    bool has_been_finite = false;
+    m_step = difference > m_bound ? m_bound / difference : 1;
+    for(int trial = 0; trial < 20; ++trial) {
+      const bool is_finite = m_descent.move_to(base + m_step * m_direction.direction()) &&
+                             m_descent.energy().gradient_error() <= known;
+      if(m_descent.point() == base)
+        return Status::rounding_limit;
+      if(is_finite && max_norm(m_descent.gradient()) <= (1 - m_step / 4) * norm) {
+        m_bound = (trial == 0 ? (std::max)(m_bound, 2 * m_step * difference) : m_step * difference);
+        m_descent.move_origin();
+        m_short_steps = m_step < 1e-3 ? m_short_steps + 1 : 0;
+        return m_short_steps < 30 ? std::nullopt : std::optional(Status::no_descent);
+      }
+      has_been_finite |= is_finite;
+      // where the slope vanishes by the secant, but neither far from there nor close to the last
+      const double beyond = is_finite ? slope() : 0;
+      m_step *= beyond > 0 ? std::clamp(base_slope / (base_slope - beyond), 0.1, 0.5) : 0.5;
+    }
+    return has_been_finite ? Status::rounding_limit : Status::not_finite;
+  }
+
+  double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
+
+  Descent& m_descent;
+  Newton_direction& m_direction;
+  double m_bound = 0.25; // of the differences of neighbors
+  double m_step = 0;
+  int m_short_steps = 0; // in a row
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_GRADIENT_PATH_H
