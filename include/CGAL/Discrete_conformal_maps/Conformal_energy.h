@@ -63,15 +63,15 @@ public:
   /// \param complex the connectivity, without boundary; intrinsic Delaunay, unless it is fixed
   /// \param length a readable property map from the edges to positive lengths
   /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the
-  ///        indices of vertices
+  ///        indices of vertices: an `Eigen::VectorXd` or a vector of numbers
   /// \param flipping whether the triangulation follows the scale factors
-  template <typename EdgeLengthMap>
+  template <typename EdgeLengthMap, typename Angle_defects>
   Conformal_energy(const Delta_complex& complex, const EdgeLengthMap& length,
-                   const Vector& target_defect, Flipping flipping = Flipping::to_Delaunay)
+                   const Angle_defects& target_defect, Flipping flipping = Flipping::to_Delaunay)
     : Base(Penner_surface<FT>(complex, length, flipping), flipping == Flipping::none),
-      m_target_defect(target_defect)
+      m_target_defect(target_defect.data(), target_defect.data() + target_defect.size())
   {
-    this->evaluate(Vector::Zero(target_defect.size()));
+    this->evaluate(Vector::Zero(Eigen::Index(m_target_defect.size())));
   }
 
 #ifdef DOXYGEN_RUNNING
@@ -136,15 +136,15 @@ private:
 
   void sum_angles()
   {
-    std::vector<internal::Angle_difference<FT>> defect(
-      m_target_defect.data(), m_target_defect.data() + m_target_defect.size());
+    std::vector<internal::Angle_difference<FT>> defect(m_target_defect.begin(),
+                                                       m_target_defect.end());
     for(Halfedge_index h : mesh().halfedges())
       defect[mesh().source(h).idx()].subtract(Base::corner(h), Base::rounded_angle(h));
     for(Vertex_index v : mesh().vertices())
       Base::set_gradient(v, defect[v.idx()].value());
   }
 
-  Vector m_target_defect;
+  std::vector<FT> m_target_defect;
 };
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
@@ -169,9 +169,8 @@ FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_we
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
     if(!mesh().is_isolated(v))
-      sum += FT(vertex_weight(v)) *
-             (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
-             this->scale_factors()[v.idx()];
+      sum +=
+        FT(vertex_weight(v)) * (2 * pi - m_target_defect[v.idx()]) * this->scale_factors()[v.idx()];
   for(Face_index f : mesh().faces()) {
     const auto side = sides(f, mesh());
     const Triangle face = Base::triangle(side);

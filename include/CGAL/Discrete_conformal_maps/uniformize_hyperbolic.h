@@ -80,17 +80,27 @@ uniformize_hyperbolic(const Graph& g,
   using CGAL::parameters::get_parameter;
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
-  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  const auto conditions =
-    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
-  internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
-  problem.check_hyperbolic();
-  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-  internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
-    problem, visitor);
-  uniformization.find_scale_factors(
-    choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()));
-  return uniformization.finish();
+  bool is_doubled = false;
+  const auto uniformized = [&](internal::Exactness exactness) {
+    Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+    const auto conditions =
+      internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
+    internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay,
+                                      exactness);
+    problem.check_hyperbolic();
+    problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
+    internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
+      problem, visitor);
+    uniformization.find_scale_factors(
+      choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()));
+    is_doubled = !problem.has_no_copies();
+    return uniformization.finish();
+  };
+  Hyperbolic_conformal_map map = uniformized(internal::Exactness::where_needed);
+  // Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
+  if(is_doubled && map.status() == Map_status::not_glued)
+    map = uniformized(internal::Exactness::lengths);
+  return map;
 }
 
 } // namespace CGAL::Discrete_conformal_maps

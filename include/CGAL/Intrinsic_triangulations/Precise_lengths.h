@@ -16,15 +16,18 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// computes the lengths of straight edges of \f$T_2\f$ on the exact surface of \f$T_1\f$, in twice
-/// the digits of `double`.
-template <typename Traits>
+/// computes the lengths of straight edges of \f$T_2\f$ on the exact surface of \f$T_1\f$, with more
+/// digits than `double` has.
+/// \tparam Length `Double_double`, or a floating point number of Boost.Multiprecision with at most
+///   a thousand binary digits
+template <typename Traits, typename Length = Double_double>
 class Precise_lengths
 {
   typedef Triangulation_pair<Traits> Pair;
@@ -34,18 +37,22 @@ class Precise_lengths
 public:
   /// prepares for the lengths of `pair`, which is referred to.
   explicit Precise_lengths(const Pair& pair)
-    : m_pair(pair), m_courses(pair, Concurrency()), m_corners(internal::exact_input(pair))
+    : m_pair(pair),
+      m_courses(pair, Concurrency()),
+      m_corners(internal::exact_input(pair)),
+      m_long_corners(internal::exact_input(pair))
   {}
 
-  /// returns the length of the edge of `h` with a relative error of at most \f$2^{-90}\f$.
+  /// returns the length of the edge of `h`, with a relative error of at most \f$2^{-90}\f$ if its
+  /// type is `Double_double`, and of \f$2^{12}\f$ roundings of its type otherwise.
   /// \throws Numerical_error if 1024 bits do not suffice
-  Double_double operator()(Halfedge_index h)
+  Length operator()(Halfedge_index h)
   {
-    std::optional<Double_double> result = length(h, m_corners);
-    if(!result) {
-      Corners<internal::Long_float> corners(internal::exact_input(m_pair));
-      result = length(h, corners);
-    }
+    std::optional<Length> result;
+    if constexpr(std::is_same_v<Length, Double_double>)
+      result = length(h, m_corners);
+    if(!result)
+      result = length(h, m_long_corners);
     if(!result)
       throw Numerical_error("edge " + std::to_string(m_pair.mesh().edge(h).idx()) +
                             " has no positive finite length");
@@ -54,21 +61,25 @@ public:
 
 private:
   template <typename N>
-  std::optional<Double_double> length(Halfedge_index h, Corners<N>& corners) const
+  std::optional<Length> length(Halfedge_index h, Corners<N>& corners) const
   {
     const auto strip =
       internal::Development<Traits, Corners<N>>(m_pair, m_courses, corners).uncrossed_strip(h);
     const internal::Ball<N> length =
       root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double high = to_double(length.x);
-    if(!(length.radius <= internal::precise_length_error() * high))
+    if(!(length.radius <= internal::precise_length_error<Length>() * high))
       return std::nullopt;
-    return Double_double::exact_sum(high, to_double(N(length.x - N(high))));
+    if constexpr(std::is_same_v<Length, Double_double>)
+      return Double_double::exact_sum(high, to_double(N(length.x - N(high))));
+    else
+      return Length(length.x);
   }
 
   const Pair& m_pair;
   internal::Edge_courses<Traits> m_courses;
   Corners<Double_double> m_corners;
+  Corners<internal::Long_float> m_long_corners;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

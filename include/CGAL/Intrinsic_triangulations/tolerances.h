@@ -9,6 +9,7 @@
 
 #include <CGAL/number_type_basic.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -109,8 +110,13 @@ constexpr FT region_tolerance()
 // strips; with limited effort, fewer strips can be laid out.
 constexpr double flipping_length_error(bool is_limited) { return is_limited ? 0x1p-30 : 0x1p-34; }
 
-// The relative error of lengths in twice the precision, of which scale factors are computed.
-constexpr double precise_length_error() { return 0x1p-90; }
+// The relative error of lengths with more digits, of which scale factors are computed: 2^13
+// roundings of a number of their type.
+template <typename Length>
+double precise_length_error()
+{
+  return std::ldexp(1., 14 - std::numeric_limits<Length>::digits);
+}
 
 // An angle of T1 whose rounding error is not less than this, in radians, is taken for unknown.
 constexpr double known_angle_error() { return 1e-9; }

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <cstddef>
 #include <limits>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -24,6 +25,9 @@ constexpr double gradient = 1e-13, curvature = 1e-11;
 // The minimum of the spherical energy in 32 digits: scale factors have an error of at most its
 // root where bounds are active.
 constexpr double extended_gradient = 1e-22;
+// By how much rounding of the lengths of the input, all of them in the worst way, may change its
+// angles before lengths of the exact surface are taken, with more digits.
+constexpr double known_input_angle = 1e-9;
 // A gradient with a greater rounding error says nothing: steps do not go there.
 constexpr double known_angle = 1;
 // What a map is promised to have: curvatures and exterior angles as measured on the result.
@@ -93,6 +97,11 @@ constexpr double least_distance = 1e-270;
 // its values do not resolve, and slopes decide.
 constexpr double growth = 1e-9;
 
+// Diagonal entries of a Laplacian that differ by more than this factor are not factorized by
+// subtracting; weights of cocircular faces are negative by no more than that.
+constexpr double stiffness = 1e-10, negative_weight = 1e-6;
+// The number of steps that are taken with more digits, on the exact surface.
+constexpr std::size_t steps_with_more_digits = 300;
 // The least entry of a damped diagonal, relative to the greatest.
 constexpr double damping = 1e-10;
 // A diagonal is lifted against rounding in a factorization by a hundred units, then more and more;

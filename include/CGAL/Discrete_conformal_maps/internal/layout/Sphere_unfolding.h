@@ -108,7 +108,8 @@ private:
     }
     while(is_enough) {
       Partially_decorated_surface<FT> surface(
-        m_problem.triangulation().mesh(), m_problem.triangulation().length_map(), m_at_infinity);
+        m_problem.triangulation().mesh(), m_problem.template lengths<FT>(m_problem.triangulation()),
+        m_at_infinity);
       surface.scale(m_problem.expanded(scale.values()));
       if(!m_problem.has_exceeded(surface.flips()))
         return lay_out(surface, scale);
@@ -210,7 +211,7 @@ private:
     typedef std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, double>
       Length; // beyond the range of `double` only if positions are
     Ptolemy_surface<Length> ideal(m_problem.triangulation().mesh(),
-                                  m_problem.triangulation().length_map());
+                                  m_problem.template lengths<Length>(m_problem.triangulation()));
     ideal.replay(m_result.flips);
     const Delta_complex& mesh = ideal.mesh();
     m_result.cross_ratio_error = max_stereographic_cross_ratio_error(

@@ -96,12 +96,14 @@ public:
   template <typename Layout_model, typename Shape>
   Planar_conformal_map finish(const Layout_model& layout, const Shape& shape)
   {
+    if(has_succeeded())
+      m_builder.attempt([this] { m_scale.sharpen(m_visitor); });
     m_layout.exists = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
     if(m_layout.exists)
       find_cut_edges();
     lay_out_or_fail(layout);
     std::vector<Map_promise> promises = m_errors.promises(m_layout.exists);
-    if(m_problem.has_precise_lengths())
+    if(m_problem.is_exact())
       promises.push_back({"rounded_curvature", m_rounded_error, tolerance::promised_rounded_angle,
                           Map_status::wrong_curvature});
     m_problem.drop_surface();
@@ -225,16 +227,27 @@ private:
       if(m_errors.greatest() <= tolerance::promised_angle && is_faithful(length, layout))
         return;
     }
+    if(m_scale.is_more_extended()) {
+      const auto length = measured(m_scale.precise_values<More_extended>(), correction);
+      if(!is_faithful(length, Incremental_layout()))
+        lay_out_with_all_digits(length);
+      return;
+    }
     const std::vector<Extended> u =
       m_scale.is_extended()
-        ? m_scale.extended_values()
+        ? m_scale.precise_values<Extended>()
         : std::vector<Extended>(m_scale.values().begin(), m_scale.values().end());
     if(!m_scale.is_wide() && is_faithful(measured(u, correction), layout))
       return;
-    const auto length =
-      measured(std::vector<Wide_number<Extended>>(u.begin(), u.end()), correction);
+    lay_out_with_all_digits(
+      measured(std::vector<Wide_number<Extended>>(u.begin(), u.end()), correction));
+  }
+
+  template <typename FT>
+  void lay_out_with_all_digits(const std::vector<FT>& length)
+  {
     std::vector<Long_number> with_all_digits;
-    for(const auto& l : length)
+    for(const FT& l : length)
       with_all_digits.push_back(converted<Long_number>(l));
     lay_out(with_all_digits, Incremental_layout());
   }
@@ -254,7 +267,7 @@ private:
       u[v] += FT(correction[v]);
     std::vector<FT> result = m_builder.scaled_lengths(u);
     m_errors = defect_errors<Flat_triangle<FT>>(m_problem, mesh(), result);
-    if(m_problem.has_precise_lengths())
+    if(m_problem.is_exact())
       m_rounded_error = rounded_curvature_error();
     return result;
   }
@@ -399,7 +412,9 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
   Doubled_problem problem(
     std::move(input), conditions,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
-    choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
+    choose_parameter(get_parameter(np, internal_np::exact_decisions), false)
+      ? Exactness::decisions
+      : Exactness::where_needed);
   problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
   flattening.start_from(log_scale);

@@ -139,12 +139,9 @@ public:
   template <typename Scale_factors>
   void flip(const Scale_factors& scale)
   {
-    if(scale.is_wide())
-      flip(wide_flips(scale.extended_values()));
-    else
-      flip(m_problem.scaled(scale.values()).flips());
+    flip(flips_to_Delaunay(scale));
     set_scale_factors(scale);
-    if(m_problem.has_precise_lengths() && !scale.is_wide())
+    if(m_problem.is_exact() && !scale.is_wide())
       flip_exactly();
   }
 
@@ -227,9 +224,20 @@ public:
   }
 
 private:
-  std::vector<Halfedge_index> wide_flips(const std::vector<Extended>& u)
+  // On the exact surface, needles need all digits; beyond the range of `double`, its exponents do
+  // not suffice.
+  template <typename Scale_factors>
+  std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
   {
-    return m_problem.scaled(std::vector<Wide_number<Extended>>(u.begin(), u.end())).flips();
+    if(scale.is_wide()) {
+      const std::vector<Extended> u = scale.template precise_values<Extended>();
+      return m_problem.scaled(std::vector<Wide_number<Extended>>(u.begin(), u.end())).flips();
+    }
+    if(m_problem.has_precise_lengths() && scale.is_more_extended())
+      return m_problem.scaled(scale.template precise_values<More_extended>()).flips();
+    if(m_problem.has_precise_lengths() && scale.is_extended())
+      return m_problem.scaled(scale.template precise_values<Extended>()).flips();
+    return m_problem.scaled(scale.values()).flips();
   }
 
   // Makes T^C exactly ideal Delaunay with the scale factors and lengths as they are in `double`,

@@ -33,7 +33,8 @@ public:
   typedef std::vector<Eigen::Index> Indices;
 
   Free_variables(const Minimization_domain& domain, std::size_t size)
-    : m_is_fixed(domain.is_fixed.empty() ? std::vector<char>(size, 0) : domain.is_fixed)
+    : m_has_zero_row_sums(!domain.component.empty()),
+      m_is_fixed(domain.is_fixed.empty() ? std::vector<char>(size, 0) : domain.is_fixed)
   {
     CGAL_precondition(m_is_fixed.size() == size);
     CGAL_precondition(domain.component.empty() || domain.component.size() == size);
@@ -44,6 +45,8 @@ public:
   }
 
   const Indices& indices() const { return m_indices; }
+  // whether the rows of every Hessian sum to zero: nothing changes with constants on a component
+  bool has_zero_row_sums() const { return m_has_zero_row_sums; }
   const std::vector<Indices>& floating_components() const { return m_floating; }
 
   // every point is allowed
@@ -102,6 +105,7 @@ private:
     return result;
   }
 
+  bool m_has_zero_row_sums;
   std::vector<char> m_is_fixed;
   Indices m_indices;
   std::vector<Indices> m_floating;

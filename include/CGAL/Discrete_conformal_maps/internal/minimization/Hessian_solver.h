@@ -37,6 +37,14 @@ public:
 
   const Factorization_counts& counts() const { return m_counts; }
 
+  // Returns the order in which the rows of `matrix` are eliminated.
+  const Order& order(const Matrix& matrix)
+  {
+    if(!m_matrix.has_pattern_of(matrix))
+      analyze(matrix);
+    return m_order;
+  }
+
   // Factorizes `matrix` with `diagonal` added; returns false if that is not positive definite.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& diagonal)
   {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Cholesky.h>
 
@@ -16,6 +17,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
@@ -27,6 +29,24 @@ inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
 {
   const double least = tolerance::damping * max_norm(gradient);
   return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
+}
+
+// On a component where constants are in the kernel of a Hessian, one diagonal entry is doubled, as
+// if the variable were tied to a fixed one. If the gradient sums to zero, that does not change the
+// other entries of the solution up to a constant. The strongest variable is taken, for accuracy.
+inline Eigen::VectorXd grounding(const Eigen::SparseMatrix<double>& hessian,
+                                 const Free_variables& variables)
+{
+  const Eigen::VectorXd diagonal = hessian.diagonal();
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(diagonal.size());
+  for(const Free_variables::Indices& component : variables.floating_components()) {
+    Eigen::Index strongest = component.front();
+    for(Eigen::Index i : component)
+      if(diagonal[i] > diagonal[strongest])
+        strongest = i;
+    result[strongest] = diagonal[strongest] > 0 ? diagonal[strongest] : 1;
+  }
+  return result;
 }
 
 // Finds directions in which a convex function falls, from its gradient and Hessian.
@@ -54,7 +74,9 @@ public:
   bool find(const Matrix& hessian, const Eigen::VectorXd& gradient,
             const Eigen::VectorXd& /* point */, double bound)
   {
-    const Eigen::VectorXd ground = grounding(hessian);
+    const Eigen::VectorXd ground = grounding(hessian, *m_variables);
+    m_is_stiff = m_variables->has_zero_row_sums() &&
+                 Laplacian_elimination<double>::is_needed(hessian, m_variables->indices());
     const auto damped = [&](double lift) {
       return solve(hessian, ground + damping(hessian, gradient, bound, lift), gradient);
     };
@@ -70,7 +92,11 @@ public:
   // Solves with the last factorization.
   bool find_again(const Eigen::VectorXd& gradient)
   {
-    m_direction = m_solver.solve(-gradient);
+    if(m_is_stiff) {
+      const std::vector<double> solution = m_elimination.solve(-gradient);
+      m_direction = Eigen::Map<const Eigen::VectorXd>(solution.data(), gradient.size());
+    } else
+      m_direction = m_solver.solve(-gradient);
     m_variables->remove_means(m_direction);
     return m_direction.allFinite() && gradient.dot(m_direction) <= 0;
   }
@@ -80,27 +106,13 @@ public:
   bool is_damped() const { return m_is_damped; }
 
 private:
-  // On a component where constants are in the kernel, one diagonal entry is doubled, as if the
-  // variable were tied to a fixed one. If the gradient sums to zero, that does not change the other
-  // entries of the solution up to a constant. The strongest variable is taken, for accuracy.
-  Eigen::VectorXd grounding(const Matrix& hessian) const
-  {
-    const Eigen::VectorXd diagonal = hessian.diagonal();
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(diagonal.size());
-    for(const Free_variables::Indices& component : m_variables->floating_components()) {
-      Eigen::Index strongest = component.front();
-      for(Eigen::Index i : component)
-        if(diagonal[i] > diagonal[strongest])
-          strongest = i;
-      result[strongest] = diagonal[strongest] > 0 ? diagonal[strongest] : 1;
-    }
-    return result;
-  }
-
   bool solve(const Matrix& hessian, const Eigen::VectorXd& diagonal,
              const Eigen::VectorXd& gradient)
   {
-    return m_solver.factorize(hessian, diagonal) && find_again(gradient);
+    const bool is_factorized =
+      m_is_stiff ? m_elimination.factorize(hessian, diagonal, m_solver.order(hessian))
+                 : m_solver.factorize(hessian, diagonal);
+    return is_factorized && find_again(gradient);
   }
 
   bool limit(double bound)
@@ -112,6 +124,8 @@ private:
 
   const Free_variables* m_variables;
   Solver m_solver;
+  Laplacian_elimination<double> m_elimination; // instead, if weights are very different
+  bool m_is_stiff = false;
   Eigen::VectorXd m_direction;
   bool m_is_damped = false;
 };

@@ -78,12 +78,13 @@ template <typename FT>
 class Angle_difference
 {
 public:
-  explicit Angle_difference(double angle) : m_rest(2 * pi() - angle), m_turned{FT(1), FT(0)}
+  explicit Angle_difference(const FT& angle)
+    : m_rest(2 * pi() - static_cast<double>(angle)), m_turned{FT(1), FT(0)}
   {
     using std::cos;
     using std::sin;
     if(angle != 0)
-      m_turned = {cos(FT(angle)), sin(FT(angle))};
+      m_turned = {cos(angle), sin(angle)};
   }
 
   // returns what is needed of a corner besides itself

@@ -10,8 +10,10 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -37,6 +39,16 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// What is decided on the exact surface, with more digits than `double` has: where rounding of
+// lengths changes angles of the input by more than curvatures may be wrong, the flips to T^B and
+// its lengths; always these; and also the flips to T^C, for the rounded numbers of the map.
+enum class Exactness
+{
+  where_needed,
+  lengths,
+  decisions
+};
+
 // The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary
 // is doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
 // unknowns at the vertices of the surface only. Of the second copy, there is as much as the edges
@@ -47,13 +59,14 @@ public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
 
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
-  // is kept; `condition` has one entry for each of its vertices; the flips to T^B can be decided
-  // exactly, and then its lengths are known with more digits
+  // is kept; `condition` has one entry for each of its vertices
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
-                  Flipping flipping, bool has_exact_flips = false)
+                  Flipping flipping, Exactness exactness = Exactness::where_needed)
     : Prescribed_curvatures(half.mesh(), condition),
       m_flipping(flipping),
-      m_has_exact_flips(has_exact_flips),
+      m_is_exact(exactness == Exactness::decisions),
+      m_has_exact_flips(exactness != Exactness::where_needed ||
+                        (has_unknown_angles(half) && has_exact_metric(half))),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
       m_has_copy(m_half.num_faces(), 0)
@@ -92,6 +105,9 @@ public:
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
 
+  // whether the flips to T^C are decided exactly, too
+  bool is_exact() const { return m_is_exact && has_precise_lengths(); }
+
   // whether the lengths of T^B are those on the exact surface, with more digits than `double` has
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
@@ -100,10 +116,16 @@ public:
   template <typename FT>
   auto lengths(const Triangulation& t) const
   {
+    if constexpr(std::is_same_v<FT, More_extended>)
+      if(has_precise_lengths() && m_most_precise_length.empty())
+        m_most_precise_length = exact_lengths<FT>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
-      if(m_precise_length.empty())
+      if(!has_precise_lengths())
         return FT(t.length(e));
-      return converted<FT>(m_precise_length[e.idx()]);
+      if constexpr(std::is_same_v<FT, More_extended>)
+        return m_most_precise_length[e.idx()];
+      else
+        return converted<FT>(m_precise_length[e.idx()]);
     });
   }
 
@@ -197,7 +219,8 @@ public:
     m_width *= 2;
   }
 
-  // Returns the surface in T^C of these scale factors, for which the copy is made deep enough.
+  // Returns the surface in T^C of these scale factors, with their digits. The copy is made deep
+  // enough for it.
   template <typename FT>
   Penner_surface<FT> scaled(const std::vector<FT>& scale)
   {
@@ -351,30 +374,59 @@ private:
     m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
       m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
                          .visitor(std::ref(record)));
+    m_most_precise_length.clear();
     if(has_exceeded(m_flips))
       extend(0, {});
     else if(m_has_exact_flips)
-      find_precise_lengths();
+      m_precise_length = exact_lengths<Extended>(m_triangulation);
   }
 
-  void find_precise_lengths()
+  // Returns the lengths of T^B on the exact surface.
+  template <typename FT>
+  static std::vector<FT> exact_lengths(const Triangulation& t)
   {
-    Intrinsic_triangulations::Precise_lengths<Triangulation::Traits> length(m_triangulation);
-    m_precise_length.clear();
-    for(Edge_index e : m_triangulation.mesh().edges())
-      m_precise_length.push_back(length(m_triangulation.mesh().halfedge(e)));
+    Intrinsic_triangulations::Precise_lengths<Triangulation::Traits, FT> length(t);
+    std::vector<FT> result;
+    for(Edge_index e : t.mesh().edges())
+      result.push_back(length(t.mesh().halfedge(e)));
+    return result;
+  }
+
+  // whether the input is a surface without regard to rounding: positions always are, lengths only
+  // with the triangle inequality
+  static bool has_exact_metric(const Triangulation& half)
+  {
+    const auto input = Intrinsic_triangulations::internal::exact_input(half);
+    const auto faces = half.mesh().faces();
+    return !half.input_metric().points.empty() ||
+           std::all_of(faces.begin(), faces.end(), [&](Face_index f) {
+             return Intrinsic_triangulations::internal::area_sign(half.mesh().halfedge(f), input) !=
+                    NEGATIVE;
+           });
+  }
+
+  static bool has_unknown_angles(const Triangulation& half)
+  {
+    const auto faces = half.mesh().faces();
+    return std::any_of(faces.begin(), faces.end(), [&half](Face_index f) {
+      const auto side = sides(f, half.mesh());
+      const auto length = [&](std::size_t s) { return half.length(Edge_index(side[s])); };
+      return !(Flat_triangle<double>({length(0), length(1), length(2)}).angle_error() <=
+               tolerance::known_input_angle);
+    });
   }
 
   Flipping m_flipping;
   Intrinsic_triangulations::Concurrency m_concurrency;
-  bool m_has_exact_flips;
+  bool m_is_exact, m_has_exact_flips;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges
   std::vector<char> m_has_copy;               // for each face of the surface
   std::size_t m_width = 1;                    // that are copied the next time
   Triangulation m_triangulation;
-  std::vector<Extended> m_precise_length; // of T^B, if flips are exact
+  std::vector<Extended> m_precise_length;                   // of T^B, if flips are exact
+  mutable std::vector<More_extended> m_most_precise_length; // where these have too few digits
   std::size_t m_number_of_flips = 0;
   std::vector<Vertex_index> m_original;
   std::vector<Face_index> m_original_face;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -143,6 +144,29 @@ public:
         else if(is_convex(v))
           result[Eigen::Index(v)] = -value * bent[c] / convex[c];
       }
+    return result;
+  }
+
+  // Returns them with the digits of `FT`. Their sums are those of Gauss and Bonnet where no scale
+  // factor is prescribed: rounding of those other than zero leaves a part of a unit.
+  template <typename FT>
+  std::vector<FT> balanced_target_defect() const
+  {
+    const Vector rounded = target_defect();
+    std::vector<FT> result(rounded.data(), rounded.data() + rounded.size()),
+      excess(m_components.size(), FT(0));
+    std::vector<double> count(m_components.size(), 0);
+    for(std::size_t c = 0; c < excess.size(); ++c)
+      excess[c] = -2 * straight_angle<FT>() * double(characteristic(c)) * (has_boundary(c) ? 2 : 1);
+    for(std::size_t v = 0; v < size(); ++v)
+      if(result[v] != 0) {
+        excess[m_components[v]] += number_of_copies(v) * result[v];
+        count[m_components[v]] += number_of_copies(v);
+      }
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t v = 0; v < size(); ++v)
+      if(const std::size_t c = m_components[v]; fixed[c] == 0 && result[v] != 0)
+        result[v] -= excess[c] / count[c];
     return result;
   }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
@@ -23,7 +24,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -42,12 +45,30 @@ public:
   // `start` has scale factors to begin with; those that are prescribed do not count
   Scale_factors(Doubled_problem& problem, const Vector& start) : m_problem(problem), m_u(start) {}
 
-  // the scale factors: the sum of both, where double has too few digits for them
+  // the scale factors, rounded to `double`
   const Vector& values() const { return m_u; }
-  const std::vector<Extended>& extended_values() const { return m_extended; }
-  bool is_extended() const { return !m_extended.empty(); }
+  // whether there are more digits of them, because those of `double` are too few
+  bool is_extended() const { return m_precise.index() > 0; }
+  // whether those of `Extended` are too few
+  bool is_more_extended() const { return m_precise.index() > 1; }
   // whether lengths with these scale factors may be beyond the range of `double`
   bool is_wide() const { return m_is_wide; }
+  // Returns the scale factors, with those that are prescribed, as `Extended` or `More_extended`.
+  template <typename FT>
+  std::vector<FT> precise_values() const
+  {
+    std::vector<FT> result;
+    std::visit(
+      [&](const auto& u) {
+        for(const auto& x : u)
+          result.push_back(converted<FT>(x));
+      },
+      m_precise);
+    for(std::size_t v = 0; v < result.size(); ++v)
+      if(m_problem.is_fixed()[v])
+        result[v] = FT(m_u[Eigen::Index(v)]);
+    return result;
+  }
 
   const Minimization_result& result() const { return m_result; }
   // of the vertices where curvatures are prescribed
@@ -63,24 +84,30 @@ public:
     m_u = Eigen::Map<const Vector>(log_scale.data(), m_u.size());
   }
 
-  // Minimizes the energy; if double has too few digits for `tolerance`, in extended precision.
-  // Where rounding or limits keep the minimizer from its own tolerance, this one is enough.
+  // Minimizes the energy; if `double` has too few digits for `tolerance`, with more, and then with
+  // still more. Where rounding or limits keep the minimizer from its own tolerance, this one is enough.
   template <typename Minimizer, typename Visitor>
   void minimize(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    m_extended.clear();
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
     auto energy = energy_at_start<double>(m_problem.triangulation());
-    run(energy, minimizer, visitor);
+    if(can_descend<double>() && !(energy.gradient_error() <= tolerance))
+      m_result.gradient_error = energy.gradient_error(); // nothing is known about its minimum
+    else {
+      run(energy, minimizer, visitor);
+      m_precise = std::vector<double>();
+    }
     if(m_problem.has_precise_lengths())
       measure_precisely();
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
+    if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
+      minimize_in<More_extended>(minimizer, tolerance, visitor);
     if constexpr(Triangle<double>::has_similar_ones) {
       if(may_be_bent(tolerance)) {
         bend();
@@ -94,23 +121,26 @@ public:
       m_status = Map_status::success;
   }
 
+  // Goes on, with more digits, to scale factors of which needles on the exact surface have a
+  // layout. \pre They have been found.
+  template <typename Visitor>
+  void sharpen(Visitor& visitor)
+  {
+    if(!m_problem.has_precise_lengths())
+      return;
+    if(!is_more_extended())
+      sharpen_in<Extended>(visitor);
+    if(!can_be_laid_out())
+      sharpen_in<More_extended>(visitor);
+  }
+
   // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the
   // values from now on. The triangulation of the problem may have been moved to `triangulation`.
   template <typename FT, typename Visitor>
   std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
-    const double limit =
-      tolerance::roundings_of_gradient * static_cast<double>(std::numeric_limits<FT>::epsilon());
     auto energy = energy_at_start<FT>(triangulation);
-    double norm = improve(energy, limit, visitor);
-    for(double before = 1; norm > limit && norm < before / 10;) {
-      energy.move_origin();
-      Vector x = Vector::Zero(m_u.size());
-      before = norm;
-      // the digits of x end there
-      norm =
-        Newton_minimizer(tolerance::reduction * norm)(energy, x, domain(), visitor).gradient_norm;
-    }
+    approach(energy, improve(energy, rounding_of_gradient<FT>(), visitor), visitor);
     note_values(energy);
     return energy.scale_factors();
   }
@@ -156,6 +186,34 @@ private:
     return before;
   }
 
+  // Whether the error of curvatures moves no side in the plane by more than is promised, relative to
+  // its length.
+  bool can_be_laid_out() const
+  {
+    const auto& mesh = m_problem.triangulation().mesh();
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for(Edge_index e : mesh.edges()) {
+      shortest = (std::min)(shortest, m_problem.triangulation().length(e));
+      longest = (std::max)(longest, m_problem.triangulation().length(e));
+    }
+    return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
+           tolerance::promised_length * shortest;
+  }
+
+  // Goes on from a gradient of this norm until no more than the rounding of `FT` is left.
+  template <typename FT, typename Visitor>
+  void approach(Energy<FT>& energy, double norm, Visitor& visitor) const
+  {
+    for(double before = 1; norm > rounding_of_gradient<FT>() && norm < before / 10;) {
+      energy.move_origin();
+      Vector x = Vector::Zero(m_u.size());
+      before = norm;
+      // the digits of x end there
+      norm =
+        Newton_minimizer(tolerance::reduction * norm)(energy, x, domain(), visitor).gradient_norm;
+    }
+  }
+
   // rounding counts as well
   bool is_within(double tolerance) const
   {
@@ -166,8 +224,29 @@ private:
   Energy<FT> energy_at_start(const Triangulation& triangulation) const
   {
     Energy<FT> result = symmetric_energy<FT, Triangle<FT>>(m_problem, triangulation);
+    if constexpr(std::is_same_v<FT, Extended> || std::is_same_v<FT, More_extended>)
+      if(m_problem.has_precise_lengths() && is_extended()) {
+        result.set_origin(precise_values<FT>());
+        result.evaluate(Vector::Zero(m_u.size()));
+        return result;
+      }
     result.evaluate(m_u);
     return result;
+  }
+
+  template <typename FT, typename Visitor>
+  void sharpen_in(Visitor& visitor)
+  {
+    auto energy = energy_at_start<FT>(m_problem.triangulation());
+    note_values(energy);
+    const Map_status status = m_status;
+    if(can_descend<FT>())
+      descend(energy, rounding_of_gradient<FT>(), visitor);
+    else
+      approach(energy, m_max_curvature_error, visitor);
+    note_values(energy);
+    m_status = status; // the curvatures have been good enough before
+    store(energy.scale_factors());
   }
 
   // Computes what is left of the curvatures with all digits of the lengths.
@@ -176,7 +255,7 @@ private:
     const auto energy = energy_at_start<Extended>(m_problem.triangulation());
     note_values(energy);
     m_result.gradient_error = (std::max)(m_max_curvature_error, energy.gradient_error());
-    m_extended = energy.scale_factors();
+    store(energy.scale_factors());
   }
 
   // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
@@ -184,15 +263,15 @@ private:
   void minimize_in(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
     auto energy = energy_at_start<FT>(m_problem.triangulation());
+    if(can_descend<FT>())
+      return descend_from_start(energy, tolerance, visitor);
     double before = 0;
     do {
       before = (std::max)(m_max_curvature_error, m_result.gradient_error);
       run(energy, minimizer, visitor);
     } while(!is_within(tolerance) && !has_no_solution() &&
             (std::max)(m_max_curvature_error, m_result.gradient_error) < before / 2);
-    m_extended.clear();
-    for(const FT& u : energy.scale_factors())
-      m_extended.push_back(converted<Extended>(u));
+    store(energy.scale_factors());
   }
 
   // Whether a boundary may have too small sides for straight angles in extended precision.
@@ -216,7 +295,8 @@ private:
   bool is_out_of_range(double tolerance) const
   {
     return m_problem.flipping() == Flipping::to_Delaunay && !is_within(tolerance) &&
-           m_u.size() > 0 && m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
+           !is_more_extended() && m_u.size() > 0 &&
+           m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
   }
 
   template <typename Minimizer, typename Visitor>
@@ -235,14 +315,69 @@ private:
   {
     const auto& component = m_problem.components();
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    auto& extended = std::get<std::vector<Extended>>(m_precise);
     std::vector<double> greatest(fixed.size(), -std::numeric_limits<double>::infinity());
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       greatest[component[v]] = (std::max)(greatest[component[v]], m_u[Eigen::Index(v)]);
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(const std::size_t c = component[v]; fixed[c] == 0) {
-        m_extended[v] -= greatest[c];
-        m_u[Eigen::Index(v)] = static_cast<double>(m_extended[v]);
+        extended[v] -= greatest[c];
+        m_u[Eigen::Index(v)] = static_cast<double>(extended[v]);
       }
+  }
+
+  // Keeps scale factors with the digits that they have.
+  template <typename FT>
+  void store(const std::vector<FT>& u)
+  {
+    typedef std::conditional_t<std::is_same_v<FT, More_extended>, FT, Extended> Precise;
+    std::vector<Precise> result;
+    for(const FT& x : u)
+      result.push_back(converted<Precise>(x));
+    m_precise = std::move(result);
+  }
+
+  // Without enough digits, needles have been turned over on the way: the next search does not start
+  // where this one has ended.
+  template <typename FT, typename Visitor>
+  void descend_from_start(Energy<FT>& energy, double tolerance, Visitor& visitor)
+  {
+    const Vector start = m_u;
+    descend(energy, tolerance::gradient, visitor);
+    if(is_within(tolerance))
+      store(energy.scale_factors());
+    else if(!std::is_same_v<FT, More_extended>)
+      m_u = start;
+    m_result.gradient_error = (std::max)(m_max_curvature_error, m_result.gradient_error);
+  }
+
+  // whether the energy is the same for similar surfaces, with needles of the exact one
+  template <typename FT>
+  bool can_descend() const
+  {
+    return Triangle<FT>::has_similar_ones && m_problem.has_precise_lengths() &&
+           m_problem.flipping() == Flipping::to_Delaunay;
+  }
+
+  template <typename FT, typename Visitor>
+  void descend(Energy<FT>& energy, double gradient_tolerance, Visitor& visitor)
+  {
+    const Minimization_result last =
+      Precise_newton_iteration<Energy<FT>>(energy, domain())
+        .run(gradient_tolerance, tolerance::steps_with_more_digits, visitor);
+    m_result = last.after(m_result);
+    m_has_layout = true;
+    m_status = last.status == Minimization_status::converged ? Map_status::success
+                                                             : Map_status::not_converged;
+    note_values(energy);
+  }
+
+  // what is left of a gradient by the rounding of a number type
+  template <typename FT>
+  static double rounding_of_gradient()
+  {
+    return tolerance::roundings_of_gradient *
+           static_cast<double>(std::numeric_limits<FT>::epsilon());
   }
 
   template <typename FT, typename Minimizer, typename Visitor>
@@ -263,6 +398,7 @@ private:
   {
     m_max_curvature_error = 0;
     const Vector bends = m_problem.bends();
+    m_rounding_error = energy.gradient_error();
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       const auto i = static_cast<Eigen::Index>(v);
       m_u[i] = static_cast<double>(energy.scale_factor(v));
@@ -328,11 +464,12 @@ private:
 
   Doubled_problem& m_problem;
   Vector m_u;
-  std::vector<Extended> m_extended;
+  std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;
   Minimization_result m_result;
   Map_status m_status = Map_status::success;
   bool m_has_layout = true, m_is_wide = false;
   double m_max_curvature_error = 0;
+  double m_rounding_error = 0; // of the curvatures
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

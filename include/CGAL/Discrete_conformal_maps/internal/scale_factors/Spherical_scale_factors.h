@@ -39,7 +39,8 @@ public:
     : m_problem(problem),
       m_at_infinity(at_infinity),
       m_bound(Peacock_triangulation<FT>(problem.triangulation().mesh(),
-                                        problem.triangulation().length_map(), at_infinity)
+                                        problem.template lengths<FT>(problem.triangulation()),
+                                        at_infinity)
                 .distances())
   {
     m_bound.resize(problem.size());
@@ -75,10 +76,10 @@ public:
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
-    Energy energy(m_problem, m_problem.triangulation(),
-                  [v = m_at_infinity](const Doubled_problem::Triangulation& t) {
-                    return Spherical_energy<FT>(t.mesh(), t.length_map(), v);
-                  });
+    Energy energy(
+      m_problem, m_problem.triangulation(), [this](const Doubled_problem::Triangulation& t) {
+        return Spherical_energy<FT>(t.mesh(), m_problem.template lengths<FT>(t), m_at_infinity);
+      });
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);

@@ -18,6 +18,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -170,12 +171,17 @@ Symmetric_energy<Conformal_energy<FT, Triangle>>
 symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation& triangulation)
 {
   const auto make = [&problem](const Doubled_problem::Triangulation& t) {
-    Conformal_energy<FT, Triangle> result(
-      t.mesh(), problem.template lengths<FT>(t),
-      problem.expanded(Eigen::VectorXd(problem.target_defect() + problem.bends())),
-      problem.flipping());
-    result.set_concurrency(problem.concurrency());
-    return result;
+    const auto energy = [&](const auto& target) {
+      Conformal_energy<FT, Triangle> result(t.mesh(), problem.template lengths<FT>(t),
+                                            problem.expanded(target), problem.flipping());
+      result.set_concurrency(problem.concurrency());
+      return result;
+    };
+    // more digits than targets have make a difference only to needles on the exact surface
+    if constexpr(Triangle::has_similar_ones && !std::is_same_v<FT, double>)
+      if(problem.has_precise_lengths())
+        return energy(problem.template balanced_target_defect<FT>());
+    return energy(Eigen::VectorXd(problem.target_defect() + problem.bends()));
   };
   return {problem, triangulation, make};
 }

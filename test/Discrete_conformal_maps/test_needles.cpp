@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Intrinsic_triangulations/hard_meshes.h"
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+
+// Maps of surfaces with needles and caps as thin as rounding of positions allows.
+namespace Test_needles {
+
+using namespace Test_surfaces;
+using DCM::Map_status;
+using DCM::internal::More_extended;
+
+// ---- Surfaces ----
+
+Mesh unit_square(std::size_t n)
+{
+  Mesh mesh;
+  std::vector<Vertex_index> vertex;
+  for(std::size_t i = 0; i <= n; ++i)
+    for(std::size_t j = 0; j <= n; ++j)
+      vertex.push_back(mesh.add_vertex(Point(double(i) / double(n), double(j) / double(n), 0)));
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      const std::size_t k = i * (n + 1) + j;
+      mesh.add_face(vertex[k], vertex[k + n + 1], vertex[k + n + 2]);
+      mesh.add_face(vertex[k], vertex[k + n + 2], vertex[k + 1]);
+    }
+  return mesh;
+}
+
+// Splits a face at a point with barycentric coordinates 1 : e : e or 1 : 1 : e, up to rounding, and
+// one of the new faces again. Stops where rounding gives a corner.
+void add_nested_needles(Mesh& mesh, double e, std::size_t depth, Portable_random& random)
+{
+  Face_index f(Mesh::size_type(random.get_int(0, int(mesh.number_of_faces()))));
+  for(std::size_t i = 0; i < depth; ++i) {
+    Halfedge_index h = mesh.halfedge(f);
+    for(int turns = random.get_int(0, 3); turns > 0; --turns)
+      h = mesh.next(h);
+    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                &r = apex(h, mesh);
+    const double second = random.get_int(0, 2) ? 1 : e, sum = 1 + second + e;
+    const auto coordinate = [&](int c) { return (p[c] + second * q[c] + e * r[c]) / sum; };
+    const Point inside(coordinate(0), coordinate(1), coordinate(2));
+    if(!is_free(inside, mesh))
+      return;
+    const Vertex_index v = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+    mesh.point(v) = inside;
+    f = mesh.face(mesh.halfedge(v));
+  }
+}
+
+Mesh with_needles(Mesh mesh, double e, std::size_t count, std::uint64_t seed)
+{
+  Portable_random random(seed);
+  for(std::size_t i = 0; i < count; ++i)
+    add_nested_needles(mesh, e, 3, random);
+  return mesh;
+}
+
+const double widths[] = {1e-2, 1e-5, 1e-8, 1e-11, 1e-13, 1e-15};
+
+// ---- Checks ----
+
+void check_success(const Planar_conformal_map& map)
+{
+  EXPECT_EQ(map.status(), Map_status::success) << map.cause();
+  for(const DCM::Map_promise& p : map.promises())
+    EXPECT_TRUE(p.is_kept()) << p.name << ' ' << p.error;
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-8);
+  EXPECT_LT(map.max_curvature_error(), 1e-10);
+}
+
+// A square is a rectangle already: sides keep their lengths, however short they are.
+TEST(Needles, square_keeps_its_lengths)
+{
+  for(const double e : widths) {
+    SCOPED_TRACE(e);
+    const Mesh mesh = with_needles(unit_square(3), e, 4, 5);
+    const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
+    check_success(map);
+    const Delta_complex& ideal = map.ideal().mesh();
+    for(Halfedge_index h : ideal.halfedges()) {
+      const Vertex_index v = ideal.source(h), w = ideal.target(h);
+      if(ideal.is_border(h) || !map.is_laid_out(ideal.face(h)) || map.input_vertex(v) != v ||
+         map.input_vertex(w) != w)
+        continue;
+      const auto difference = mesh.point(w) - mesh.point(v);
+      const double distance = std::hypot(difference.x(), difference.y());
+      EXPECT_NEAR(map.side_length(h) / distance, 1, 1e-9);
+    }
+  }
+}
+
+// The intrinsic Delaunay triangulation is certified, without being asked for.
+TEST(Needles, triangulation_is_exact)
+{
+  for(const double e : widths) {
+    SCOPED_TRACE(e);
+    const Mesh mesh = with_needles(ellipsoid_mesh(2), e, 4, 7);
+    const Planar_conformal_map map = DCM::flatten(mesh);
+    check_success(map);
+    if(e < 1e-7) {
+      EXPECT_TRUE(IT::certify_Delaunay(map.Delaunay()).is_Delaunay());
+    }
+  }
+}
+
+TEST(Needles, have_disks)
+{
+  for(const double e : widths)
+    for(std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(e);
+      check_success(DCM::flatten_to_disk(with_needles(unit_square(3), e, 3, seed)));
+    }
+}
+
+// Faces that the digits of positions suffice for are not crowded.
+TEST(Needles, others_are_not_crowded)
+{
+  EXPECT_TRUE(DCM::flatten(unit_square(4)).crowded_faces().empty());
+  EXPECT_FALSE(DCM::flatten(with_needles(unit_square(3), 1e-13, 4, 5)).crowded_faces().empty());
+}
+
+// In a plane, squared lengths are rational.
+TEST(Precise_lengths, have_as_many_digits_as_wanted)
+{
+  const Mesh mesh = with_needles(unit_square(3), 1e-12, 4, 3);
+  Triangulation t(mesh);
+  IT::make_Delaunay(t, IT::parameters::exact_decisions(true));
+  IT::Precise_lengths<Triangulation::Traits, More_extended> length(t);
+  for(Edge_index e : t.mesh().edges()) {
+    const Halfedge_index h = t.mesh().halfedge(e);
+    const Point &p = mesh.point(t.mesh().source(h)), &q = mesh.point(t.mesh().target(h));
+    const More_extended x = More_extended(q.x()) - p.x(), y = More_extended(q.y()) - p.y(),
+                        square = x * x + y * y, found = length(h);
+    EXPECT_LT(abs(More_extended(found * found / square - 1)), 1e-100);
+  }
+}
+
+// Conductances in series: from a fixed end, potentials are sums of resistances.
+TEST(Laplacian_elimination, chain_of_any_weights)
+{
+  const std::vector<double> weight{1, 1e20, 1e-20, 1e15, 3, 1e-3};
+  const auto n = Eigen::Index(weight.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for(Eigen::Index i = 0; i < n; ++i) {
+    const double w = weight[std::size_t(i)];
+    entries.insert(entries.end(), {{int(i), int(i), w},
+                                   {int(i + 1), int(i + 1), w},
+                                   {int(i), int(i + 1), -w},
+                                   {int(i + 1), int(i), -w}});
+  }
+  Eigen::SparseMatrix<double> matrix(n + 1, n + 1);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const DCM::internal::Laplacian_elimination<double>::Order order{3, 6, 1, 5, 2, 4}; // without 0
+  EXPECT_TRUE(DCM::internal::Laplacian_elimination<double>::is_needed(matrix, order));
+  DCM::internal::Laplacian_elimination<double> elimination;
+  ASSERT_TRUE(elimination.factorize(matrix, Eigen::VectorXd::Zero(n + 1), order));
+  Eigen::VectorXd current = Eigen::VectorXd::Zero(n + 1);
+  current[n] = 1;
+  const std::vector<double> potential = elimination.solve(current);
+  double expected = 0;
+  for(Eigen::Index i = 0; i < n; ++i) {
+    expected += 1 / weight[std::size_t(i)];
+    EXPECT_NEAR(potential[std::size_t(i + 1)] / expected, 1, 1e-14);
+  }
+}
+
+} // namespace Test_needles
