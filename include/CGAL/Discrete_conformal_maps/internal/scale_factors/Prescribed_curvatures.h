@@ -147,7 +147,7 @@ public:
     return result;
   }
 
-  // Returns them with the digits of `FT`. Their sums are those of Gauss and Bonnet where no scale
+  // Returns the prescribed angle defects with the digits of `FT`. Their sums are those of Gauss and Bonnet where no scale
   // factor is prescribed: rounding of those other than zero leaves a part of a unit.
   template <typename FT>
   std::vector<FT> balanced_target_defect() const
