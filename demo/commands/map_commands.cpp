@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -53,7 +54,9 @@ std::string failure(Command_run& run, const Conformal_map& map)
   std::ostringstream text;
   text << DCM::message(map.status()) << ": " << reason;
   for(const DCM::Map_promise& p : map.promises())
-    if(!p.is_kept())
+    if(std::isnan(p.error))
+      text << ", with an unknown error of " << p.name;
+    else if(!p.is_kept())
       text << ", with an error of " << p.name << " of " << p.error << " (at most " << p.bound
            << ")";
   if(!map.cause().empty())

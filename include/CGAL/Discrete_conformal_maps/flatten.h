@@ -76,7 +76,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation,
 ///                           are decided exactly on the surface of the positions, whose lengths
-///                           and curvatures then have 32 digits; see \ref dcm_exact}
+///                           and curvatures then have 32 digits, also where rounding does not
+///                           matter; see \ref dcm_exact and \ref dcm_needles}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

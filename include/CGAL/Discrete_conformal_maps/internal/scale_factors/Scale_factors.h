@@ -85,7 +85,7 @@ public:
   }
 
   // Minimizes the energy; if `double` has too few digits for `tolerance`, with more, and then with
-  // still more. Where rounding or limits keep the minimizer from its own tolerance, this one is enough.
+  // still more. Where rounding or limits keep the minimizer from its own, this one is enough.
   template <typename Minimizer, typename Visitor>
   void minimize(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
@@ -186,8 +186,7 @@ private:
     return before;
   }
 
-  // Whether the error of curvatures moves no side in the plane by more than is promised, relative to
-  // its length.
+  // whether the error of curvatures moves no side in the plane by more than is promised
   bool can_be_laid_out() const
   {
     const auto& mesh = m_problem.triangulation().mesh();
@@ -351,7 +350,7 @@ private:
     m_result.gradient_error = (std::max)(m_max_curvature_error, m_result.gradient_error);
   }
 
-  // whether the energy is the same for similar surfaces, with needles of the exact one
+  // whether there are needles of the exact surface, and similar ones have the same energy
   template <typename FT>
   bool can_descend() const
   {
