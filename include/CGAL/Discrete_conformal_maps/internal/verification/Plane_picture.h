@@ -44,6 +44,7 @@ public:
     : m_data(data),
       m_layout(layout),
       m_length(mesh().num_edges()),
+      m_rounding(tolerance::roundings_of_position * tolerance::unit * size()),
       m_is_crowded(mesh().num_halfedges(), 0)
   {
     for(Edge_index e : mesh().edges())
@@ -61,7 +62,7 @@ public:
   {
     const auto side = sides(f, mesh());
     return std::any_of(side.begin(), side.end(), [&](Halfedge_index h) { return is_crowded(h); }) ||
-           (!is_positive(f) && height(f) <= rounding(side[0]));
+           (!is_positive(f) && height(f) <= m_rounding);
   }
 
   // for each face of T^C
@@ -126,16 +127,18 @@ private:
   bool has_changed_by_rounding(Halfedge_index h) const
   {
     const double length = scaled_length(h), error = std::abs(length_of(h) - length);
-    return error > tolerance::promised_length / 8 * length && error <= rounding(h);
+    return error > tolerance::promised_length / 8 * length && error <= m_rounding;
   }
 
-  // what a length may change by if positions in the face of `h` are rounded
-  double rounding(Halfedge_index h) const
+  // The greatest coordinate. Charts have been moved: positions that are small now have the rounding
+  // of those before.
+  double size() const
   {
-    double size = 0;
-    for(Halfedge_index side : sides(mesh().face(h), mesh()))
-      size = (std::max)({size, std::abs(at(side).real()), std::abs(at(side).imag())});
-    return tolerance::roundings_of_position * tolerance::unit * size;
+    double result = 0;
+    for(Halfedge_index h : mesh().halfedges())
+      if(is_laid_out(mesh().face(h)))
+        result = (std::max)({result, std::abs(at(h).real()), std::abs(at(h).imag())});
+    return result;
   }
 
   bool is_positive(Face_index f) const
@@ -163,6 +166,7 @@ private:
   const Map_data& m_data;
   const Planar_layout& m_layout;
   std::vector<double> m_length;   // the scaled length of each edge
+  double m_rounding;              // what it may change by if positions are rounded
   std::vector<char> m_is_crowded; // for each halfedge
 };
 
