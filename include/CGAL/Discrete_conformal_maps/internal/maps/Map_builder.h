@@ -233,9 +233,9 @@ private:
       const std::vector<Extended> u = scale.template precise_values<Extended>();
       return m_problem.scaled(std::vector<Wide_number<Extended>>(u.begin(), u.end())).flips();
     }
-    if(m_problem.has_precise_lengths() && scale.is_more_extended())
+    if(m_problem.has_needles() && scale.is_more_extended())
       return m_problem.scaled(scale.template precise_values<More_extended>()).flips();
-    if(m_problem.has_precise_lengths() && scale.is_extended())
+    if(m_problem.has_needles() && scale.is_extended())
       return m_problem.scaled(scale.template precise_values<Extended>()).flips();
     return m_problem.scaled(scale.values()).flips();
   }

@@ -65,8 +65,8 @@ public:
     : Prescribed_curvatures(half.mesh(), condition),
       m_flipping(flipping),
       m_is_exact(exactness == Exactness::decisions),
-      m_has_exact_flips(exactness != Exactness::where_needed ||
-                        (has_unknown_angles(half) && has_exact_metric(half))),
+      m_has_needles(has_unknown_angles(half) && has_exact_metric(half)),
+      m_has_exact_flips(m_has_needles || exactness != Exactness::where_needed),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
       m_has_copy(m_half.num_faces(), 0)
@@ -107,6 +107,9 @@ public:
 
   // whether the flips to T^C are decided exactly, too
   bool is_exact() const { return m_is_exact && has_precise_lengths(); }
+
+  // whether rounding changes angles of the input, so that lengths of T^B need more digits
+  bool has_needles() const { return m_has_needles && has_precise_lengths(); }
 
   // whether the lengths of T^B are those on the exact surface, with more digits than `double` has
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
@@ -418,7 +421,7 @@ private:
 
   Flipping m_flipping;
   Intrinsic_triangulations::Concurrency m_concurrency;
-  bool m_is_exact, m_has_exact_flips;
+  bool m_is_exact, m_has_needles, m_has_exact_flips;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges

@@ -126,7 +126,7 @@ public:
   template <typename Visitor>
   void sharpen(Visitor& visitor)
   {
-    if(!m_problem.has_precise_lengths())
+    if(!m_problem.has_needles())
       return;
     if(!is_more_extended())
       sharpen_in<Extended>(visitor);
@@ -354,7 +354,7 @@ private:
   template <typename FT>
   bool can_descend() const
   {
-    return Triangle<FT>::has_similar_ones && m_problem.has_precise_lengths() &&
+    return Triangle<FT>::has_similar_ones && m_problem.has_needles() &&
            m_problem.flipping() == Flipping::to_Delaunay;
   }
 

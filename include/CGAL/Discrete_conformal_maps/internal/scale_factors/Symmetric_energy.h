@@ -179,7 +179,7 @@ symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation&
     };
     // more digits than targets have make a difference only to needles on the exact surface
     if constexpr(Triangle::has_similar_ones && !std::is_same_v<FT, double>)
-      if(problem.has_precise_lengths())
+      if(problem.has_needles())
         return energy(problem.template balanced_target_defect<FT>());
     return energy(Eigen::VectorXd(problem.target_defect() + problem.bends()));
   };
