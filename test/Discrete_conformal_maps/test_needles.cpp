@@ -6,11 +6,7 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
-#include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
-#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
-#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 
 // Maps of surfaces with needles and caps as thin as rounding of positions allows.
@@ -18,14 +14,8 @@ namespace Test_needles {
 
 using namespace Test_surfaces;
 using DCM::Map_status;
-using DCM::internal::More_extended;
 
 // ---- Surfaces ----
-
-Mesh unit_square(std::size_t n)
-{
-  return grid(n, n, [n](double x, double y) { return Point(x / double(n), y / double(n), 0); });
-}
 
 // Splits a face at a point with barycentric coordinates 1 : e : e or 1 : 1 : e, up to rounding, and
 // one of the new faces again. Stops where rounding gives a corner.
@@ -70,28 +60,6 @@ void check_success(const Planar_conformal_map& map)
   EXPECT_LT(map.max_curvature_error(), 1e-10);
 }
 
-// A square is a rectangle already: sides keep their lengths, however short they are.
-TEST(Needles, square_keeps_its_lengths)
-{
-  for(const double e : widths) {
-    SCOPED_TRACE(e);
-    const Mesh mesh = with_needles(unit_square(3), e, 4, 5);
-    const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
-    check_success(map);
-    const Delta_complex& ideal = map.ideal().mesh();
-    for(Edge_index e : ideal.edges()) {
-      const Vertex_index v = ideal.vertex(e, 0), w = ideal.vertex(e, 1);
-      if(map.input_vertex(v) != v || map.input_vertex(w) != w ||
-         !map.is_laid_out(ideal.face(ideal.halfedge(e))))
-        continue;
-      const auto difference = mesh.point(w) - mesh.point(v);
-      const double distance = std::hypot(difference.x(), difference.y());
-      EXPECT_NEAR(std::exp((map.log_scale(v) + map.log_scale(w)) / 2) * map.ideal().length(e),
-                  distance, 1e-9 * distance);
-    }
-  }
-}
-
 // The intrinsic Delaunay triangulation is certified, without being asked for.
 TEST(Needles, triangulation_is_exact)
 {
@@ -103,31 +71,6 @@ TEST(Needles, triangulation_is_exact)
     if(e < 1e-7) {
       EXPECT_TRUE(IT::certify_Delaunay(map.Delaunay()).is_Delaunay());
     }
-  }
-}
-
-TEST(Needles, have_disks)
-{
-  for(const double e : widths)
-    for(std::uint64_t seed : {1, 2}) {
-      SCOPED_TRACE(e);
-      check_success(DCM::flatten_to_disk(with_needles(unit_square(3), e, 3, seed)));
-    }
-}
-
-// In a plane, squared lengths are rational.
-TEST(Precise_lengths, have_as_many_digits_as_wanted)
-{
-  const Mesh mesh = with_needles(unit_square(3), 1e-12, 4, 3);
-  Triangulation t(mesh);
-  IT::make_Delaunay(t, IT::parameters::exact_decisions(true));
-  IT::Precise_lengths<Triangulation::Traits, More_extended> length(t);
-  for(Edge_index e : t.mesh().edges()) {
-    const Halfedge_index h = t.mesh().halfedge(e);
-    const Point &p = mesh.point(t.mesh().source(h)), &q = mesh.point(t.mesh().target(h));
-    const More_extended x = More_extended(q.x()) - p.x(), y = More_extended(q.y()) - p.y(),
-                        square = x * x + y * y, found = length(h);
-    EXPECT_LT(abs(More_extended(found * found / square - 1)), 1e-100);
   }
 }
 
