@@ -224,8 +224,8 @@ public:
   }
 
 private:
-  // On the exact surface, needles need all digits; beyond the range of `double`, its exponents do
-  // not suffice.
+  // With the digits and the range of the scale factors, unless `flip_exactly()` decides in `double`
+  // what is exact for these numbers.
   template <typename Scale_factors>
   std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
   {
@@ -235,7 +235,7 @@ private:
     }
     if(m_problem.has_needles() && scale.is_more_extended())
       return m_problem.scaled(scale.template precise_values<More_extended>()).flips();
-    if(m_problem.has_needles() && scale.is_extended())
+    if(scale.is_extended() && (m_problem.has_needles() || !m_problem.is_exact()))
       return m_problem.scaled(scale.template precise_values<Extended>()).flips();
     return m_problem.scaled(scale.values()).flips();
   }

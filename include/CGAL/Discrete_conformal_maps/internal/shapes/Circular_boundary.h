@@ -106,12 +106,15 @@ public:
   void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
     bool has_started_again = false;
+    std::size_t wide_rounds = 0;
     for(std::size_t i = 0; i < m_rounds; ++i) {
       find();
       if(!flattening.has_succeeded())
         return;
-      m_change = update(flat_boundary_lengths(problem, flattening.log_scales()));
-      if(m_change <= tolerance::circle_angle)
+      m_change =
+        update(flat_boundary_lengths(problem, flattening.log_scales(), flattening.is_wide()));
+      if(m_change <= tolerance::circle_angle ||
+         (flattening.is_wide() && ++wide_rounds == greatest_number_of_wide_rounds))
         return;
       if(!has_started_again && (i + 1 == usual_rounds || is_far_off(flattening.minimization()))) {
         has_started_again = true;
@@ -150,6 +153,9 @@ private:
 
   // The angles of most disks need no more rounds than that.
   static constexpr std::size_t usual_rounds = 20;
+  // Beyond the range of `double`, rounds take long, and only the angles of the hemisphere are close
+  // enough to those of the circle.
+  static constexpr std::size_t greatest_number_of_wide_rounds = 4;
 
   // Where the first angles are as far from those of the surface, the next ones are far off, too.
   static bool is_far_off(const Minimization_result& first) { return first.iterations > 16; }

@@ -10,6 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -18,7 +20,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -32,11 +36,18 @@ class Flat_strips
     Triangulation;
 
 public:
-  Flat_strips(Doubled_problem& problem, const Eigen::VectorXd& scale)
+  // `FT` has the range of the lengths. Beyond that of `double`, they are in proportion to the
+  // longest.
+  template <typename FT>
+  Flat_strips(Doubled_problem& problem, const std::vector<FT>& scale)
   {
-    const Penner_surface<double> surface = problem.scaled(scale);
+    const Penner_surface<FT> surface = problem.scaled(scale);
+    FT unit(1);
+    if(!std::is_same<FT, double>::value)
+      for(Edge_index e : surface.mesh().edges())
+        unit = (std::max)(e.idx() == 0 ? FT(0) : unit, surface.scaled_length(e));
     for(Edge_index e : surface.mesh().edges())
-      m_length.push_back(surface.scaled_length(e));
+      m_length.push_back(static_cast<double>(surface.scaled_length(e) / unit));
     const auto& ab = problem.triangulation();
     m_triangulation = Triangulation(ab.input_mesh(), ab.mesh()); // crossings know no lengths
     for(Halfedge_index h : surface.flips())
@@ -47,15 +58,19 @@ public:
   const Delta_complex& mesh() const { return m_triangulation.mesh(); }
   const std::vector<double>& length_map() const { return m_length; }
 
-  // the length of the straight line that the edge of `h`, a halfedge of T^A, is
+  // The length of the straight line that the edge of `h`, a halfedge of T^A, is; zero if squares of
+  // the lengths that it crosses are out of range.
   double length(Halfedge_index h) const
   {
     const auto trace = trace_input_edge(m_triangulation, h);
     if(trace.size() == 2)
       return m_length[Edge_index(trace.front().on_intrinsic.halfedge).idx()];
     std::vector<Halfedge_index> exits;
-    for(std::size_t m = 1; m + 1 < trace.size(); ++m)
+    for(std::size_t m = 1; m + 1 < trace.size(); ++m) {
       exits.push_back(trace[m].on_intrinsic.halfedge);
+      if(m_length[Edge_index(exits.back()).idx()] < 1 / tolerance::greatest_position)
+        return 0;
+    }
     Intrinsic_triangulations::Euclidean_strip<double> strip;
     Intrinsic_triangulations::internal::lay_out_strip(strip, *this, exits);
     return strip.length();
@@ -67,11 +82,13 @@ private:
 };
 
 // Returns the lengths in the plane of the edges on the boundary of the surface, for these scale
-// factors; zero for others.
+// factors; zero for others. With `is_wide`, lengths may be beyond the range of `double`.
 inline std::vector<double> flat_boundary_lengths(Doubled_problem& problem,
-                                                 const Eigen::VectorXd& scale)
+                                                 const Eigen::VectorXd& scale, bool is_wide)
 {
-  const Flat_strips strips(problem, scale);
+  const Flat_strips strips =
+    is_wide ? Flat_strips(problem, std::vector<Wide_number<double>>(scale.begin(), scale.end()))
+            : Flat_strips(problem, std::vector<double>(scale.begin(), scale.end()));
   std::vector<double> result(problem.surface().num_edges(), 0);
   for(Edge_index e : problem.surface().edges())
     if(const Halfedge_index h = problem.surface().halfedge(e); problem.surface().is_border(e))
