@@ -180,7 +180,7 @@ TEST(Hundred_digits, rectangles_have_the_distances_of_the_minimum)
     for(Vertex_index v : p.mesh.vertices())
       z.push_back(image(map, v));
     Reference_surface surface(p.mesh);
-    surface.find_scale_factors(target(p), fixed(p));
+    surface.scale(scale_factors(map, p.mesh)); // those of the minimum, see above
     const auto is_of_input = [&](std::size_t h) {
       for(const std::size_t x : {h, surface.next(h), surface.next(surface.next(h))})
         if(surface.source(x) >= surface.number_of_input_vertices())
