@@ -68,9 +68,10 @@ public:
   template <typename EdgeLengthMap, typename Angle_defects>
   Conformal_energy(const Delta_complex& complex, const EdgeLengthMap& length,
                    const Angle_defects& target_defect, Flipping flipping = Flipping::to_Delaunay)
-    : Base(Penner_surface<FT>(complex, length, flipping), flipping == Flipping::none),
-      m_target_defect(target_defect.data(), target_defect.data() + target_defect.size())
+    : Base(Penner_surface<FT>(complex, length, flipping), flipping == Flipping::none)
   {
+    for(auto v = 0 * target_defect.size(); v < target_defect.size(); ++v)
+      m_target_defect.push_back(FT(target_defect[v]));
     this->evaluate(Vector::Zero(Eigen::Index(m_target_defect.size())));
   }
 

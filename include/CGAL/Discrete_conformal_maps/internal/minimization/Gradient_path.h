@@ -30,12 +30,14 @@ namespace CGAL::Discrete_conformal_maps::internal {
 template <typename Energy, typename = void>
 struct Has_smooth_gradient
 {
+  static constexpr bool is_possible = false;
   static bool get(const Energy&) { return false; }
 };
 template <typename Energy>
 struct Has_smooth_gradient<
   Energy, std::void_t<decltype(std::declval<const Energy&>().has_smooth_gradient())>>
 {
+  static constexpr bool is_possible = true;
   static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
 };
 

@@ -92,7 +92,8 @@ private:
   // Goes on from the best point so far, on a path that does not lose its way.
   Status follow_path()
   {
-    if constexpr(std::is_same<Direction, Newton_direction>::value) {
+    if constexpr(std::is_same<Direction, Newton_direction>::value &&
+                 Has_smooth_gradient<Energy>::is_possible) {
       m_largest_error = 0; // the path has no points to store
       m_descent.move_to_best();
       Gradient_path path(m_descent, m_direction);
