@@ -152,8 +152,9 @@ std::array<std::size_t, 2> expect_repaired(const Drawing& drawing, int seed)
     for(std::size_t c = 0; c < 2; ++c)
       EXPECT_LE(std::abs(points[i][c] - start[i][c]), repair.maximum_move * unit(start[i]));
   const std::size_t before = reversed(start, polygons).size();
-  if(before == 0)
+  if(before == 0) {
     EXPECT_EQ(points, start);
+  }
   return {before, left.size()};
 }
 

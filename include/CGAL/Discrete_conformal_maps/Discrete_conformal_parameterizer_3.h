@@ -178,9 +178,10 @@ private:
     if(map.status() != Map_status::success && map.is_laid_out())
       return Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING;
     internal::for_each_corner(
-      map, component.mesh(), [&](Halfedge_index h, const std::array<double, 3>& z) {
+      map, component.mesh(), [](const auto&... args) { return texture_points(args...); },
+      [&](Halfedge_index h, const std::array<double, 2>& z) {
         const Vertex_index v = component.mesh().target(h);
-        put(uvmap, component.vertices()[v.idx()], Point_2(z[0] / z[2], z[1] / z[2]));
+        put(uvmap, component.vertices()[v.idx()], Point_2(z[0], z[1]));
       });
     return Surface_mesh_parameterization::OK;
   }
