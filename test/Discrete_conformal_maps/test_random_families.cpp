@@ -239,7 +239,10 @@ TEST(Random_families, successes_have_what_is_promised)
     if(map.status() != DCM::Map_status::success)
       continue;
     ++found[family.name];
-    EXPECT_LT(error_of_cross_ratios(map), 1e-8);
+    // positions in `double` do not have the shapes of crowded faces
+    EXPECT_LT(map.crowded_faces().empty() ? error_of_cross_ratios(map)
+                                          : DCM::max_cross_ratio_error(map),
+              1e-8);
     if(!family.is_at_rounding)
       expect_flat(map, mesh);
   }

@@ -381,7 +381,19 @@ private:
     if(has_exceeded(m_flips))
       extend(0, {});
     else if(m_has_exact_flips)
+      find_precise_lengths();
+  }
+
+  // Unless exact lengths are asked for, rounded ones stay where 1024 bits are too few for them.
+  void find_precise_lengths()
+  {
+    try {
       m_precise_length = exact_lengths<Extended>(m_triangulation);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      if(m_is_exact)
+        throw;
+      m_precise_length.clear();
+    }
   }
 
   // Returns the lengths of T^B on the exact surface.

@@ -278,7 +278,8 @@ private:
   {
     return m_problem.flipping() == Flipping::to_Delaunay && m_problem.bend() == 0 &&
            !m_problem.has_precise_lengths() && m_status == Map_status::not_converged &&
-           m_result.status != Minimization_status::unbounded && !is_within(tolerance);
+           m_result.status != Minimization_status::unbounded &&
+           m_result.status != Minimization_status::iteration_limit && !is_within(tolerance);
   }
 
   // By so little that the sum of all bends is less than is promised of one angle.
