@@ -503,8 +503,8 @@ TEST(Map_to_sphere, strips_of_squares)
   }
 }
 
-// The ends of a strip of n squares are (3 + 2 sqrt(2))^(-n/2) of it: with n = 400 too little for the
-// exponents of `double`, with n = 4000 for positions of 1500 digits.
+// The ends of a strip of n squares are (3 + 2 sqrt(2))^(-n/2) of it: with n = 400 too little for
+// the exponents of `double`, with n = 4000 for positions of 1500 digits.
 TEST(Map_to_sphere, polygons_beyond_the_digits_of_positions_have_no_success)
 {
   CGAL::Random random(14);

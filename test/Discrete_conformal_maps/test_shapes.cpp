@@ -347,7 +347,8 @@ TEST(Flatten_to_disk, measures_the_boundary_in_strips)
       Eigen::VectorXd scale(Eigen::Index(problem.size()));
       for(std::size_t v = 0; v < problem.size(); ++v)
         scale[Eigen::Index(v)] = log_scale(map, v);
-      const std::vector<double> strips = DCM::internal::flat_boundary_lengths(problem, scale, false),
+      const std::vector<double> strips =
+                                  DCM::internal::flat_boundary_lengths(problem, scale, false),
                                 plane = DCM::internal::flat_boundary_lengths(map);
       for(IT::Edge_index e : input.mesh().edges())
         EXPECT_NEAR(strips[e.idx()], plane[e.idx()], 1e-8 * (1 + plane[e.idx()])) << seed;

@@ -47,8 +47,8 @@ inline std::vector<std::complex<double>> seam_translations(const Planar_conforma
   return result;
 }
 
-// Returns whether the axis of a flat double, on which the boundary is, cuts a face that is laid out:
-// the axis is straight, so there are vertices on both sides.
+// Returns whether the axis of a flat double, on which the boundary is, cuts a face that is laid
+// out: the axis is straight, so there are vertices on both sides.
 inline bool is_cut_by_axis(Face_index f, const Planar_conformal_map& map)
 {
   const auto h = sides(f, map.ideal().mesh());

@@ -96,7 +96,7 @@ uniformize_hyperbolic(const Graph& g,
     is_doubled = !problem.has_no_copies();
     return uniformization.finish();
   };
-  Hyperbolic_conformal_map map = uniformized(internal::Exactness::where_needed);
+  Hyperbolic_conformal_map map = uniformized(internal::Exactness::none);
   // Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
   if(is_doubled && map.status() == Map_status::not_glued)
     map = uniformized(internal::Exactness::lengths);

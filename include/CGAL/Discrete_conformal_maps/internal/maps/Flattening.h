@@ -414,9 +414,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
   Doubled_problem problem(
     std::move(input), conditions,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
-    choose_parameter(get_parameter(np, internal_np::exact_decisions), false)
-      ? Exactness::decisions
-      : Exactness::where_needed);
+    choose_parameter(get_parameter(np, internal_np::exact_decisions), false) ? Exactness::decisions
+                                                                             : Exactness::none);
   problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
   flattening.start_from(log_scale);

@@ -39,12 +39,11 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// What is decided on the exact surface, with more digits than `double` has: where rounding of
-// lengths changes angles of the input by more than curvatures may be wrong, the flips to T^B and
-// its lengths; always these; and also the flips to T^C, for the rounded numbers of the map.
+// What is decided on the exact surface, with more digits than `double` has: nothing; the flips to
+// T^B and its lengths; and also the flips to T^C, for the rounded numbers of the map.
 enum class Exactness
 {
-  where_needed,
+  none,
   lengths,
   decisions
 };
@@ -61,12 +60,12 @@ public:
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
   // is kept; `condition` has one entry for each of its vertices
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
-                  Flipping flipping, Exactness exactness = Exactness::where_needed)
+                  Flipping flipping, Exactness exactness = Exactness::none)
     : Prescribed_curvatures(half.mesh(), condition),
       m_flipping(flipping),
       m_is_exact(exactness == Exactness::decisions),
-      m_has_needles(has_unknown_angles(half) && has_exact_metric(half)),
-      m_has_exact_flips(m_has_needles || exactness != Exactness::where_needed),
+      m_has_exact_flips(exactness != Exactness::none),
+      m_has_needles(m_has_exact_flips && has_unknown_angles(half) && has_exact_metric(half)),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
       m_has_copy(m_half.num_faces(), 0)
@@ -433,7 +432,7 @@ private:
 
   Flipping m_flipping;
   Intrinsic_triangulations::Concurrency m_concurrency;
-  bool m_is_exact, m_has_needles, m_has_exact_flips;
+  bool m_is_exact, m_has_exact_flips, m_has_needles;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges

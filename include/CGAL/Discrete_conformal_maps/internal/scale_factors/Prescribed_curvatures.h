@@ -147,8 +147,9 @@ public:
     return result;
   }
 
-  // Returns the prescribed angle defects with the digits of `FT`. Their sums are those of Gauss and Bonnet where no scale
-  // factor is prescribed: rounding of those other than zero leaves a part of a unit.
+  // Returns the prescribed angle defects with the digits of `FT`. Their sums are those of Gauss and
+  // Bonnet where no scale factor is prescribed: rounding of those other than zero leaves a part of
+  // a unit.
   template <typename FT>
   std::vector<FT> balanced_target_defect() const
   {
