@@ -158,7 +158,7 @@ promises=$(printf '%s error bound kept ' layout curvature exterior_angle orienta
 has_keys statistics.json $surface_keys cones iterations status promises $promises \
   max_curvature_error max_cross_ratio_error flipped_triangles degenerate_triangles flipped_slivers charts \
   overlap_area overlapping_charts log_scale_min log_scale_max log_scale_square_sum flips ptolemy_flips \
-  $subdivision_keys seconds read build cones optimize layout trace subdivide write peak_memory_bytes
+  $subdivision_keys crowded_faces seconds read build cones optimize layout trace subdivide write peak_memory_bytes
 is_conformal statistics.json
 
 # Cones are marked, as many as are told; each edge has two vertices and a mark.
