@@ -235,12 +235,9 @@ expect 0 flatten short.mesh.off -o a.obj --cones none --stats a.json
 is_conformal a.json
 rm a.*
 tube 60 tube
-expect 1 flatten tube.mesh.off -o a.obj --cones none --stats a.json
-says 'some faces are smaller than rounding in the plane: layout_collapsed'
-says 'try --cones greedy'
-[ ! -e a.obj ] && [ ! -e a.json ] || fail 'files after a failure'
-expect 3 flatten tube.mesh.off -o a.obj --cones none --stats a.json --keep-going
-claim "s = json('a.json')" "s.status == 'layout_collapsed'" 's.promises.orientation.error > 0'
+expect 0 flatten tube.mesh.off -o a.obj --cones none --stats a.json
+says 'note: face too small for the picture: '
+claim "s = json('a.json')" "s.status == 'success'" 'len(s.crowded_faces) > 0'
 rm a.obj a.json
 
 # The Ceres Solver gives the same, or the program says that it is not there.
