@@ -57,6 +57,8 @@ inline auto number_of_target(const Input_part& part)
 /// such that no face is reversed, as seen from the center, if that is possible. A polygon,
 /// `map.is_flat()`, has no orientation from there, and stays as it is. Complexity: linear, without
 /// faces that are reversed at first.
+/// \param map the map
+/// \param part the part of the input, of `map`
 /// \param homogeneous the homogeneous coordinates of the vertices
 /// \pre `map.is_laid_out()`
 inline Rounded_points<std::array<double, 3>>
