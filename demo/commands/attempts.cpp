@@ -60,8 +60,10 @@ int compute_with_longer_edges(Command_run& run, const std::function<int()>& comp
 int attempt(Command_run& run, const std::function<int()>& compute)
 {
   const bool is_failure_kept = run.options().is_failure_kept;
-  if(!can_be_mollified(run.options()))
-    return attempt_map(run, compute);
+  if(!can_be_mollified(run.options())) {
+    run.set_failure_expected(is_failure_kept);
+    return compute();
+  }
   try {
     try {
       return compute();
@@ -75,10 +77,4 @@ int attempt(Command_run& run, const std::function<int()>& compute)
     run.set_failure_expected(true);
     return compute();
   }
-}
-
-int attempt_map(Command_run& run, const std::function<int()>& compute)
-{
-  run.set_failure_expected(run.options().is_failure_kept);
-  return compute();
 }

@@ -14,10 +14,6 @@
 // surface as it is. A map that is no success is written if that is wanted and there is no other.
 int attempt(Command_run& run, const std::function<int()>& compute);
 
-// Returns what `compute()` returns, an exit code. Every surface has its maps: lengths are only
-// changed if that is wanted. A map that is no success is written if that is wanted.
-int attempt_map(Command_run& run, const std::function<int()>& compute);
-
 // Returns what a command returns that is a class.
 template <class Command, class Own_options>
 int attempted(const Common_options& common, const Own_options& options)

@@ -283,12 +283,6 @@ private:
   Conditions m_conditions;
 };
 
-int flatten(const Common_options& common, const Flatten_options& options)
-{
-  Flatten_command command(common, options);
-  return attempt_map(command.command_run(), [&] { return command.run(); });
-}
-
 // Where the image covers a part of the plane more than once.
 void describe_overlap(Statistics& statistics, const Planar_map& map)
 {
@@ -362,7 +356,8 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
 void define_flatten(Command_line& line)
 {
   const auto [command, options] =
-    line.add_with_mesh("flatten", "Map a mesh to the plane, conformally", flatten, flatten_help);
+    line.add_with_mesh("flatten", "Map a mesh to the plane, conformally",
+                       attempted<Flatten_command, Flatten_options>, flatten_help);
   add_texture_output(command, options);
   add_flattening_targets(command, options);
   command

@@ -221,7 +221,7 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
   const Mesh_format format = output_format(options.output, options, Carried::TEXTURE);
   Command_run run("hyperbolic", common, {options.output, options.picture});
   run.plan({{"build"}, map_stages(false)});
-  return attempt_map(run, [&] {
+  return attempt(run, [&] {
     const Mesh& mesh = run.input().mesh;
     double epsilon = 0;
     const Conditions conditions = run.timed("build", [&] {

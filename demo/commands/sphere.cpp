@@ -190,7 +190,7 @@ int sphere(const Common_options& common, const Sphere_options& options)
   run.plan({{"build"}, map_stages(false)});
   Map_output output{options.output, format};
   output.precise = options.precise;
-  return attempt_map(run, [&] {
+  return attempt(run, [&] {
     const double epsilon = run.timed("build", [&] { return mollification(run); });
     if(component_faces(run.input().mesh).size() > 1)
       return map_components(run, output, epsilon);

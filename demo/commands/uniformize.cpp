@@ -152,7 +152,7 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   check_tiling(common, options);
   const Mesh_format format = output_format(options.output, options, Carried::TEXTURE);
   Command_run run("uniformize", common, {options.output, options.picture});
-  return attempt_map(run, [&] {
+  return attempt(run, [&] {
     return component_faces(run.input().mesh).size() > 1 ? map_components(run, options, format)
                                                         : map_surface(run, options, format);
   });
