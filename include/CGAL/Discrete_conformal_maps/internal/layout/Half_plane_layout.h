@@ -116,29 +116,26 @@ private:
       m_direction = FT(1 / length) * v;
   }
 
+  // a way for the shift of a point on the axis to a vertex
+  struct Shift
+  {
+    FT size; // the square of the greatest length on the way
+    std::size_t vertex;
+    FT by;
+
+    bool operator<(const Shift& other) const // the last in a queue
+    {
+      return size != other.size ? size > other.size : vertex > other.vertex;
+    }
+  };
+  typedef std::priority_queue<Shift> Shifts;
+
   // Positions have errors in proportion to the greatest length on the way from one to the other,
   // and faces beside the axis may be smaller than what they miss it by. So every vertex is shifted
   // by what takes the vertex on the axis to it that can be reached by the shortest edges.
   void shift_to_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
-    struct Shift
-    {
-      FT size; // the square of the greatest length on the way
-      std::size_t vertex;
-      FT by;
-    };
-    const auto is_later = [](const Shift& a, const Shift& b) {
-      return a.size != b.size ? a.size > b.size : a.vertex > b.vertex;
-    };
-    std::priority_queue<Shift, std::vector<Shift>, decltype(is_later)> queue(is_later);
-    for(std::size_t v = 0; v < m_position.size(); ++v)
-      if(unfolded[v] && m_problem.is_on_boundary(Vertex_index(Delta_complex::size_type(v))))
-        queue.push({FT(0), v, -m_position[v].y});
-    for(std::size_t w = m_problem.size(); w < unfolded.size(); ++w)
-      if(const std::size_t v = m_problem.originals()[w].idx(); unfolded[v] && unfolded[w]) {
-        const Vector copy = turned(*unfolded[w] - m_origin);
-        queue.push({norm(m_position[v] - copy), v, (m_position[v].y + copy.y) / -2});
-      }
+    Shifts queue = shifts_of_axis(unfolded);
     std::vector<char> is_shifted(m_position.size(), 0);
     const std::vector<Vector> before = m_position;
     while(!queue.empty()) {
@@ -147,14 +144,28 @@ private:
       if(std::exchange(is_shifted[shift.vertex], 1))
         continue;
       m_position[shift.vertex].y += shift.by;
-      for_each_outgoing_halfedge(
-        Vertex_index(Delta_complex::size_type(shift.vertex)), m_mesh, [&](Halfedge_index h) {
-          const std::size_t w = m_mesh.target(h).idx();
-          if(w < before.size() && unfolded[w] && !is_shifted[w])
-            queue.push(
-              {(std::max)(shift.size, norm(before[w] - before[shift.vertex])), w, shift.by});
-        });
+      const Vertex_index v(Delta_complex::size_type(shift.vertex));
+      for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
+        const std::size_t w = m_mesh.target(h).idx();
+        if(w < before.size() && unfolded[w] && !is_shifted[w])
+          queue.push({(std::max)(shift.size, norm(before[w] - before[v.idx()])), w, shift.by});
+      });
     }
+  }
+
+  // Returns those of vertices on the boundary, and of others whose axis is halfway to their copy.
+  Shifts shifts_of_axis(const std::vector<std::optional<Vector>>& unfolded) const
+  {
+    Shifts result;
+    for(std::size_t v = 0; v < m_position.size(); ++v)
+      if(unfolded[v] && m_problem.is_on_boundary(Vertex_index(Delta_complex::size_type(v))))
+        result.push({FT(0), v, -m_position[v].y});
+    for(std::size_t w = m_problem.size(); w < unfolded.size(); ++w)
+      if(const std::size_t v = m_problem.originals()[w].idx(); unfolded[v] && unfolded[w]) {
+        const Vector copy = turned(*unfolded[w] - m_origin);
+        result.push({norm(m_position[v] - copy), v, (m_position[v].y + copy.y) / -2});
+      }
+    return result;
   }
 
   // Mirror images have the same abscissa and the opposite ordinate.

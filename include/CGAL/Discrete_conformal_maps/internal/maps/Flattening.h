@@ -235,10 +235,7 @@ private:
         lay_out_with_all_digits(length);
       return;
     }
-    const std::vector<Extended> u =
-      m_scale.is_extended()
-        ? m_scale.precise_values<Extended>()
-        : std::vector<Extended>(m_scale.values().begin(), m_scale.values().end());
+    const std::vector<Extended> u = m_scale.precise_values<Extended>();
     if(!m_scale.is_wide() && is_faithful(measured(u, correction), layout))
       return;
     lay_out_with_all_digits(

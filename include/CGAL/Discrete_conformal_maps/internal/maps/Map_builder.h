@@ -94,7 +94,7 @@ public:
   {
     std::vector<Face_index>& result = m_outcome.crowded_faces;
     result.clear();
-    if(std::count(is_crowded.begin(), is_crowded.end(), 0) == std::ptrdiff_t(is_crowded.size()))
+    if(std::count(is_crowded.begin(), is_crowded.end(), 1) == 0)
       return;
     const auto& subdivision = *m_data.subdivision;
     for(Face_index f : subdivision.mesh().faces())

@@ -10,10 +10,9 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
-#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -404,30 +403,6 @@ private:
     for(Edge_index e : t.mesh().edges())
       result.push_back(length(t.mesh().halfedge(e)));
     return result;
-  }
-
-  // whether the input is a surface without regard to rounding: positions always are, lengths only
-  // with the triangle inequality
-  static bool has_exact_metric(const Triangulation& half)
-  {
-    const auto input = Intrinsic_triangulations::internal::exact_input(half);
-    const auto faces = half.mesh().faces();
-    return !half.input_metric().points.empty() ||
-           std::all_of(faces.begin(), faces.end(), [&](Face_index f) {
-             return Intrinsic_triangulations::internal::area_sign(half.mesh().halfedge(f), input) !=
-                    NEGATIVE;
-           });
-  }
-
-  static bool has_unknown_angles(const Triangulation& half)
-  {
-    const auto faces = half.mesh().faces();
-    return std::any_of(faces.begin(), faces.end(), [&half](Face_index f) {
-      const auto side = sides(f, half.mesh());
-      const auto length = [&](std::size_t s) { return half.length(Edge_index(side[s])); };
-      return !(Flat_triangle<double>({length(0), length(1), length(2)}).angle_error() <=
-               tolerance::known_input_angle);
-    });
   }
 
   Flipping m_flipping;

@@ -117,7 +117,15 @@ public:
 
   // Straight boundaries may be bent outwards by this angle at each vertex: zero at first.
   double bend() const { return m_bend; }
-  void set_bend(double angle) { m_bend = angle; }
+
+  // Bends them by so little that the sum of all bends is less than is promised of one angle.
+  void bend_straight_boundaries()
+  {
+    double sides = 1;
+    for(std::size_t v = 0; v < size(); ++v)
+      sides += part(v) < 1;
+    m_bend = (std::min)(tolerance::bend, tolerance::promised_angle / sides);
+  }
 
   // Returns by how much the angle defects that are tried differ from those that are prescribed.
   // Beside a straight boundary without vertices inside, every triangle reaches to a vertex inside,

@@ -17,6 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/falls_without_end.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
@@ -53,20 +54,18 @@ public:
   bool is_more_extended() const { return m_precise.index() > 1; }
   // whether lengths with these scale factors may be beyond the range of `double`
   bool is_wide() const { return m_is_wide; }
-  // Returns the scale factors, with those that are prescribed, as `Extended` or `More_extended`.
+  // Returns the scale factors as `Extended` or `More_extended`, with the digits that there are.
   template <typename FT>
   std::vector<FT> precise_values() const
   {
-    std::vector<FT> result;
+    std::vector<FT> result(m_u.begin(), m_u.end());
     std::visit(
       [&](const auto& u) {
-        for(const auto& x : u)
-          result.push_back(converted<FT>(x));
+        for(std::size_t v = 0; v < u.size(); ++v)
+          if(!m_problem.is_fixed()[v])
+            result[v] = converted<FT>(u[v]);
       },
       m_precise);
-    for(std::size_t v = 0; v < result.size(); ++v)
-      if(m_problem.is_fixed()[v])
-        result[v] = FT(m_u[Eigen::Index(v)]);
     return result;
   }
 
@@ -95,28 +94,13 @@ public:
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
-    auto energy = energy_at_start<double>(m_problem.triangulation());
-    if(can_descend<double>() && !(energy.gradient_error() <= tolerance))
-      m_result.gradient_error = energy.gradient_error(); // nothing is known about its minimum
-    else {
-      run(energy, minimizer, visitor);
-      m_precise = std::vector<double>();
-    }
-    if(m_problem.has_precise_lengths())
-      measure_precisely();
+    minimize_rounded(minimizer, tolerance, visitor);
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
     if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
       minimize_in<More_extended>(minimizer, tolerance, visitor);
-    if constexpr(Triangle<double>::has_similar_ones) {
-      if(may_be_bent(tolerance)) {
-        bend();
-        tolerance = tolerance::promised_angle;
-        minimize_in<Extended>(minimizer, tolerance, visitor);
-      }
-      if(is_out_of_range(tolerance))
-        minimize_beyond_range(minimizer, tolerance, visitor);
-    }
+    if constexpr(Triangle<double>::has_similar_ones)
+      minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
   }
@@ -156,6 +140,34 @@ protected:
   }
 
 private:
+  // in `double`, unless nothing can be known about the minimum there
+  template <typename Minimizer, typename Visitor>
+  void minimize_rounded(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    auto energy = energy_at_start<double>(m_problem.triangulation());
+    if(can_descend<double>() && !(energy.gradient_error() <= tolerance))
+      m_result.gradient_error = energy.gradient_error();
+    else {
+      run(energy, minimizer, visitor);
+      m_precise = std::vector<double>();
+    }
+    if(m_problem.has_precise_lengths())
+      measure_precisely();
+  }
+
+  template <typename Minimizer, typename Visitor>
+  void minimize_with_bends_or_beyond_range(const Minimizer& minimizer, double& tolerance,
+                                           Visitor& visitor)
+  {
+    if(may_be_bent(tolerance)) {
+      m_problem.bend_straight_boundaries();
+      tolerance = tolerance::promised_angle;
+      minimize_in<Extended>(minimizer, tolerance, visitor);
+    }
+    if(is_out_of_range(tolerance))
+      minimize_beyond_range(minimizer, tolerance, visitor);
+  }
+
   // Takes steps with the Hessian at the start, close to the minimum: each gains as many digits as
   // `double` has there. Returns the gradient that is left, once it is within `limit` or a step
   // gains less than a digit.
@@ -189,12 +201,7 @@ private:
   // whether the error of curvatures moves no side in the plane by more than is promised
   bool can_be_laid_out() const
   {
-    const auto& mesh = m_problem.triangulation().mesh();
-    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-    for(Edge_index e : mesh.edges()) {
-      shortest = (std::min)(shortest, m_problem.triangulation().length(e));
-      longest = (std::max)(longest, m_problem.triangulation().length(e));
-    }
+    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
     return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
            tolerance::promised_length * shortest;
   }
@@ -280,15 +287,6 @@ private:
            !m_problem.has_precise_lengths() && m_status == Map_status::not_converged &&
            m_result.status != Minimization_status::unbounded &&
            m_result.status != Minimization_status::iteration_limit && !is_within(tolerance);
-  }
-
-  // By so little that the sum of all bends is less than is promised of one angle.
-  void bend()
-  {
-    double sides = 1;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      sides += m_problem.part(v) < 1;
-    m_problem.set_bend((std::min)(tolerance::bend, tolerance::promised_angle / sides));
   }
 
   // Where scale factors differ so much, lengths on the way may be beyond the range of `double`.
@@ -429,37 +427,12 @@ private:
   // after a minimization that has led in this direction
   Map_status status(const Vector& direction) const
   {
-    if(m_problem.flipping() == Flipping::none && falls_without_end(direction))
+    if(m_problem.flipping() == Flipping::none && falls_without_end(m_problem, direction))
       return Map_status::no_minimum;
     if(!m_has_layout)
       return Map_status::triangle_inequality;
     return m_result.status == Minimization_status::converged ? Map_status::success
                                                              : Map_status::not_converged;
-  }
-
-  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is
-  // least. A convex energy that falls even there has no minimum.
-  bool falls_without_end(const Vector& direction) const
-  {
-    const Delta_complex& mesh = m_problem.triangulation().mesh();
-    const Vector target = m_problem.target_defect();
-    const double pi = boost::math::constants::pi<double>();
-    double slope = 0, size = 0;
-    const auto add = [&](double x) {
-      slope += x;
-      size += std::abs(x);
-    };
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(const auto i = Eigen::Index(v); !m_problem.is_fixed()[v])
-        add(m_problem.part(v) * (2 * pi - target[i]) * direction[i]);
-    for(Face_index f : mesh.faces()) {
-      double least = std::numeric_limits<double>::infinity();
-      for(Halfedge_index h : sides(f, mesh))
-        least =
-          (std::min)(least, direction[Eigen::Index(m_problem.original(mesh.source(h)).idx())]);
-      add(-m_problem.part(f) * pi * least);
-    }
-    return slope < -tolerance::cancellation * size;
   }
 
   Doubled_problem& m_problem;

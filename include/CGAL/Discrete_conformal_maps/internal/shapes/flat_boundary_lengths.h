@@ -42,10 +42,7 @@ public:
   Flat_strips(Doubled_problem& problem, const std::vector<FT>& scale)
   {
     const Penner_surface<FT> surface = problem.scaled(scale);
-    FT unit(1);
-    if(!std::is_same<FT, double>::value)
-      for(Edge_index e : surface.mesh().edges())
-        unit = (std::max)(e.idx() == 0 ? FT(0) : unit, surface.scaled_length(e));
+    const FT unit = std::is_same<FT, double>::value ? FT(1) : greatest_length(surface);
     for(Edge_index e : surface.mesh().edges())
       m_length.push_back(static_cast<double>(surface.scaled_length(e) / unit));
     const auto& ab = problem.triangulation();
@@ -77,6 +74,15 @@ public:
   }
 
 private:
+  template <typename FT>
+  static FT greatest_length(const Penner_surface<FT>& surface)
+  {
+    FT result(0);
+    for(Edge_index e : surface.mesh().edges())
+      result = (std::max)(result, surface.scaled_length(e));
+    return result;
+  }
+
   Triangulation m_triangulation;
   std::vector<double> m_length;
 };

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_INPUT_ROUNDING_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_INPUT_ROUNDING_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns whether the input is a surface without regard to rounding: positions always are, lengths
+// only with the triangle inequality.
+inline bool has_exact_metric(const Intrinsic_triangulations::Intrinsic_triangulation<>& half)
+{
+  const auto input = Intrinsic_triangulations::internal::exact_input(half);
+  const auto faces = half.mesh().faces();
+  return !half.input_metric().points.empty() ||
+         std::all_of(faces.begin(), faces.end(), [&](Face_index f) {
+           return Intrinsic_triangulations::internal::area_sign(half.mesh().halfedge(f), input) !=
+                  NEGATIVE;
+         });
+}
+
+// Returns whether rounding of lengths may change an angle of the input by more than curvatures may
+// be wrong.
+inline bool has_unknown_angles(const Intrinsic_triangulations::Intrinsic_triangulation<>& half)
+{
+  const auto faces = half.mesh().faces();
+  return std::any_of(faces.begin(), faces.end(), [&half](Face_index f) {
+    const auto side = sides(f, half.mesh());
+    const auto length = [&](std::size_t s) { return half.length(Edge_index(side[s])); };
+    return !(Flat_triangle<double>({length(0), length(1), length(2)}).angle_error() <=
+             tolerance::known_input_angle);
+  });
+}
+
+// Returns the least and the greatest length of an edge.
+inline std::pair<double, double>
+range_of_lengths(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
+{
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for(Edge_index e : t.mesh().edges()) {
+    shortest = (std::min)(shortest, t.length(e));
+    longest = (std::max)(longest, t.length(e));
+  }
+  return {shortest, longest};
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_INPUT_ROUNDING_H
