@@ -102,6 +102,9 @@ constexpr double growth = 1e-9;
 constexpr double stiffness = 1e-10, negative_weight = 1e-6;
 // The number of steps that are taken with more digits, on the exact surface.
 constexpr std::size_t steps_with_more_digits = 300;
+// A start needs few digits, and few steps.
+constexpr double curvature_at_start = 1e-3;
+constexpr std::size_t steps_to_start = 300;
 // The least entry of a damped diagonal, relative to the greatest.
 constexpr double damping = 1e-10;
 // A diagonal is lifted against rounding in a factorization by a hundred units, then more and more;

@@ -15,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/flat_start.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -66,24 +68,43 @@ private:
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
     if(search(rounded, tolerance::gradient, visitor))
       return;
+    const std::vector<Extended> start = is_lost(rounded.result())
+                                          ? flat_start(m_problem, neighborhood(), visitor)
+                                          : std::vector<Extended>();
+    if(!start.empty() && search_beyond_range(start, visitor))
+      return;
     Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
-    if(search(precise, tolerance::extended_gradient, visitor))
-      return;
-    unfold_with_wide_numbers(visitor);
+    if(!search(precise, tolerance::extended_gradient, visitor) && start.empty())
+      search_beyond_range({}, visitor);
   }
 
-  // Finds scale factors beyond the range of `double`.
+  // whether the minimization has ended far from a minimum, so that more digits alone do not help
+  static bool is_lost(const Minimization_result& result)
+  {
+    return result.status != Minimization_status::converged &&
+           result.status != Minimization_status::rounding_limit;
+  }
+
+  std::set<Vertex_index> neighborhood() const
+  {
+    return closed_neighborhood(m_at_infinity, m_problem);
+  }
+
+  // Finds scale factors beyond the range of `double`, from these on or from a guess. Returns
+  // whether there is a good result.
   template <typename Visitor>
-  void unfold_with_wide_numbers(Visitor& visitor)
+  bool search_beyond_range(const std::vector<Extended>& start, Visitor& visitor)
   {
     Spherical_scale_factors<Wide_number<double>> rounded(m_problem, m_at_infinity);
+    if(!start.empty())
+      rounded.set_start(start);
     visitor.start(Flattening_stage::optimize);
     rounded.minimize(tolerance::gradient, visitor);
     Spherical_scale_factors<Wide_number<Extended>> precise(m_problem, m_at_infinity);
     precise.set_start(rounded);
-    search(precise, tolerance::extended_gradient, visitor);
+    return search(precise, tolerance::extended_gradient, visitor);
   }
 
   // Returns whether there is a good result.

@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -46,7 +47,7 @@ public:
     m_bound.resize(problem.size());
     for(Vertex_index v : problem.surface().vertices())
       m_bound[v.idx()] = is_fixed(v) ? FT(0) : FT(-m_bound[v.idx()]);
-    m_u = start();
+    m_u = start(std::vector<Extended>(problem.size(), Extended(0)));
   }
 
   // the scale factors; zero at infinity and at isolated vertices
@@ -68,6 +69,9 @@ public:
     for(std::size_t v = 0; v < m_u.size(); ++v)
       m_u[v] = other.values()[v] == other.bounds()[v] ? m_bound[v] : FT(other.values()[v]);
   }
+
+  // Starts from the scale factors of a metric that is flat far from infinity.
+  void set_start(const std::vector<Extended>& flat) { m_u = start(flat); }
 
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
   // `double` limits only how far a step can change the scale factors: where they have more digits,
@@ -138,8 +142,9 @@ private:
     return result;
   }
 
-  // As if the neighbors of the vertex at infinity remained, with scale factors as even as possible.
-  std::vector<FT> start() const
+  // As if the neighbors of the vertex at infinity remained, with other scale factors like `first`,
+  // up to a constant.
+  std::vector<FT> start(const std::vector<Extended>& first) const
   {
     FT sum(0), count(0);
     std::vector<char> is_neighbor(m_bound.size(), 0);
@@ -148,13 +153,15 @@ private:
       if(mesh.source(h) == m_at_infinity && mesh.target(h) != m_at_infinity) {
         const std::size_t i = m_problem.original(mesh.target(h)).idx();
         is_neighbor[i] = 1;
-        sum += m_bound[i];
+        sum += m_bound[i] - converted<FT>(first[i]);
         count += 1;
       }
     std::vector<FT> result(m_bound.size(), FT(0));
     for(Vertex_index v : m_problem.surface().vertices())
       if(const std::size_t i = v.idx(); !is_fixed(v))
-        result[i] = is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], FT(sum / count));
+        result[i] = is_neighbor[i]
+                      ? m_bound[i]
+                      : (std::max)(m_bound[i], FT(converted<FT>(first[i]) + sum / count));
     return result;
   }
 

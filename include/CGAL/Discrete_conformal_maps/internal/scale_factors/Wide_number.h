@@ -18,17 +18,24 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // A number with the digits of `Mantissa`, `double` or `Extended`, and an exponent of its own: the
 // lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares in a row, and
-// are beyond the range of both.
+// are beyond the range of both. Exponents are multiples of 512, so that most operations leave them
+// alone.
 template <typename Mantissa>
 class Wide_number
 {
 public:
-  Wide_number(double x = 0) : Wide_number(Mantissa(x), 0) {}
-  Wide_number(const Extended& x) : Wide_number(static_cast<Mantissa>(x), 0) {}
+  Wide_number(double x = 0) : m_mantissa(x), m_window(0) { normalize(); }
+  Wide_number(const Extended& x) : m_mantissa(static_cast<Mantissa>(x)), m_window(0)
+  {
+    normalize();
+  }
   // `mantissa` times a power of two
   explicit Wide_number(const Mantissa& mantissa, std::int64_t exponent)
-    : m_mantissa(mantissa), m_exponent(exponent)
+    : m_mantissa(mantissa), m_window(exponent / window)
   {
+    using std::ldexp;
+    if(const int rest = static_cast<int>(exponent % window))
+      m_mantissa = ldexp(m_mantissa, rest);
     normalize();
   }
   template <typename Other>
@@ -36,10 +43,10 @@ public:
     : Wide_number(Mantissa(x.mantissa()), x.exponent())
   {}
 
-  // zero, not finite, or from 1/2 to 1 by absolute value
+  // zero, not finite, or from 2^-256 to 2^256 by absolute value
   const Mantissa& mantissa() const { return m_mantissa; }
   // zero if the mantissa is zero or not finite
-  std::int64_t exponent() const { return m_exponent; }
+  std::int64_t exponent() const { return window * m_window; }
   bool is_finite() const { return std::isfinite(leading_part()); }
   // the sign, and what says whether the number is zero or finite
   double leading_part() const { return static_cast<double>(m_mantissa); }
@@ -50,34 +57,32 @@ public:
   Mantissa in_range_of_mantissa() const
   {
     using std::ldexp;
-    constexpr std::int64_t limit = 4096;
-    return ldexp(m_mantissa, static_cast<int>(std::clamp(m_exponent, -limit, limit)));
+    constexpr std::int64_t limit = 8;
+    if(m_window == 0)
+      return m_mantissa;
+    return ldexp(m_mantissa, static_cast<int>(window * std::clamp(m_window, -limit, limit)));
   }
 
   friend Wide_number operator-(const Wide_number& x)
   {
-    return Wide_number(-x.m_mantissa, x.m_exponent);
+    return in_window(-x.m_mantissa, x.m_window);
   }
   friend Wide_number operator+(const Wide_number& x, const Wide_number& y)
   {
-    if(x.is_absorbed_by(y))
-      return y;
-    if(y.is_absorbed_by(x))
-      return x;
-    using std::ldexp;
-    const std::int64_t exponent = (std::max)(x.m_exponent, y.m_exponent);
-    return Wide_number(ldexp(x.m_mantissa, static_cast<int>(x.m_exponent - exponent)) +
-                         ldexp(y.m_mantissa, static_cast<int>(y.m_exponent - exponent)),
-                       exponent);
+    return x.m_window == y.m_window  ? in_window(x.m_mantissa + y.m_mantissa, x.m_window)
+           : x.is_absorbed_by(y)     ? y
+           : y.is_absorbed_by(x)     ? x
+           : x.m_window > y.m_window ? in_window(x.m_mantissa + y.in_next_window(), x.m_window)
+                                     : in_window(x.in_next_window() + y.m_mantissa, y.m_window);
   }
   friend Wide_number operator-(const Wide_number& x, const Wide_number& y) { return x + -y; }
   friend Wide_number operator*(const Wide_number& x, const Wide_number& y)
   {
-    return Wide_number(x.m_mantissa * y.m_mantissa, x.m_exponent + y.m_exponent);
+    return in_window(x.m_mantissa * y.m_mantissa, x.m_window + y.m_window);
   }
   friend Wide_number operator/(const Wide_number& x, const Wide_number& y)
   {
-    return Wide_number(x.m_mantissa / y.m_mantissa, x.m_exponent - y.m_exponent);
+    return in_window(x.m_mantissa / y.m_mantissa, x.m_window - y.m_window);
   }
 
   Wide_number& operator+=(const Wide_number& y) { return *this = *this + y; }
@@ -95,14 +100,15 @@ public:
   friend Wide_number abs(const Wide_number& x) { return x.leading_part() < 0 ? -x : x; }
   friend Wide_number ldexp(const Wide_number& x, int exponent)
   {
-    return Wide_number(x.m_mantissa, x.m_exponent + exponent);
+    return Wide_number(x.m_mantissa, x.exponent() + exponent);
   }
   friend Wide_number sqrt(const Wide_number& x)
   {
     using std::ldexp;
     using std::sqrt;
-    const int odd = static_cast<int>(x.m_exponent & 1);
-    return Wide_number(sqrt(ldexp(x.m_mantissa, odd)), (x.m_exponent - odd) / 2);
+    const int odd = static_cast<int>(x.m_window & 1);
+    return in_window(sqrt(odd != 0 ? ldexp(x.m_mantissa, window) : x.m_mantissa),
+                     (x.m_window - odd) / 2);
   }
 
   friend Wide_number exp(const Wide_number& x)
@@ -118,7 +124,7 @@ public:
   friend Wide_number log(const Wide_number& x)
   {
     using std::log;
-    return Wide_number(log(x.m_mantissa) + Mantissa(static_cast<double>(x.m_exponent)) * ln_two(),
+    return Wide_number(log(x.m_mantissa) + Mantissa(static_cast<double>(x.exponent())) * ln_two(),
                        0);
   }
   friend Wide_number cos(const Wide_number& x)
@@ -134,39 +140,65 @@ public:
   friend Wide_number atan2(const Wide_number& y, const Wide_number& x)
   {
     using std::atan2;
-    const std::int64_t exponent = (std::max)(y.m_exponent, x.m_exponent);
+    const std::int64_t last = (std::max)(y.m_window, x.m_window);
     const auto scaled = [&](const Wide_number& z) {
-      return Wide_number(z.m_mantissa, z.m_exponent - exponent).in_range_of_mantissa();
+      return in_window(z.m_mantissa, z.m_window - last).in_range_of_mantissa();
     };
     return Wide_number(atan2(scaled(y), scaled(x)), 0);
   }
 
 private:
+  static constexpr int window = 512;
+
   static Mantissa ln_two()
   {
     return static_cast<Mantissa>(Intrinsic_triangulations::internal::ln_two());
   }
 
-  void normalize()
+  // Returns `mantissa` times 2^(512 k).
+  static Wide_number in_window(const Mantissa& mantissa, std::int64_t k)
   {
-    int exponent = 0;
-    const double leading = std::frexp(leading_part(), &exponent);
-    if(leading == 0 || !std::isfinite(leading)) {
-      m_exponent = 0;
-      return;
-    }
-    using std::ldexp;
-    m_mantissa = ldexp(m_mantissa, -exponent);
-    m_exponent += exponent;
+    Wide_number result;
+    result.m_mantissa = mantissa;
+    result.m_window = k;
+    result.normalize();
+    return result;
   }
 
-  // whether a sum of both is the other
+  // Changes nothing in nearly all cases.
+  void normalize()
+  {
+    const double size = std::abs(leading_part());
+    if(!(size >= 0x1p-256 && size < 0x1p256))
+      move_window();
+  }
+
+  void move_window()
+  {
+    using std::ldexp;
+    if(leading_part() == 0 || !is_finite()) {
+      m_window = 0;
+      return;
+    }
+    const int exponent = std::ilogb(leading_part()) + window / 2,
+              step = (exponent - (exponent < 0 ? window - 1 : 0)) / window;
+    m_mantissa = ldexp(m_mantissa, -window * step);
+    m_window += step;
+  }
+
+  // the mantissa for the window above
+  Mantissa in_next_window() const
+  {
+    using std::ldexp;
+    return ldexp(m_mantissa, -window);
+  }
+
+  // whether a sum of both is the other, in a different window
   bool is_absorbed_by(const Wide_number& other) const
   {
-    constexpr std::int64_t digits = 200; // more than two mantissas have
     if(!other.is_finite() || leading_part() == 0)
       return true;
-    return is_finite() && other.leading_part() != 0 && m_exponent < other.m_exponent - digits;
+    return is_finite() && other.leading_part() != 0 && m_window < other.m_window - 1;
   }
 
   // the sign of the difference; NaN if there is none
@@ -178,7 +210,7 @@ private:
   }
 
   Mantissa m_mantissa;
-  std::int64_t m_exponent;
+  std::int64_t m_window;
 };
 
 template <typename Mantissa>
