@@ -38,7 +38,10 @@ public:
 
   // `polygons` has the numbers of the points that are the corners of each polygon.
   Orientation_repair(std::vector<Point>& points, const Number_lists& polygons)
-    : m_points(points), m_polygons(polygons), m_orientations(points, polygons)
+    : m_points(points),
+      m_polygons(polygons),
+      m_orientations(points, polygons),
+      m_maximum_work((std::min)(std::size_t(30000000), 2000 * polygons.size()))
   {}
 
   // Returns the polygons that remain reversed. Without any, the points stay as they are.
@@ -118,7 +121,7 @@ private:
   // around that are reversed to a list. Returns false if there is none.
   bool improve(std::size_t i, std::vector<std::size_t>& reversed)
   {
-    return m_work < maximum_work &&
+    return m_work < m_maximum_work &&
            (move_corner(i, false, reversed) || move_corner(i, true, reversed) ||
             merge_corners(i, reversed) || slide_corners(i, reversed));
   }
@@ -157,7 +160,7 @@ private:
     m_work += m_around.size(corner);
     for_each_direction([&](const Point& direction) {
       move.to = moved(from, step, direction);
-      if(move.to == from || m_work >= maximum_work || !may_move(corner, move.to))
+      if(move.to == from || m_work >= m_maximum_work || !may_move(corner, move.to))
         return;
       m_points[corner] = move.to;
       m_work += 1;
@@ -269,7 +272,7 @@ private:
     };
     std::vector<std::size_t> result{center};
     m_is_in_cluster[center] = 1;
-    for(std::size_t n = 0; n < result.size() && m_work < maximum_work; ++n)
+    for(std::size_t n = 0; n < result.size() && m_work < m_maximum_work; ++n)
       for(std::size_t k = 0; k < m_around.size(result[n]); ++k)
         for(std::size_t i = m_around(result[n], k), s = 0; s < m_polygons.size(i); ++s, ++m_work)
           if(const std::size_t c = m_polygons(i, s); !m_is_in_cluster[c] && belongs(c)) {
@@ -317,7 +320,7 @@ private:
     for(int exponent = -2; (1 << (exponent + 2)) <= 4 * maximum_move && least > 0; ++exponent)
       for_each_direction([&](const Point& direction) {
         const Point to = moved(from, std::ldexp(unit(from), exponent), direction);
-        if(m_work >= maximum_work || !may_move(corner, to))
+        if(m_work >= m_maximum_work || !may_move(corner, to))
           return;
         m_points[corner] = to;
         m_work += m_around.size(corner);
@@ -340,7 +343,6 @@ private:
   }
 
   static constexpr std::size_t maximum_slides = 64;
-  static constexpr std::size_t maximum_work = 30000000; // polygons that are looked at
 
   std::vector<Point>& m_points;
   const Number_lists& m_polygons;
@@ -349,6 +351,7 @@ private:
   std::vector<Point> m_start; // the points as they were
   Point m_low, m_high;
   std::vector<char> m_is_in_cluster;
+  std::size_t m_maximum_work; // how many polygons may be looked at
   std::size_t m_work = 0;
 };
 
