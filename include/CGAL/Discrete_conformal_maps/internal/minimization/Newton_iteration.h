@@ -23,6 +23,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
@@ -136,15 +137,17 @@ private:
            m_descent.is_at_best() && limits.is_enough(m_descent.point(), m_direction.length());
   }
 
-  // whether some steps in a row were no more than rounding of each variable, although none was
-  // damped
+  // Whether some steps in a row were no more than rounding of each variable, or gained nothing from
+  // a gradient that is as small as `double` has it at best, although none was damped.
   bool leads_nowhere()
   {
     const bool is_short =
       ((m_descent.point() - m_base).array().abs() <= tolerance::variable * m_base.array().abs())
         .all();
-    m_short_steps = is_short && !m_direction.is_damped() ? m_short_steps + 1 : 0;
-    return m_short_steps == 3;
+    const double before = std::exchange(m_least_norm, m_descent.best_norm());
+    const bool is_idle = before <= tolerance::gradient && m_least_norm > before / 2;
+    m_idle_steps = (is_short || is_idle) && !m_direction.is_damped() ? m_idle_steps + 1 : 0;
+    return m_idle_steps == 3;
   }
 
   double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
@@ -236,7 +239,8 @@ private:
   double m_base_error = 0; // of the gradient
   double m_step = 0;
   double m_largest_error = 0; // rounding error of the gradient
-  int m_short_steps = 0;
+  double m_least_norm = std::numeric_limits<double>::infinity();
+  int m_idle_steps = 0;
   int m_failures = 0; // steps within rounding, in a row, that were not good
 };
 
