@@ -43,6 +43,44 @@ Mesh stretched(Mesh mesh, double factor)
   return mesh;
 }
 
+// Puts a prism on a face, away from the origin: `rings` rings, whose distances are `step` times the
+// first side of the face, each `taper` times as thick as the one before.
+void add_limb(Mesh& mesh, Mesh::Face_index f, std::size_t rings, double step, double taper)
+{
+  std::vector<Mesh::Vertex_index> ring;
+  std::array<Point, 3> corner;
+  for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
+    corner[ring.size()] = mesh.point(v);
+    ring.push_back(v);
+  }
+  CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  const Point middle = CGAL::centroid(corner[0], corner[1], corner[2]);
+  const auto out = middle - Point(0, 0, 0);
+  const auto up =
+    out * (step * std::sqrt(CGAL::squared_distance(corner[0], corner[1]) / out.squared_length()));
+  for(std::size_t i = 1; i <= rings; ++i) {
+    std::vector<Mesh::Vertex_index> next;
+    for(const Point& p : corner)
+      next.push_back(mesh.add_vertex(middle + std::pow(taper, i) * (p - middle) + double(i) * up));
+    for(std::size_t k = 0; k < 3; ++k) {
+      mesh.add_face(ring[k], ring[(k + 1) % 3], next[(k + 1) % 3]);
+      mesh.add_face(ring[k], next[(k + 1) % 3], next[k]);
+    }
+    ring = next;
+  }
+  mesh.add_face(ring);
+}
+
+Mesh octahedron_with_limbs(std::size_t number, std::size_t rings, double step, double taper)
+{
+  Mesh mesh = octahedron();
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  for(std::size_t n = 0; n < number; ++n)
+    add_limb(mesh, faces[2 * n], rings, step, taper);
+  mesh.collect_garbage();
+  return mesh;
+}
+
 // Whether faces that are not crowded have corners that are apart on the sphere.
 void check_crowded_faces(const Spherical_conformal_map& map, const Mesh& mesh)
 {
@@ -99,6 +137,24 @@ TEST(Crowding, stretched_spheres)
     const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
     EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
     EXPECT_TRUE(map.certificate().is_convex());
+    EXPECT_LE(map.max_curvature_error(), 1e-10);
+    EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8);
+    check_crowded_faces(map, mesh);
+  }
+}
+
+// Newton's method with bounds loses its way if it starts from equal scale factors.
+TEST(Crowding, limbs)
+{
+  for(const auto& [number, rings, step, taper] :
+      {std::tuple(1u, 60u, 1., 1.), std::tuple(4u, 60u, 3., 1.), std::tuple(4u, 40u, 1., 0.9),
+       std::tuple(3u, 30u, 1., 0.6), std::tuple(2u, 20u, 3., 0.5)}) {
+    SCOPED_TRACE(testing::Message() << number << " limbs of " << rings << " rings, " << taper);
+    const Mesh mesh = octahedron_with_limbs(number, rings, step, taper);
+    const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
+    EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+    EXPECT_TRUE(map.certificate().is_convex());
+    EXPECT_LE(map.minimization().iterations, 100u);
     EXPECT_LE(map.max_curvature_error(), 1e-10);
     EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8);
     check_crowded_faces(map, mesh);
