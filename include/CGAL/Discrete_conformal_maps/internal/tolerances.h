@@ -70,6 +70,11 @@ constexpr double cancellation = 1e-12;
 constexpr double reduction = 1e-12;
 // The gradient that rounding of a number type leaves: its unit times the number of roundings.
 constexpr double roundings_of_gradient = 1e4;
+template <typename FT>
+double rounding_of_gradient()
+{
+  return roundings_of_gradient * static_cast<double>(std::numeric_limits<FT>::epsilon());
+}
 // Some roundings of one variable: steps, or distances from a bound, that are no more are none.
 constexpr double variable = 64 * unit;
 // The greatest rounding error of squared lengths and quotients of them, in units: ties are not

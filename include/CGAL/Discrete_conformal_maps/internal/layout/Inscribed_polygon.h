@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -54,7 +55,8 @@ public:
                     Visitor& visitor)
     : m_problem(problem),
       m_at_infinity(start),
-      m_surface(problem.triangulation().mesh(), problem.triangulation().length_map())
+      m_surface(problem.triangulation().mesh(),
+                problem.template lengths<FT>(problem.triangulation()))
   {
     visitor.start(Flattening_stage::optimize);
     flip_to_boundary();
@@ -77,6 +79,37 @@ public:
   }
 
   const Unfolded_sphere& result() const { return m_result; }
+
+  // Returns the logarithmic scale factors in the unit disk. A chord c from infinity and a place x on
+  // the line, of which the unit is `m_scale`, have the factor 2 / (m_scale c^2 (1 + x^2)).
+  std::vector<More_extended> log_scales_in_disk() const
+  {
+    const More_extended unit = converted<More_extended>(m_scale);
+    std::vector<More_extended> result;
+    for(std::size_t v = 0; v < m_chord.size(); ++v) {
+      const More_extended chord = converted<More_extended>(m_chord[v]),
+                          x = converted<More_extended>(m_position[v][0]);
+      result.push_back(log(More_extended(
+        v == m_at_infinity.idx() ? 2 * unit : 2 / (unit * chord * chord * (1 + x * x)))));
+    }
+    for(Vertex_index v : m_problem.surface().vertices())
+      if(m_problem.surface().is_isolated(v))
+        result[v.idx()] = 0;
+    return result;
+  }
+
+  // Returns the lengths of the edges on the boundary of the surface with these scale factors; zero
+  // for others.
+  std::vector<double> side_lengths_in_disk() const
+  {
+    const std::vector<More_extended> u = log_scales_in_disk();
+    std::vector<double> result(m_problem.surface().num_edges(), 0);
+    for(const auto& [h, input] : m_sides)
+      result[input.idx()] = static_cast<double>(scaled_length(
+        converted<More_extended>(length(h)),
+        length_factor(More_extended(u[mesh().source(h).idx()] + u[mesh().target(h).idx()]))));
+    return result;
+  }
 
   // whether a face of T^C is one of the polygon, not of its back
   bool is_original(Face_index f) const { return m_is_original[f.idx()]; }
@@ -121,7 +154,7 @@ private:
            is_boundary(side)) {
           m_is_on_boundary[Edge_index(h).idx()] = 1;
           if(!half.is_border(side))
-            m_sides.push_back(h);
+            m_sides.emplace_back(h, Edge_index(side));
         }
   }
 
@@ -129,7 +162,9 @@ private:
   void collect_original_faces()
   {
     m_is_original.assign(mesh().num_faces(), 0);
-    std::vector<Halfedge_index> waiting = m_sides;
+    std::vector<Halfedge_index> waiting;
+    for(const auto& side : m_sides)
+      waiting.push_back(side.first);
     while(!waiting.empty()) {
       const Halfedge_index h = waiting.back();
       waiting.pop_back();
@@ -171,8 +206,8 @@ private:
   std::vector<Halfedge_index> sides_in_plane() const
   {
     std::vector<Halfedge_index> side_from(m_problem.size());
-    for(Halfedge_index h : m_sides)
-      side_from[mesh().source(h).idx()] = h;
+    for(const auto& side : m_sides)
+      side_from[mesh().source(side.first).idx()] = side.first;
     std::vector<Halfedge_index> result;
     const auto after = [&](Halfedge_index h) { return side_from[mesh().target(h).idx()]; };
     for(Halfedge_index h = after(side_from[m_at_infinity.idx()]); mesh().target(h) != m_at_infinity;
@@ -296,10 +331,11 @@ private:
 
   Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
-  Ptolemy_surface<FT> m_surface;       // in T^C
-  std::vector<char> m_is_on_boundary;  // of edges
-  std::vector<Halfedge_index> m_sides; // of the polygon, which is on their left
-  std::vector<char> m_is_original;     // of faces
+  Ptolemy_surface<FT> m_surface;      // in T^C
+  std::vector<char> m_is_on_boundary; // of edges
+  // of the polygon, which is on their left, and the edges of the surface that they are
+  std::vector<std::pair<Halfedge_index, Edge_index>> m_sides;
+  std::vector<char> m_is_original; // of faces
   std::vector<FT> m_chord;
   std::vector<double> m_u;
   std::vector<Point> m_position; // of the vertices of the surface itself, on a line

@@ -18,6 +18,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Plane_picture.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
@@ -28,6 +29,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -72,6 +74,15 @@ public:
           m_scale.add_cone_if_beyond(bound));
   }
 
+  // Takes scale factors that need no search, and the flips from T^B to T^C.
+  void take(const std::vector<More_extended>& log_scale, const std::vector<Halfedge_index>& flips)
+  {
+    m_visitor.start(Flattening_stage::cones);
+    m_visitor.start(Flattening_stage::optimize);
+    m_scale.take(log_scale);
+    m_flips = flips;
+  }
+
   // whether there are scale factors
   bool has_succeeded() const { return m_scale.status() == Map_status::success; }
 
@@ -100,7 +111,7 @@ public:
   {
     if(has_succeeded())
       m_builder.attempt([this] { m_scale.sharpen(m_visitor); });
-    m_layout.exists = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
+    m_layout.exists = flip() && m_scale.has_layout();
     if(m_layout.exists)
       find_cut_edges();
     lay_out_or_fail(layout);
@@ -124,6 +135,16 @@ public:
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
+
+  // Makes T^C; returns whether it has lengths.
+  bool flip()
+  {
+    if(!m_flips)
+      return m_builder.flip_if_in_range(m_scale);
+    m_builder.flip(*m_flips);
+    m_builder.set_scale_factors(m_scale);
+    return true;
+  }
 
   template <typename Layout_model>
   void lay_out_or_fail(const Layout_model& layout)
@@ -325,6 +346,7 @@ private:
   Flat_scale_factors m_scale;
   Map_builder m_builder;
   Planar_layout m_layout;
+  std::optional<std::vector<Halfedge_index>> m_flips; // to T^C, if they are known
   bool m_has_placed_cones = false;
   std::vector<char> m_is_cut_edge;                  // edges of T^C that are not passed
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
@@ -361,24 +383,6 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
       result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
   return result;
 }
-
-// The boundary of a surface that has no prescribed shape.
-struct Free_shape
-{
-  // Calls `find()`, which finds the scale factors, until the problem is what it should be.
-  template <typename Flattening, typename Find>
-  void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)
-  {
-    find();
-  }
-
-  // What else is promised about a map, by components whose charts are whole.
-  std::vector<Map_promise> promises(const Planar_conformal_map& /* map */,
-                                    const std::vector<char>& /* is_whole */) const
-  {
-    return {};
-  }
-};
 
 // Returns the bound of scale factors beyond which cones are placed; infinity for no cones.
 // `is_free` says whether nothing is prescribed.

@@ -61,9 +61,12 @@ public:
     : m_descent(descent), m_direction(direction)
   {}
 
-  // Takes a step; returns the status if none could be taken.
+  // Takes a step; returns the status if none could be taken, or if a minimum should have been found
+  // before: paths of 200 steps are rare, and longer ones lead nowhere.
   std::optional<Status> take_step()
   {
+    if(m_steps++ == greatest_number_of_steps)
+      return Status::iteration_limit;
     const Eigen::SparseMatrix<double>& hessian = m_descent.energy().Hessian();
     if(!hessian.coeffs().allFinite())
       return Status::not_finite;
@@ -76,6 +79,7 @@ public:
 
 private:
   static constexpr double longest = 1e100;
+  static constexpr std::size_t greatest_number_of_steps = 250;
 
   // Returns by how much the direction differs at neighbors, at most.
   double greatest_difference(const Eigen::SparseMatrix<double>& hessian) const
@@ -121,6 +125,7 @@ private:
   double m_bound = 0.25; // of the differences of neighbors
   double m_step = 0;
   int m_short_steps = 0; // in a row
+  std::size_t m_steps = 0;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -112,6 +112,22 @@ public:
   // whether the lengths of T^B are those on the exact surface, with more digits than `double` has
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
+  // Makes T^B by exact decisions, and computes its lengths on the exact surface, from now on. Returns
+  // whether there are such lengths, where there were none.
+  bool make_precise()
+  {
+    if(m_has_exact_flips || m_flipping == Flipping::none)
+      return false;
+    m_has_exact_flips = true;
+    try {
+      build();
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      m_has_exact_flips = false;
+      build();
+    }
+    return has_precise_lengths();
+  }
+
   // Returns the lengths of T^B with the digits of `FT`. `t` is the triangulation of the problem,
   // which may have been moved.
   template <typename FT>

@@ -56,8 +56,12 @@ public:
       // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
       m_cotangent[s] = product / (area > least ? area : least);
     }
-    // a relative error e of the sides moves an angle by at most 2 e times the sum of the cotangents
+    // A relative error e of the sides moves an angle by at most 2 e times the sum of the cotangents.
     m_error = 8 * std::numeric_limits<FT>::epsilon() * squares / (area > least ? area : least);
+    // It moves a cosine by at most 2 e times that of the squares of the sides by the product of the
+    // two at the corner, and an angle near zero or pi by no more than the root of twice that.
+    if(area * area < 2 * least * squares)
+      m_error = (std::min)(m_error, root_error(side, least));
   }
 
   // at the source of side s
@@ -85,6 +89,13 @@ public:
   const FT& angle_error() const { return m_error; }
 
 private:
+  static FT root_error(const std::array<FT, 3>& side, const FT& least)
+  {
+    using std::sqrt;
+    const FT longest = (std::max)({side[0], side[1], side[2]});
+    return sqrt(FT(32 * least / (side[0] * side[1] * side[2] / longest)));
+  }
+
   std::array<Corner<FT>, 3> m_corner;
   std::array<FT, 3> m_cotangent;
   FT m_error;

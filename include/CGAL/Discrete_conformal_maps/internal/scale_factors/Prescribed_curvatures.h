@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -105,6 +106,16 @@ public:
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
   // the scale factor where it is prescribed
   double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
+  // What is free in an energy of scale factors: all others are. If scaling changes no angles, those
+  // of a component move together.
+  Minimization_domain domain(bool has_similar_ones) const
+  {
+    Minimization_domain result{m_is_fixed, {}};
+    if(has_similar_ones)
+      for(std::size_t v = 0; v < size(); ++v)
+        result.component.push_back(m_components[v]);
+    return result;
+  }
   // the angle defects that are prescribed; zero elsewhere
   Vector target_defect() const
   {
@@ -117,6 +128,8 @@ public:
 
   // Straight boundaries may be bent outwards by this angle at each vertex: zero at first.
   double bend() const { return m_bend; }
+
+  void straighten_boundaries() { m_bend = 0; }
 
   // Bends them by so little that the sum of all bends is less than is promised of one angle.
   void bend_straight_boundaries()

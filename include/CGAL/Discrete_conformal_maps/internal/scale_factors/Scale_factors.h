@@ -19,6 +19,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/falls_without_end.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/shift_to_zero.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
@@ -81,6 +82,17 @@ public:
   void start_from(const std::vector<double>& log_scale)
   {
     m_u = Eigen::Map<const Vector>(log_scale.data(), m_u.size());
+    m_precise = std::vector<double>();
+  }
+
+  // Takes scale factors that need no search.
+  void take(const std::vector<More_extended>& log_scale)
+  {
+    note_rounded(log_scale);
+    m_precise = log_scale;
+    m_result.status = Minimization_status::converged;
+    m_status = Map_status::success;
+    m_max_curvature_error = 0;
   }
 
   // Minimizes the energy; if `double` has too few digits for `tolerance`, with more, and then with
@@ -94,11 +106,10 @@ public:
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
-    minimize_rounded(minimizer, tolerance, visitor);
-    if(is_rounded(tolerance) && !has_no_solution())
-      minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
-      minimize_in<More_extended>(minimizer, tolerance, visitor);
+    if(Triangle<double>::has_similar_ones && !m_problem.has_precise_lengths() && is_beyond_range())
+      m_max_curvature_error = std::numeric_limits<double>::infinity();
+    else
+      minimize_in_range(minimizer, tolerance, visitor);
     if constexpr(Triangle<double>::has_similar_ones)
       minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
@@ -124,7 +135,7 @@ public:
   std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
     auto energy = energy_at_start<FT>(triangulation);
-    approach(energy, improve(energy, rounding_of_gradient<FT>(), visitor), visitor);
+    approach(energy, improve(energy, tolerance::rounding_of_gradient<FT>(), visitor), visitor);
     note_values(energy);
     return energy.scale_factors();
   }
@@ -132,15 +143,21 @@ public:
 protected:
   Minimization_domain domain() const
   {
-    Minimization_domain result{m_problem.is_fixed(), {}};
-    if(Triangle<double>::has_similar_ones)
-      for(std::size_t v = 0; v < m_problem.size(); ++v)
-        result.component.push_back(m_problem.components()[v]);
-    return result;
+    return m_problem.domain(Triangle<double>::has_similar_ones);
   }
 
 private:
-  // in `double`, unless nothing can be known about the minimum there
+  template <typename Minimizer, typename Visitor>
+  void minimize_in_range(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    minimize_rounded(minimizer, tolerance, visitor);
+    if(is_rounded(tolerance) && !has_no_solution())
+      minimize_in<Extended>(minimizer, tolerance, visitor);
+    if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
+      minimize_in<More_extended>(minimizer, tolerance, visitor);
+  }
+
+  // in `double`, unless nothing can be known about the minimum there; measured with all digits
   template <typename Minimizer, typename Visitor>
   void minimize_rounded(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
@@ -151,20 +168,24 @@ private:
       run(energy, minimizer, visitor);
       m_precise = std::vector<double>();
     }
-    if(m_problem.has_precise_lengths())
-      measure_precisely();
+    if(!m_problem.has_precise_lengths())
+      return;
+    const auto precise = energy_at_start<Extended>(m_problem.triangulation());
+    note_values(precise);
+    m_result.gradient_error = (std::max)(m_max_curvature_error, precise.gradient_error());
+    store(precise.scale_factors());
   }
 
   template <typename Minimizer, typename Visitor>
   void minimize_with_bends_or_beyond_range(const Minimizer& minimizer, double& tolerance,
                                            Visitor& visitor)
   {
-    if(may_be_bent(tolerance)) {
-      m_problem.bend_straight_boundaries();
-      tolerance = tolerance::promised_angle;
+    if(std::isfinite(m_max_curvature_error) && bends(tolerance))
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    }
-    if(is_out_of_range(tolerance))
+    if(is_within(tolerance) || !is_beyond_range())
+      return;
+    minimize_beyond_range(minimizer, tolerance, visitor);
+    if(bends(tolerance))
       minimize_beyond_range(minimizer, tolerance, visitor);
   }
 
@@ -210,7 +231,7 @@ private:
   template <typename FT, typename Visitor>
   void approach(Energy<FT>& energy, double norm, Visitor& visitor) const
   {
-    for(double before = 1; norm > rounding_of_gradient<FT>() && norm < before / 10;) {
+    for(double before = 1; norm > tolerance::rounding_of_gradient<FT>() && norm < before / 10;) {
       energy.move_origin();
       Vector x = Vector::Zero(m_u.size());
       before = norm;
@@ -247,20 +268,11 @@ private:
     note_values(energy);
     const Map_status status = m_status;
     if(can_descend<FT>())
-      descend(energy, rounding_of_gradient<FT>(), visitor);
+      descend(energy, tolerance::rounding_of_gradient<FT>(), visitor);
     else
       approach(energy, m_max_curvature_error, visitor);
     note_values(energy);
     m_status = status; // the curvatures have been good enough before
-    store(energy.scale_factors());
-  }
-
-  // Computes what is left of the curvatures with all digits of the lengths.
-  void measure_precisely()
-  {
-    const auto energy = energy_at_start<Extended>(m_problem.triangulation());
-    note_values(energy);
-    m_result.gradient_error = (std::max)(m_max_curvature_error, energy.gradient_error());
     store(energy.scale_factors());
   }
 
@@ -280,20 +292,24 @@ private:
     store(energy.scale_factors());
   }
 
-  // Whether a boundary may have too small sides for straight angles in extended precision.
-  bool may_be_bent(double tolerance) const
+  // Bends straight boundaries if they may have too small sides for straight angles in extended
+  // precision. Returns whether it has.
+  bool bends(double& tolerance)
   {
-    return m_problem.flipping() == Flipping::to_Delaunay && m_problem.bend() == 0 &&
-           !m_problem.has_precise_lengths() && m_status == Map_status::not_converged &&
-           m_result.status != Minimization_status::unbounded &&
-           m_result.status != Minimization_status::iteration_limit && !is_within(tolerance);
+    if(m_problem.flipping() == Flipping::none || m_problem.bend() > 0 ||
+       m_problem.has_precise_lengths() || m_status != Map_status::not_converged ||
+       m_result.status == Minimization_status::unbounded ||
+       m_result.status == Minimization_status::iteration_limit || is_within(tolerance))
+      return false;
+    m_problem.bend_straight_boundaries();
+    tolerance = tolerance::promised_angle;
+    return true;
   }
 
   // Where scale factors differ so much, lengths on the way may be beyond the range of `double`.
-  bool is_out_of_range(double tolerance) const
+  bool is_beyond_range() const
   {
-    return m_problem.flipping() == Flipping::to_Delaunay && !is_within(tolerance) &&
-           !is_more_extended() && m_u.size() > 0 &&
+    return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() && m_u.size() > 0 &&
            m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
   }
 
@@ -304,24 +320,16 @@ private:
     auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
     run(energy, minimizer, visitor);
     minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
-    shift_to_zero();
+    auto& u = std::get<std::vector<Extended>>(m_precise);
+    shift_to_zero(m_problem, u);
+    note_rounded(u);
   }
 
-  // Where nothing is prescribed, makes the greatest scale factor of a component zero, so that no
-  // scaled length is too great for `double`.
-  void shift_to_zero()
+  template <typename FT>
+  void note_rounded(const std::vector<FT>& u)
   {
-    const auto& component = m_problem.components();
-    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    auto& extended = std::get<std::vector<Extended>>(m_precise);
-    std::vector<double> greatest(fixed.size(), -std::numeric_limits<double>::infinity());
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      greatest[component[v]] = (std::max)(greatest[component[v]], m_u[Eigen::Index(v)]);
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(const std::size_t c = component[v]; fixed[c] == 0) {
-        extended[v] -= greatest[c];
-        m_u[Eigen::Index(v)] = static_cast<double>(extended[v]);
-      }
+    for(std::size_t v = 0; v < u.size(); ++v)
+      m_u[Eigen::Index(v)] = static_cast<double>(u[v]);
   }
 
   // Keeps scale factors with the digits that they have.
@@ -368,14 +376,6 @@ private:
     m_status = last.status == Minimization_status::converged ? Map_status::success
                                                              : Map_status::not_converged;
     note_values(energy);
-  }
-
-  // what is left of a gradient by the rounding of a number type
-  template <typename FT>
-  static double rounding_of_gradient()
-  {
-    return tolerance::roundings_of_gradient *
-           static_cast<double>(std::numeric_limits<FT>::epsilon());
   }
 
   template <typename FT, typename Minimizer, typename Visitor>

@@ -10,8 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Fixed_point_acceleration.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Round_disk.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/half_arcs_of_hemisphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
 
@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -105,24 +106,11 @@ public:
   template <typename Flattening, typename Find>
   void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
-    bool has_started_again = false;
-    std::size_t wide_rounds = 0;
-    for(std::size_t i = 0; i < m_rounds; ++i) {
-      find();
-      if(!flattening.has_succeeded())
-        return;
-      m_change =
-        update(flat_boundary_lengths(problem, flattening.log_scales(), flattening.is_wide()));
-      if(m_change <= tolerance::circle_angle ||
-         (flattening.is_wide() && ++wide_rounds == greatest_number_of_wide_rounds))
-        return;
-      if(!has_started_again && (i + 1 == usual_rounds || is_far_off(flattening.minimization()))) {
-        has_started_again = true;
-        start_from_hemisphere(problem, flattening.visitor());
-      }
-      if(i + 1 < m_rounds) // otherwise the angles stay those of the map
-        prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
-    }
+    if(is_crowded_polygon(problem) && take_polygon(problem, flattening))
+      return;
+    repeat(problem, flattening, find);
+    if(!(flattening.has_succeeded() && m_change <= tolerance::circle_angle) && is_polygon(problem))
+      take_polygon(problem, flattening);
   }
 
   // Angles have changed by little in the end, and vertices have the same distance from the center
@@ -144,6 +132,8 @@ public:
   }
 
 private:
+  static constexpr double pi() { return boost::math::constants::pi<double>(); }
+
   struct Side
   {
     Vertex_index source;
@@ -155,29 +145,152 @@ private:
   static constexpr std::size_t usual_rounds = 20;
   // Beyond the range of `double`, rounds take long, and only the angles of the hemisphere are close
   // enough to those of the circle.
-  static constexpr std::size_t greatest_number_of_wide_rounds = 4;
+  static constexpr std::size_t greatest_number_of_wide_rounds = 10;
+
+  // Beyond this range of scale factors, faces lose their shape in the picture.
+  static constexpr double usual_range = 18;
 
   // Where the first angles are as far from those of the surface, the next ones are far off, too.
   static bool is_far_off(const Minimization_result& first) { return first.iterations > 16; }
 
-  // Takes the angles of the map of the disk to a hemisphere, of which this one is the stereographic
-  // projection unless edges of T^C cross the boundary: then the angles are close to these.
-  template <typename Visitor>
-  void start_from_hemisphere(Doubled_problem& problem, Visitor& visitor)
+  template <typename FT>
+  static double range(const std::vector<FT>& log_scale)
   {
-    if(m_circles.size() != 1 ||
-       problem.topology()[m_components[m_circles[0][0].source.idx()]].genus > 0)
-      return;
-    std::vector<Vertex_index> boundary;
+    const auto [least, greatest] = std::minmax_element(log_scale.begin(), log_scale.end());
+    return static_cast<double>(*greatest - *least);
+  }
+
+  bool is_disk(const Doubled_problem& problem) const
+  {
+    return m_circles.size() == 1 &&
+           problem.topology()[m_components[m_circles[0][0].source.idx()]].genus == 0;
+  }
+  // whether nothing but a flat metric is prescribed inside
+  static bool is_flat(const Doubled_problem& problem)
+  {
+    const Vector target = problem.target_defect();
+    for(Vertex_index v : problem.surface().vertices())
+      if(!problem.is_isolated(v) && !problem.is_on_boundary(v) &&
+         (problem.is_fixed()[v.idx()] || target[Eigen::Index(v.idx())] != 0))
+        return false;
+    return problem.flipping() == Flipping::to_Delaunay;
+  }
+  bool is_polygon(const Doubled_problem& problem) const
+  {
+    return is_disk(problem) && is_flat(problem) && !has_vertices_inside(problem);
+  }
+
+  // Few digits suffice for others.
+  bool is_crowded_polygon(Doubled_problem& problem) const
+  {
+    if(!is_polygon(problem))
+      return false;
+    const auto polygon = round_polygon<Extended>(problem, sources());
+    return !polygon || range(polygon->log_scale) > usual_range;
+  }
+
+  // the vertices of the only circle
+  std::vector<Vertex_index> sources() const
+  {
+    std::vector<Vertex_index> result;
     for(const Side& side : m_circles[0])
-      boundary.push_back(side.source);
-    if(const auto arcs = half_arcs_of_hemisphere(problem, boundary, visitor)) {
-      const std::vector<double> angle = angles_between(*arcs);
-      if(*std::max_element(angle.begin(), angle.end()) < boost::math::constants::pi<double>()) {
-        m_angle = closed(Eigen::Map<const Vector>(angle.data(), m_angle.size()));
-        m_acceleration = Fixed_point_acceleration();
+      result.push_back(side.source);
+    return result;
+  }
+
+  // Takes the scale factors of an inscribed polygon, if it has its exterior angles with rounded
+  // lengths, or else with those of the exact surface.
+  template <typename Flattening>
+  bool take_polygon(Doubled_problem& problem, Flattening& flattening)
+  {
+    const Vector angle_before = m_angle;
+    if(is_polygon_taken(problem, flattening) ||
+       (problem.make_precise() && is_polygon_taken(problem, flattening)))
+      return true;
+    m_angle = angle_before;
+    prescribe(problem);
+    return false;
+  }
+  template <typename Flattening>
+  bool is_polygon_taken(Doubled_problem& problem, Flattening& flattening)
+  {
+    problem.straighten_boundaries();
+    const auto polygon = round_polygon<Long_number>(problem, sources());
+    if(!polygon || !take_angles(*polygon))
+      return false;
+    prescribe(problem);
+    const auto error = exterior_angle_error(problem, *polygon);
+    if(!error || !(*error <= tolerance::promised_angle))
+      return false;
+    m_change = (angles([&](Edge_index e) { return polygon->side_length[e.idx()]; }) - m_angle)
+                 .template lpNorm<Eigen::Infinity>();
+    flattening.take(polygon->log_scale, polygon->flips);
+    return true;
+  }
+
+  void prescribe(Doubled_problem& problem) const
+  {
+    prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
+  }
+
+  // Takes the angles of a disk, if they are less than a half turn.
+  bool take_angles(const Round_disk& disk)
+  {
+    const std::vector<double> angle = angles_between(disk.half_arc);
+    if(*std::max_element(angle.begin(), angle.end()) >= pi())
+      return false;
+    m_angle = closed(Eigen::Map<const Vector>(angle.data(), m_angle.size()));
+    m_acceleration = Fixed_point_acceleration();
+    return true;
+  }
+
+  template <typename Flattening, typename Find>
+  void repeat(Doubled_problem& problem, Flattening& flattening, const Find& find)
+  {
+    bool has_started_again = false;
+    std::size_t wide_rounds = 0;
+    for(std::size_t i = 0; i < m_rounds; ++i) {
+      find();
+      if(flattening.has_succeeded()) {
+        m_change =
+          update(flat_boundary_lengths(problem, flattening.log_scales(), flattening.is_wide()));
+        if(m_change <= tolerance::circle_angle || !std::isfinite(m_change) ||
+           (flattening.is_wide() && ++wide_rounds == greatest_number_of_wide_rounds))
+          return;
+      } else if(has_started_again)
+        return;
+      if(!has_started_again && (!flattening.has_succeeded() || i + 1 == usual_rounds ||
+                                is_far_off(flattening.minimization()))) {
+        has_started_again = true;
+        if(!start_from_hemisphere(problem, flattening) && !flattening.has_succeeded())
+          return;
       }
+      if(i + 1 < m_rounds) // otherwise the angles stay those of the map
+        prescribe(problem);
     }
+  }
+
+  // Takes the angles of the map of the disk to a hemisphere, of which this one is the stereographic
+  // projection unless edges of T^C cross the boundary: then the angles are close to these. If scale
+  // factors are far from zero, they are taken, too. Returns whether there is such a map.
+  template <typename Flattening>
+  bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
+  {
+    if(!is_disk(problem) || !(flattening.has_succeeded() || is_flat(problem)))
+      return false;
+    const std::optional<Round_disk> disk =
+      has_vertices_inside(problem) ? round_hemisphere(problem, sources(), flattening.visitor())
+                                   : round_polygon<Extended>(problem, sources());
+    if(!disk || !take_angles(*disk))
+      return false;
+    if(flattening.has_succeeded() && (!is_flat(problem) || range(disk->log_scale) <= usual_range))
+      return true;
+    std::vector<double> log_scale;
+    for(const More_extended& u : disk->log_scale)
+      log_scale.push_back(static_cast<double>(u));
+    problem.straighten_boundaries();
+    flattening.start_from(log_scale);
+    return true;
   }
 
   // Moves the angles towards those of circles with the lengths of the image, and returns the
@@ -185,10 +298,12 @@ private:
   double update(const std::vector<double>& length)
   {
     const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
+    if(!image.allFinite())
+      return std::numeric_limits<double>::infinity();
     const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
     const Vector next = closed(m_acceleration.next(m_angle, image));
     // pi and above are too great for a boundary
-    m_angle = (next.array() < boost::math::constants::pi<double>()).all() ? next : image;
+    m_angle = (next.array() < pi()).all() ? next : image;
     return change;
   }
 

@@ -123,11 +123,11 @@ private:
 
   double scaled_length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
-  // A cross ratio has the errors of four lengths.
+  // A cross ratio has the errors of four lengths. A length of zero is one out of range.
   bool has_changed_by_rounding(Halfedge_index h) const
   {
     const double length = scaled_length(h), error = std::abs(length_of(h) - length);
-    return error > tolerance::promised_length / 8 * length && error <= m_rounding;
+    return (length == 0 || error > tolerance::promised_length / 8 * length) && error <= m_rounding;
   }
 
   // The greatest coordinate. Charts have been moved: positions that are small now have the rounding

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FREE_SHAPE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FREE_SHAPE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The boundary of a surface that has no prescribed shape.
+struct Free_shape
+{
+  // Calls `find()`, which finds the scale factors, until the problem is what it should be.
+  template <typename Flattening, typename Find>
+  void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)
+  {
+    find();
+  }
+
+  // What else is promised about a map, by components whose charts are whole.
+  std::vector<Map_promise> promises(const Planar_conformal_map& /* map */,
+                                    const std::vector<char>& /* is_whole */) const
+  {
+    return {};
+  }
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FREE_SHAPE_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_ROUND_DISK_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_ROUND_DISK_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The image of a hemisphere in the plane of its equator, which is the unit circle: the
+// stereographic projection from the pole of the other hemisphere.
+struct Round_disk
+{
+  // half of the angles under which the center sees the sides of the boundary
+  std::vector<double> half_arc;
+  // of lengths in the plane, at the vertices of the surface
+  std::vector<More_extended> log_scale;
+};
+
+// Such a disk without vertices inside. Its corners are on one circle, so that a flip of edges
+// changes nothing: all that a map to a disk needs is known.
+struct Round_polygon : Round_disk
+{
+  std::vector<Halfedge_index> flips; // from T^B to T^C
+  std::vector<double> side_length;   // in the plane, of each edge on the boundary of the surface
+};
+
+// Returns half of the angles under which the center of the unit disk, the image of the half plane,
+// sees the sides of its boundary, from each vertex of `boundary` to the next; nothing if these do
+// not sum up to half a turn, or are negative. Sides that are too short for their positions have the
+// angle zero.
+inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layout,
+                                                    const std::vector<Vertex_index>& boundary)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const auto at = [&](std::size_t i) {
+    return layout.in_plane[boundary[i % boundary.size()].idx()][0];
+  };
+  const auto is_infinite = [&](std::size_t i) {
+    return boundary[i % boundary.size()] == layout.at_infinity;
+  };
+  for(const int sign : {1, -1}) { // of the direction in which the boundary runs along the line
+    std::vector<double> result;
+    for(std::size_t i = 0; i < boundary.size(); ++i) {
+      const Extended x = sign * at(i), y = sign * at(i + 1);
+      const Extended sine = is_infinite(i) || is_infinite(i + 1) ? Extended(1) : y - x,
+                     cosine = is_infinite(i)       ? -y
+                              : is_infinite(i + 1) ? x
+                                                   : 1 + x * y;
+      result.push_back(std::atan2(static_cast<double>(sine), static_cast<double>(cosine)));
+    }
+    // against the direction of the boundary, angles between finite vertices are negative
+    if(*std::min_element(result.begin(), result.end()) >= 0 &&
+       std::abs(std::accumulate(result.begin(), result.end(), -pi)) < 1e-6)
+      return result;
+  }
+  return std::nullopt;
+}
+
+// Returns the logarithmic scale factors of the image of a half plane in the unit disk. Those of the
+// hemisphere are `on_sphere`; the factor of the projection is one on the equator.
+inline std::vector<More_extended> log_scales_in_disk(const Spherical_layout& half_plane,
+                                                     const std::vector<double>& on_sphere)
+{
+  std::vector<More_extended> result(on_sphere.begin(), on_sphere.end());
+  for(std::size_t v = 0; v < result.size(); ++v) {
+    const Extended x = half_plane.in_plane[v][0], height = half_plane.in_plane[v][1],
+                   y = height < 0 ? -height : height;
+    const Extended from_origin = 1 + x * x + y * y;
+    if(v != half_plane.at_infinity.idx())
+      result[v] += std::log(static_cast<double>(from_origin / (from_origin + 2 * y)));
+  }
+  return result;
+}
+
+// Calls `find()`; a numerical error means that there is nothing.
+template <typename Find>
+auto unless_numbers_fail(const Find& find) -> decltype(find())
+{
+  try {
+    return find();
+  } catch(const Intrinsic_triangulations::Numerical_error&) {
+    return std::nullopt;
+  }
+}
+
+// Maps a disk without vertices inside to an inscribed polygon, in numbers of type `FT`; returns
+// nothing if they have too few digits.
+template <typename FT>
+std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
+                                           const std::vector<Vertex_index>& boundary)
+{
+  return unless_numbers_fail([&]() -> std::optional<Round_polygon> {
+    const std::vector<double> area = vertex_areas(problem);
+    Default_flattening_visitor silent;
+    const Inscribed_polygon<FT> polygon(problem, area, vertices_at_infinity(problem, area).front(),
+                                        silent);
+    if(!polygon.result().is_good(tolerance::cross_ratio))
+      return std::nullopt;
+    auto arcs = half_arcs(polygon.result().layout, boundary);
+    if(!arcs)
+      return std::nullopt;
+    return Round_polygon{{std::move(*arcs), polygon.log_scales_in_disk()},
+                         polygon.result().flips,
+                         polygon.side_lengths_in_disk()};
+  });
+}
+
+// Returns the greatest error of an exterior angle of a polygon, against those that are prescribed,
+// on both sides of the double. Lengths that rounding has changed differ on both, by much if there
+// are needles.
+inline std::optional<double> exterior_angle_error(const Doubled_problem& problem,
+                                                  const Round_polygon& polygon)
+{
+  return unless_numbers_fail([&]() -> std::optional<double> {
+    const Doubled_problem::Triangulation& t = problem.triangulation();
+    Ptolemy_surface<More_extended> surface(t.mesh(), problem.lengths<More_extended>(t));
+    surface.replay(polygon.flips);
+    const Delta_complex& mesh = surface.mesh();
+    const auto u = [&](Edge_index e, unsigned int end) {
+      return polygon.log_scale[problem.original(mesh.vertex(e, end)).idx()];
+    };
+    std::vector<More_extended> length;
+    for(Edge_index e : mesh.edges())
+      length.push_back(
+        scaled_length(surface.length(e), length_factor(More_extended(u(e, 0) + u(e, 1)))));
+    return defect_errors<Flat_triangle<More_extended>>(problem, mesh, length).greatest();
+  });
+}
+
+// Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing if
+// there is no such map.
+// \pre the surface is a disk; `boundary` are the vertices of its boundary in cyclic order
+template <typename Visitor>
+std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,
+                                           const std::vector<Vertex_index>& boundary,
+                                           Visitor& visitor)
+{
+  return unless_numbers_fail([&]() -> std::optional<Round_disk> {
+    const std::vector<double> area = vertex_areas(problem);
+    const Unfolded_sphere half_plane =
+      Sphere_unfolding(problem, area, vertices_at_infinity(problem, area).front()).run(visitor);
+    if(!half_plane.layout.exists)
+      return std::nullopt;
+    auto arcs = half_arcs(half_plane.layout, boundary);
+    if(!arcs)
+      return std::nullopt;
+    return Round_disk{std::move(*arcs),
+                      log_scales_in_disk(half_plane.layout, half_plane.log_scale)};
+  });
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_ROUND_DISK_H
