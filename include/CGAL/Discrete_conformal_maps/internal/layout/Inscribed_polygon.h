@@ -80,8 +80,8 @@ public:
 
   const Unfolded_sphere& result() const { return m_result; }
 
-  // Returns the logarithmic scale factors in the unit disk. A chord c from infinity and a place x on
-  // the line, of which the unit is `m_scale`, have the factor 2 / (m_scale c^2 (1 + x^2)).
+  // Returns the logarithmic scale factors in the unit disk. A vertex with a chord c from infinity,
+  // at x on the line, of which the unit is `m_scale`, has the factor 2 / (m_scale c^2 (1 + x^2)).
   std::vector<More_extended> log_scales_in_disk() const
   {
     const More_extended unit = converted<More_extended>(m_scale);

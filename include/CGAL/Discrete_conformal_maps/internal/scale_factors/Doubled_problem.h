@@ -112,8 +112,8 @@ public:
   // whether the lengths of T^B are those on the exact surface, with more digits than `double` has
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
-  // Makes T^B by exact decisions, and computes its lengths on the exact surface, from now on. Returns
-  // whether there are such lengths, where there were none.
+  // Makes T^B by exact decisions, and computes its lengths on the exact surface, from now on.
+  // Returns whether there are such lengths, where there were none.
   bool make_precise()
   {
     if(m_has_exact_flips || m_flipping == Flipping::none)
