@@ -4,11 +4,10 @@
 
 // Maps whose scale factors, or pictures, are beyond the range of `double`.
 
-#include "flat_maps.h"
+#include "planar_cells.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
-#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
 #include "../Intrinsic_triangulations/generators.h"
@@ -158,6 +157,86 @@ TEST(Crowding, limbs)
     EXPECT_LE(map.max_curvature_error(), 1e-10);
     EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8);
     check_crowded_faces(map, mesh);
+  }
+}
+
+// ---- Disks ----
+
+// Whether a disk is a success with a bounded number of steps.
+void check_disk(const Planar_conformal_map& map, const Mesh& mesh)
+{
+  ASSERT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+  EXPECT_LE(map.max_curvature_error(), 1e-10);
+  EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8);
+  EXPECT_LE(map.minimization().iterations, 200u);
+  for(Mesh::Vertex_index v : mesh.vertices())
+    EXPECT_TRUE(std::isfinite(map.log_scale(Vertex_index(v.idx())))) << v;
+}
+
+// The equator of the sphere above is the boundary of the disk: lengths are those on the sphere, up
+// to a factor.
+void check_strip_in_disk(std::size_t n)
+{
+  const Mesh mesh = strip(n);
+  const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+  check_disk(map, mesh);
+  const double log_q = std::log(3 + 2 * std::sqrt(2.));
+  const auto difference = [&](Mesh::Vertex_index v) {
+    const double k = std::abs(mesh.point(v).x() - double(n) / 2);
+    return map.log_scale(Vertex_index(v.idx())) + k * log_q + std::log1p(std::exp(-2 * k * log_q));
+  };
+  for(Mesh::Vertex_index v : mesh.vertices())
+    EXPECT_NEAR(difference(v), difference(*mesh.vertices().begin()), 1e-9 * double(n)) << v;
+  EXPECT_FALSE(map.crowded_faces().empty());
+}
+
+TEST(Crowding, strips_in_disks)
+{
+  for(const std::size_t n : traced({60u, 300u, 1000u}))
+    check_strip_in_disk(n);
+}
+
+// Cells of a comb: `teeth` corridors of this length, a cell apart.
+std::set<Cell> comb(int teeth, int length)
+{
+  std::set<Cell> result;
+  for(int i = 0; i < 2 * teeth - 1; ++i)
+    for(int j = 0; j < (i % 2 == 0 ? length : 1); ++j)
+      result.insert({i, j});
+  return result;
+}
+
+// Cells of a corridor that turns at random, and never meets itself.
+std::set<Cell> staircase(std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::set<Cell> result{{0, 0}};
+  for(Cell cell{0, 0}; result.size() < n; result.insert(cell))
+    ++(random.get_bool() ? cell.first : cell.second);
+  return result;
+}
+
+TEST(Crowding, combs_and_staircases_in_disks)
+{
+  for(const unsigned int seed : traced({1u, 2u, 3u}))
+    for(const std::set<Cell>& cells :
+        {comb(int(2 * seed), 50 - int(10 * seed)), staircase(100 * seed, seed)}) {
+      const Mesh mesh = Planar_cells(cells, 1, seed).mesh;
+      const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+      check_disk(map, mesh);
+      EXPECT_FALSE(map.crowded_faces().empty());
+    }
+}
+
+TEST(Crowding, saw_teeth_in_disks)
+{
+  for(const unsigned int seed : traced({1u, 2u, 3u})) {
+    CGAL::Random random(seed);
+    const double width = std::pow(10, random.get_double(-2, 0)), high = random.get_double(0.1, 2);
+    const Mesh mesh = grid(100 * seed, 1, [&](double x, double y) {
+      return Point(width * x, y * (0.3 + high * double(int(x) % 2)), 0);
+    });
+    check_disk(DCM::flatten_to_disk(mesh), mesh);
   }
 }
 

@@ -56,7 +56,7 @@ public:
       // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
       m_cotangent[s] = product / (area > least ? area : least);
     }
-    // A relative error e of the sides moves an angle by 2 e times the sum of the cotangents or less.
+    // A relative error e of sides moves an angle by 2 e times the sum of the cotangents or less.
     m_error = 8 * std::numeric_limits<FT>::epsilon() * squares / (area > least ? area : least);
     // It moves a cosine by at most 2 e times that of the squares of the sides by the product of the
     // two at the corner, and an angle near zero or pi by no more than the root of twice that.
