@@ -26,8 +26,9 @@ namespace CGAL::Discrete_conformal_maps {
 /// before, until they change by at most \f$10^{-10}\f$; Anderson's method accelerates this. The
 /// `minimization()` of the result is the last one. Where no edge of \f$T^B\f$ and \f$T^C\f$ crosses
 /// the boundary, the image of a disk without cones is, up to a Moebius transformation, that of
-/// `map_to_sphere()` in the plane, which takes one minimization. This function also allows several
-/// components, and handles if there are cones.
+/// `map_to_sphere()` in the plane, which takes one minimization. Where scale factors are far apart,
+/// the search starts from that map; a disk without vertices inside needs no search then. This
+/// function also allows several components, and handles if there are cones.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
