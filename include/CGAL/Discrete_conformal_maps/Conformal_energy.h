@@ -121,6 +121,17 @@ public:
   FT value() const;
 
 #ifndef DOXYGEN_RUNNING
+  // Returns the derivative by one variable, after some have been moved.
+  double derivative(Vertex_index v) const
+  {
+    internal::Angle_difference<FT> defect(m_target_defect[v.idx()]);
+    for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
+      const auto corner = Base::triangle({h, mesh().next(h), mesh().prev(h)}).corner(0);
+      defect.subtract(corner, internal::Angle_difference<FT>::rounded_angle(corner));
+    });
+    return defect.value();
+  }
+
   // with weights of the terms of vertices and faces
   template <typename Vertex_weight, typename Face_weight>
   FT weighted_value(const Vertex_weight& vertex_weight, const Face_weight& face_weight) const;

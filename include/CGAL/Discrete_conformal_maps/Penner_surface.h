@@ -99,6 +99,28 @@ public:
     flip_waiting(is_Delaunay);
   }
 
+#ifndef DOXYGEN_RUNNING
+  // Takes other scale factors at some vertices, and flips to the triangulation that is Delaunay with
+  // them, if the present one is with those before. Complexity: linear in the degrees of the vertices
+  // and the flips.
+  void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
+  {
+    const auto condition = m_geometry.is_locally_Delaunay_object();
+    const auto is_Delaunay = [&](Halfedge_index h) { return condition(scaled_diamond(h)); };
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      m_factor[vertices[i].idx()] = internal::length_factor(u[i]);
+    for(Vertex_index v : vertices)
+      for_each_outgoing_halfedge(v, mesh(),
+                                 [this](Halfedge_index h) { set_scaled_length(Edge_index(h)); });
+    for(Vertex_index v : vertices)
+      for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
+        for(Halfedge_index side : {h, mesh().next(h)})
+          m_stack.push_if(!is_Delaunay(side), Edge_index(side));
+      });
+    flip_waiting(is_Delaunay);
+  }
+#endif
+
   /// takes other scale factors, and leaves the triangulation.
   /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length

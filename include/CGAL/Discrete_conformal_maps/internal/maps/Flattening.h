@@ -15,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
@@ -412,26 +413,31 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
   using CGAL::parameters::get_parameter;
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
-  Doubled_problem problem(
-    std::move(input), conditions,
-    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
-    choose_parameter(get_parameter(np, internal_np::exact_decisions), false) ? Exactness::decisions
-                                                                             : Exactness::none);
-  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-  Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
-  flattening.start_from(log_scale);
-  flattening.attempt([&] {
-    shape.solve(problem, flattening, [&] {
-      flattening.find_scale_factors(
-        choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
-        bound_without_cones(is_free, np));
+  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                        Exactness exactness) {
+    Shape own_shape = shape;
+    Doubled_problem problem(
+      std::move(surface), conditions,
+      choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay), exactness);
+    problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
+    Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
+    flattening.start_from(log_scale);
+    flattening.attempt([&] {
+      own_shape.solve(problem, flattening, [&] {
+        flattening.find_scale_factors(
+          choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
+          bound_without_cones(is_free, np));
+      });
     });
-  });
-  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
-                                                      internal_np::layout_t>::value)
-    return flattening.finish(Least_squares_layout(), shape);
-  else
-    return flattening.finish(Named_layout{get_parameter(np, internal_np::layout)}, shape);
+    if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
+                                                        internal_np::layout_t>::value)
+      return flattening.finish(Least_squares_layout(), own_shape);
+    else
+      return flattening.finish(Named_layout{get_parameter(np, internal_np::layout)}, own_shape);
+  };
+  if(choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
+    return find(std::move(input), Exactness::decisions);
+  return with_digits_as_needed(std::move(input), find);
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -11,6 +11,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
 
 #include <Eigen/Core>
 
@@ -25,9 +27,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Newton's method for an energy whose Hessian is a Laplacian, with steps in the digits of the
 // energy. Scale factors of vertices much closer to each other than to others are nearly equal: a
 // step in `double` that all of them take would change their differences by more than their
-// distances allow. What a step gains there is no part of the slope along it that rounding leaves,
-// but entries of the gradient are angles whatever the distances are: their squares decide how long
-// a step is, so that the gradient falls everywhere.
+// distances allow.
+//
+// A step that changes these differences by a few times what distances allow leaves angles of zero
+// or pi, which do not change any more until the scale factors have gone back exactly to where they
+// came from. So steps stay close to the path on which all entries of the gradient shrink in
+// proportion, from those of the start to zero: angles on it are between those of the start and
+// those that are prescribed.
 template <typename Energy>
 class Precise_newton_iteration
 {
@@ -38,19 +44,26 @@ public:
   Precise_newton_iteration(Energy& energy, const Minimization_domain& domain)
     : m_energy(energy),
       m_variables(domain, energy.size()),
+      m_is_fixed(energy.size(), 1),
       m_solver(m_variables.indices(), energy.shared_order())
   {
+    for(Eigen::Index v : m_variables.indices())
+      m_is_fixed[std::size_t(v)] = 0;
     move_to(energy.scale_factors());
+    if(m_gradient.allFinite())
+      m_groups = Variable_groups(energy.Hessian(), m_is_fixed).groups();
   }
 
   // Takes steps until no entry of the gradient is above `tolerance`, or above its rounding error.
   template <typename Visitor>
   Minimization_result run(double tolerance, std::size_t maximum_number_of_steps, Visitor& visitor)
   {
+    start_path();
     Minimization_status status = Minimization_status::converged;
     while(m_norm > (std::max)(tolerance, m_energy.gradient_error()) &&
           status == Minimization_status::converged)
-      if(m_result.iterations == maximum_number_of_steps)
+      if(m_result.iterations == maximum_number_of_steps ||
+         m_energy.number_of_flips() > tolerance::flips_with_more_digits)
         status = Minimization_status::iteration_limit;
       else {
         status = step();
@@ -63,7 +76,17 @@ public:
   }
 
 private:
-  static constexpr double greatest_entry = 10; // of a step that is not damped
+  // The distance from the path, in parts of the greatest entry of the gradient there.
+  static constexpr double greatest_distance = 0.01;
+  static constexpr int number_of_corrections = 4;
+  // of the path, in one step
+  static constexpr double least_part = 1e-7;
+
+  void start_path()
+  {
+    m_start = m_gradient;
+    m_position = 1;
+  }
 
   void move_to(const std::vector<FT>& u)
   {
@@ -74,60 +97,143 @@ private:
     m_variables.set_fixed_to_zero(m_gradient);
     m_norm =
       m_gradient.allFinite() ? max_norm(m_gradient) : std::numeric_limits<double>::infinity();
+    m_removed = m_gradient;
     m_variables.remove_means(m_gradient);
+    m_removed -= m_gradient;
   }
 
-  // A step is good if it takes from the gradient a quarter of what a quadratic function would lose.
+  // Goes to a point of the path that is closer to its end. The point may be the further away the
+  // better the step before has been.
   Minimization_status step()
   {
-    if(!find_direction())
+    if(!factorize())
       return Minimization_status::not_finite;
     const std::vector<FT> base = m_energy.scale_factors();
-    const double norm = m_gradient.norm();
-    double t = 1;
-    for(int trial = 0; trial < 40; ++trial, t /= 2) {
-      std::vector<FT> u = base;
-      for(std::size_t v = 0; v < u.size(); ++v)
-        u[v] += FT(t) * m_direction[v];
-      move_to(u);
-      if(m_gradient.norm() <= (1 - t / 4) * norm) // not if it is NaN
+    const Vector gradient = m_gradient;
+    const auto to_start = m_elimination.solve(m_start), to_minimum = m_elimination.solve(-gradient);
+    m_part = (std::min)(2 * m_part, 1.);
+    for(; m_part > least_part; m_part /= 2) {
+      const double position = m_part < 1 ? (1 - m_part) * m_position : 0;
+      std::vector<FT> direction = to_minimum;
+      for(std::size_t v = 0; v < direction.size(); ++v)
+        direction[v] += FT(position) * to_start[v];
+      move(base, direction);
+      m_length = length(direction);
+      if(has_reached(position)) {
+        m_position = position;
+        if(position == 0)
+          start_path();
         return Minimization_status::converged;
+      }
     }
     move_to(base);
     return Minimization_status::rounding_limit;
   }
 
-  bool find_direction()
+  // Corrects the distance from a point of the path. Returns whether it is small now; not if it is
+  // NaN.
+  bool has_reached(double position)
   {
-    const auto& hessian = m_energy.Hessian();
-    if(!m_gradient.allFinite() || !hessian.coeffs().allFinite())
-      return false;
-    const Vector ground = grounding(hessian, m_variables);
-    return solve(ground) && (m_length <= greatest_entry ||
-                             solve(ground + damping(hessian, m_gradient, greatest_entry, 0)));
+    const double limit =
+      greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start);
+    double before = 8 * limit; // a step that is good needs no more than a correction
+    for(int i = 0; i <= number_of_corrections; ++i) {
+      double now = max_norm(m_gradient - position * m_start);
+      if(now > limit && !(now <= before / 2)) {
+        relax(position, limit);
+        now = max_norm(m_gradient - position * m_start);
+      }
+      if(now <= limit)
+        return true;
+      before = now;
+      if(i < number_of_corrections) {
+        if(!factorize())
+          return false;
+        move(m_energy.scale_factors(), m_elimination.solve(position * m_start - m_gradient));
+      }
+    }
+    return false;
   }
 
-  bool solve(const Vector& ground)
+  // Moves groups of variables as one, and then their parts, until the entries of the gradient are
+  // those on the path. How a group moves hardly depends on differences within it.
+  void relax(double position, double limit)
+  {
+    if(!m_gradient.allFinite())
+      return;
+    const Vector wanted = position * m_start + m_removed;
+    std::vector<FT> u = m_energy.scale_factors();
+    for(const auto& group : m_groups)
+      relax(group, wanted, limit / 4, u);
+    move_to(u);
+  }
+
+  void relax(const std::vector<std::size_t>& group, const Vector& all_wanted, double limit,
+             std::vector<FT>& u)
+  {
+    double wanted = 0;
+    for(std::size_t v : group)
+      wanted += all_wanted[Eigen::Index(v)];
+    std::vector<FT> values(group.size());
+    const auto error = [&](const FT& x) {
+      for(std::size_t i = 0; i < group.size(); ++i)
+        values[i] = u[group[i]] + x;
+      return m_energy.derivative_at(group, values) - wanted;
+    };
+    const FT x = root_of_increasing<FT>(error, outer_weight(group), limit);
+    for(std::size_t v : group)
+      u[v] += x;
+  }
+
+  // Returns the sum of the weights between a group and other variables.
+  double outer_weight(std::vector<std::size_t> group) const
+  {
+    std::sort(group.begin(), group.end());
+    double result = 0;
+    const auto& hessian = m_energy.Hessian();
+    for(std::size_t v : group)
+      for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, Eigen::Index(v)); i; ++i)
+        if(!std::binary_search(group.begin(), group.end(), std::size_t(i.row())))
+          result -= i.value();
+    return result > 0 ? result : 1;
+  }
+
+  bool factorize()
   {
     const auto& hessian = m_energy.Hessian();
     ++m_result.factorizations;
-    if(!m_elimination.factorize(hessian, ground, m_solver.order(hessian)))
-      return false;
-    m_direction = m_elimination.solve(-m_gradient);
-    m_length = 0;
-    for(const FT& x : m_direction)
-      m_length = (std::max)(m_length, std::abs(static_cast<double>(x)));
-    return true;
+    return m_gradient.allFinite() && hessian.coeffs().allFinite() &&
+           m_elimination.factorize(hessian, grounding(hessian, m_variables),
+                                   m_solver.order(hessian));
+  }
+
+  void move(std::vector<FT> u, const std::vector<FT>& direction)
+  {
+    for(std::size_t v = 0; v < u.size(); ++v)
+      u[v] += direction[v];
+    move_to(u);
+  }
+
+  static double length(const std::vector<FT>& direction)
+  {
+    double result = 0;
+    for(const FT& x : direction)
+      result = (std::max)(result, std::abs(static_cast<double>(x)));
+    return result;
   }
 
   Energy& m_energy;
   Free_variables m_variables;
+  std::vector<char> m_is_fixed;
+  std::vector<Variable_groups::Group> m_groups; // at the start
   Newton_direction::Solver m_solver; // of which the order is used
   Laplacian_elimination<FT> m_elimination;
-  std::vector<FT> m_direction;
-  double m_length = 0;
-  Vector m_gradient; // without the part that no step can change
-  double m_norm = 0; // with it
+  double m_length = 0; // of a step
+  Vector m_gradient;   // without the part that no step can change
+  Vector m_removed;    // this part
+  double m_norm = 0;   // with it
+  Vector m_start;      // the gradient at the start of the path
+  double m_position = 1, m_part = 0.125; // the part of it that is left, and that a step takes
   Minimization_result m_result;
 };
 

@@ -109,6 +109,13 @@ public:
     entries.emplace_back(static_cast<int>(v.idx()), diagonal);
   }
 
+  // Moves some variables alone, as far as `derivative()` is concerned: until `evaluate()`, other
+  // values are those before.
+  void move_some(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
+  {
+    m_surface.scale_at(vertices, u);
+  }
+
 protected:
   // with `is_fixed` if faces may violate the triangle inequality
   Angle_energy(Surface surface, bool is_fixed)
@@ -155,7 +162,7 @@ private:
                                                                  measure(f, side);
                                                                else
                                                                  for(Halfedge_index h : side)
-                                                                   m_cotangent[h.idx()] = 0;
+                                                                   m_cotangent[h.idx()] = FT(0);
                                                              });
   }
 
@@ -168,7 +175,7 @@ private:
     for(std::size_t s = 0; s < 3; ++s) {
       m_corner[side[s].idx()] = face.corner(s);
       m_rounded_angle[side[s].idx()] = Angle_difference<FT>::rounded_angle(face.corner(s));
-      m_cotangent[side[s].idx()] = is_linear ? 0 : static_cast<double>(face.cotangent((s + 2) % 3));
+      m_cotangent[side[s].idx()] = is_linear ? FT(0) : face.cotangent((s + 2) % 3);
     }
   }
 
@@ -187,10 +194,10 @@ private:
       m_gradient_error = (std::max)(m_gradient_error, error[v.idx()]);
   }
 
-  // half the sum of the cotangents opposite to the edge
+  // Returns half the sum of the cotangents opposite to the edge, which may cancel.
   double weight(Halfedge_index h) const
   {
-    return (m_cotangent[h.idx()] + m_cotangent[opposite(h).idx()]) / 2;
+    return static_cast<double>(FT((m_cotangent[h.idx()] + m_cotangent[opposite(h).idx()]) / 2));
   }
 
   bool m_is_fixed;
@@ -199,7 +206,7 @@ private:
   std::vector<FT> m_scale_factor, m_origin;
   std::vector<Corner<FT>> m_corner; // at the source of each halfedge
   std::vector<double> m_rounded_angle;
-  std::vector<double> m_cotangent; // of the angle opposite to each halfedge
+  std::vector<FT> m_cotangent; // of the angle opposite to each halfedge
   std::vector<double> m_error;     // of an angle of each face
   std::vector<char> m_is_flat;
   Vector m_gradient;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -41,8 +42,15 @@ public:
   // Places cones until a linear estimate of the scale factors lies within a bound.
   void place_cones(double bound)
   {
-    auto energy =
-      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+    if(m_problem.has_needles())
+      place_cones<More_extended>(bound);
+    else
+      place_cones<double>(bound);
+  }
+  template <typename FT>
+  void place_cones(double bound)
+  {
+    auto energy = symmetric_energy<FT, Flat_triangle<FT>>(m_problem, m_problem.triangulation());
     energy.evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
     Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
                              m_problem.order());
@@ -54,7 +62,8 @@ public:
       placement.add(v);
       add_cone(v);
     }
-    start_from_estimate(energy, placement.estimate());
+    if constexpr(std::is_same_v<FT, double>)
+      start_from_estimate(energy, placement.estimate());
   }
 
   // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether

@@ -162,18 +162,30 @@ private:
   void minimize_rounded(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
     auto energy = energy_at_start<double>(m_problem.triangulation());
-    if(can_descend<double>() && !(energy.gradient_error() <= tolerance))
-      m_result.gradient_error = energy.gradient_error();
-    else {
-      run(energy, minimizer, visitor);
-      m_precise = std::vector<double>();
-    }
+    if(is_unknown(energy, tolerance))
+      return;
+    run(energy, minimizer, visitor);
+    m_precise = std::vector<double>();
     if(!m_problem.has_precise_lengths())
       return;
     const auto precise = energy_at_start<Extended>(m_problem.triangulation());
     note_values(precise);
     m_result.gradient_error = (std::max)(m_max_curvature_error, precise.gradient_error());
     store(precise.scale_factors());
+  }
+
+  // Returns whether there are needles whose angles rounding of long edges hides, on the way to the
+  // minimum if not at the start, and notes that.
+  template <typename FT>
+  bool is_unknown(const Energy<FT>& energy, double tolerance)
+  {
+    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
+    const double rounding =
+      static_cast<double>(std::numeric_limits<FT>::epsilon()) * longest / shortest;
+    if(!can_descend<FT>() || (std::max)(rounding, energy.gradient_error()) <= tolerance)
+      return false;
+    m_result.gradient_error = std::numeric_limits<double>::infinity();
+    return true;
   }
 
   template <typename Minimizer, typename Visitor>
@@ -281,6 +293,8 @@ private:
   void minimize_in(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
     auto energy = energy_at_start<FT>(m_problem.triangulation());
+    if(is_unknown(energy, tolerance))
+      return;
     if(can_descend<FT>())
       return descend_from_start(energy, tolerance, visitor);
     double before = 0;

@@ -79,6 +79,31 @@ public:
   }
   void move_origin() { set_origin(scale_factors()); }
 
+  // since the energy has been made, or the copy made deeper
+  std::size_t number_of_flips() const { return m_energy->surface().number_of_flips(); }
+
+  // Moves some variables alone, and returns the sum of the derivatives by them. Until `evaluate()`,
+  // other values are those before.
+  double derivative_at(const std::vector<std::size_t>& variables, const std::vector<FT>& u)
+  {
+    if(m_next_copy.size() != m_problem.originals().size())
+      m_next_copy = m_problem.next_copies();
+    std::vector<Vertex_index> vertices;
+    std::vector<FT> values;
+    for(std::size_t i = 0; i < variables.size(); ++i)
+      for(Vertex_index v(Delta_complex::size_type(variables[i])); v.is_valid();
+          v = m_next_copy[v.idx()]) {
+        vertices.push_back(v);
+        values.push_back(u[i]);
+      }
+    m_energy->move_some(vertices, values);
+    double result = 0;
+    for(std::size_t v : variables)
+      result += m_part[Eigen::Index(v)] *
+                m_energy->derivative(Vertex_index(Delta_complex::size_type(v)));
+    return result;
+  }
+
   std::vector<FT> scale_factors() const
   {
     const std::vector<FT>& u = m_energy->scale_factors();
@@ -161,6 +186,7 @@ private:
   std::optional<Energy> m_energy;
   Vector m_part; // of each vertex of the double that counts for the surface
   Vector m_gradient;
+  std::vector<Vertex_index> m_next_copy; // see `Doubled_problem::next_copies()`
   mutable Matrix m_Hessian;
   mutable bool m_has_Hessian = false;
 };
