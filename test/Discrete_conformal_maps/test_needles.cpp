@@ -6,7 +6,11 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 
 // Maps of surfaces with needles and caps as thin as rounding of positions allows.
@@ -16,6 +20,34 @@ using namespace Test_surfaces;
 using DCM::Map_status;
 
 // ---- Surfaces ----
+
+Mesh unit_square(std::size_t n)
+{
+  return grid(n, n, [n](double x, double y) { return Point(x / double(n), y / double(n), 0); });
+}
+
+// A terrain over a square around the origin. At vertices with x = 0, vertices are added at a
+// distance of about d along x, which coordinates have room for.
+Mesh with_near_vertices(std::size_t n, double d, std::size_t count, std::uint64_t seed)
+{
+  Portable_random random(seed);
+  const double half = double(n) / 2;
+  Mesh mesh = grid(
+    n, n, [&](double x, double y) { return Point(x - half, y - half, random.get_double(0, 0.5)); });
+  for(std::size_t i = 0; i < count; ++i) {
+    const Vertex_index v(Mesh::size_type(random.get_int(0, int(mesh.number_of_vertices()))));
+    if(std::abs(mesh.point(v).x()) > 1e-5)
+      continue;
+    const Point &p = mesh.point(v), near(p.x() + d * random.get_double(0.5, 1), p.y(), p.z());
+    Halfedge_index h = mesh.halfedge(v);
+    if(mesh.is_border(h))
+      h = mesh.opposite(mesh.next(h));
+    if(std::count(mesh.points().begin(), mesh.points().end(), near) > 0 || mesh.is_border(h))
+      continue;
+    mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = near;
+  }
+  return mesh;
+}
 
 // Splits a face at a point with barycentric coordinates 1 : e : e or 1 : 1 : e, up to rounding, and
 // one of the new faces again. Stops where rounding gives a corner.
@@ -48,6 +80,61 @@ Mesh with_needles(Mesh mesh, double e, std::size_t count, std::uint64_t seed)
 }
 
 const double widths[] = {1e-2, 1e-5, 1e-8, 1e-11, 1e-13, 1e-15};
+
+// ---- Checks ----
+
+void check_success(const Planar_conformal_map& map)
+{
+  EXPECT_EQ(map.status(), Map_status::success) << map.cause();
+  for(const DCM::Map_promise& p : map.promises())
+    EXPECT_TRUE(p.is_kept()) << p.name << ' ' << p.error;
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-8);
+  EXPECT_LT(map.max_curvature_error(), 1e-10);
+}
+
+// A square is a rectangle already: sides keep their lengths, however short they are.
+TEST(Needles, square_keeps_its_lengths)
+{
+  for(const double e : widths) {
+    SCOPED_TRACE(e);
+    const Mesh mesh = with_needles(unit_square(3), e, 4, 5);
+    const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
+    check_success(map);
+    const Delta_complex& ideal = map.ideal().mesh();
+    for(Edge_index side : ideal.edges()) {
+      const Vertex_index v = ideal.vertex(side, 0), w = ideal.vertex(side, 1);
+      if(map.input_vertex(v) != v || map.input_vertex(w) != w ||
+         !map.is_laid_out(ideal.face(ideal.halfedge(side))))
+        continue;
+      const auto difference = mesh.point(w) - mesh.point(v);
+      const double distance = std::hypot(difference.x(), difference.y());
+      EXPECT_NEAR(std::exp((map.log_scale(v) + map.log_scale(w)) / 2) * map.ideal().length(side),
+                  distance, 1e-9 * distance);
+    }
+  }
+}
+
+TEST(Needles, have_disks)
+{
+  for(const double e : widths)
+    for(std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(e);
+      check_success(DCM::flatten_to_disk(with_needles(unit_square(3), e, 3, seed)));
+    }
+}
+
+// Rounded lengths say nothing about the angles between vertices that are so close.
+TEST(Needles, near_vertices_have_maps)
+{
+  for(const double d : {1e-8, 1e-12, 1e-17, 1e-22, 1e-28})
+    for(std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(d);
+      const Mesh mesh = with_near_vertices(4, d, 40, seed);
+      EXPECT_GT(mesh.number_of_vertices(), 25u);
+      check_success(DCM::flatten(mesh));
+      check_success(DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh)));
+    }
+}
 
 // The intrinsic Delaunay triangulation is certified.
 TEST(Needles, triangulation_is_exact)
@@ -87,6 +174,50 @@ TEST(Laplacian_elimination, chain_of_any_weights)
     expected += 1 / weight[std::size_t(i)];
     EXPECT_NEAR(potential[std::size_t(i + 1)] / expected, 1, 1e-14);
   }
+}
+
+// Steps of width 10^-20 at any place: slopes there say nothing about the other steps.
+TEST(Root_of_increasing, steep_steps)
+{
+  typedef DCM::internal::More_extended Number;
+  for(const double root : {0., 1e-12, -0.3, 1e5}) {
+    const auto function = [&](const Number& x) {
+      const auto step = [](const Number& y) {
+        return static_cast<double>(y / (1 + Number(y < 0 ? -y : y)));
+      };
+      const Number y = x - root;
+      return step(y * 1e20) + 2 + step((y + 1) * 1e20) - step((1 - y) * 1e20) - 2 + 1e-3 * step(y);
+    };
+    const Number x = DCM::internal::root_of_increasing<Number>(function, 1, 1e-6);
+    EXPECT_LE(std::abs(function(x)), 1e-6);
+  }
+}
+
+// Pairs of pairs of variables.
+TEST(Variable_groups, nested)
+{
+  const double tie[] = {1e8, 1e4, 1e8, 1, 1e8, 1e4, 1e8}; // between variables v and v + 1
+  std::vector<Eigen::Triplet<double>> entries;
+  for(int v = 0; v < 7; ++v)
+    entries.insert(
+      entries.end(),
+      {{v, v, tie[v]}, {v + 1, v + 1, tie[v]}, {v, v + 1, -tie[v]}, {v + 1, v, -tie[v]}});
+  Eigen::SparseMatrix<double> matrix(8, 8);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  std::vector<char> is_fixed(8, 0);
+  is_fixed[7] = 1;
+  std::vector<DCM::internal::Variable_groups::Group> groups =
+    DCM::internal::Variable_groups(matrix, is_fixed).groups();
+  std::size_t before = 8;
+  for(auto& group : groups) {
+    EXPECT_LE(group.size(), before);
+    before = group.size();
+    std::sort(group.begin(), group.end());
+  }
+  std::sort(groups.begin(), groups.end());
+  const std::vector<DCM::internal::Variable_groups::Group> expected{
+    {0}, {0, 1}, {0, 1, 2, 3}, {1}, {2}, {2, 3}, {3}, {4}, {4, 5}, {5}, {6}};
+  EXPECT_EQ(groups, expected);
 }
 
 } // namespace Test_needles

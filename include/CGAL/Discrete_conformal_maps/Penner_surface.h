@@ -100,9 +100,9 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Takes other scale factors at some vertices, and flips to the triangulation that is Delaunay with
-  // them, if the present one is with those before. Complexity: linear in the degrees of the vertices
-  // and the flips.
+  // Takes other scale factors at some vertices, and flips to the triangulation that is Delaunay
+  // with them, if the present one is with those before. Complexity: linear in the degrees of the
+  // vertices and the flips.
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
   {
     const auto condition = m_geometry.is_locally_Delaunay_object();

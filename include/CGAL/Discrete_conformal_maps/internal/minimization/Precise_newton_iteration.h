@@ -226,13 +226,13 @@ private:
   Free_variables m_variables;
   std::vector<char> m_is_fixed;
   std::vector<Variable_groups::Group> m_groups; // at the start
-  Newton_direction::Solver m_solver; // of which the order is used
+  Newton_direction::Solver m_solver;            // of which the order is used
   Laplacian_elimination<FT> m_elimination;
-  double m_length = 0; // of a step
-  Vector m_gradient;   // without the part that no step can change
-  Vector m_removed;    // this part
-  double m_norm = 0;   // with it
-  Vector m_start;      // the gradient at the start of the path
+  double m_length = 0;                   // of a step
+  Vector m_gradient;                     // without the part that no step can change
+  Vector m_removed;                      // this part
+  double m_norm = 0;                     // with it
+  Vector m_start;                        // the gradient at the start of the path
   double m_position = 1, m_part = 0.125; // the part of it that is left, and that a step takes
   Minimization_result m_result;
 };

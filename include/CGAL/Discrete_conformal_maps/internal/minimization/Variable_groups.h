@@ -80,8 +80,8 @@ private:
     if(a == b)
       return;
     for(std::size_t part : {a, b})
-      if(m_is_free[part] && (m_members[part].size() == 1 ||
-                             m_weight[part] > tolerance::group_ratio * tie.weight))
+      if(m_is_free[part] &&
+         (m_members[part].size() == 1 || m_weight[part] > tolerance::group_ratio * tie.weight))
         m_groups.push_back(m_members[part]);
     if(m_members[a].size() < m_members[b].size())
       std::swap(a, b);

@@ -41,8 +41,8 @@ FT root_of_increasing(const Function& function, double slope, double limit)
       return high;
     if(!(at_low < 0 && at_high > 0))
       return FT(0);
-    const FT x = i % 2 == 0 ? FT(low + (high - low) * FT(at_low / (at_low - at_high)))
-                            : FT((low + high) / 2);
+    const FT x =
+      i % 2 == 0 ? FT(low + (high - low) * FT(at_low / (at_low - at_high))) : FT((low + high) / 2);
     const double at_x = function(x);
     (at_x < 0 ? low : high) = x;
     (at_x < 0 ? at_low : at_high) = at_x;

@@ -207,7 +207,7 @@ private:
   std::vector<Corner<FT>> m_corner; // at the source of each halfedge
   std::vector<double> m_rounded_angle;
   std::vector<FT> m_cotangent; // of the angle opposite to each halfedge
-  std::vector<double> m_error;     // of an angle of each face
+  std::vector<double> m_error; // of an angle of each face
   std::vector<char> m_is_flat;
   Vector m_gradient;
   double m_gradient_error = 0;

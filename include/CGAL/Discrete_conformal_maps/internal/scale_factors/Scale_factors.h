@@ -179,10 +179,8 @@ private:
   template <typename FT>
   bool is_unknown(const Energy<FT>& energy, double tolerance)
   {
-    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
-    const double rounding =
-      static_cast<double>(std::numeric_limits<FT>::epsilon()) * longest / shortest;
-    if(!can_descend<FT>() || (std::max)(rounding, energy.gradient_error()) <= tolerance)
+    if(!can_descend<FT>() || (std::max)(rounding_at_short_edges<FT>(m_problem.triangulation()),
+                                        energy.gradient_error()) <= tolerance)
       return false;
     m_result.gradient_error = std::numeric_limits<double>::infinity();
     return true;

@@ -99,8 +99,8 @@ public:
     m_energy->move_some(vertices, values);
     double result = 0;
     for(std::size_t v : variables)
-      result += m_part[Eigen::Index(v)] *
-                m_energy->derivative(Vertex_index(Delta_complex::size_type(v)));
+      result +=
+        m_part[Eigen::Index(v)] * m_energy->derivative(Vertex_index(Delta_complex::size_type(v)));
     return result;
   }
 

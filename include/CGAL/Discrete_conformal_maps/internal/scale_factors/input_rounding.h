@@ -58,6 +58,14 @@ range_of_lengths(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
   return {shortest, longest};
 }
 
+// Returns by how much rounding of the longest edge may change an angle at the shortest one.
+template <typename FT>
+double rounding_at_short_edges(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
+{
+  const auto [shortest, longest] = range_of_lengths(t);
+  return static_cast<double>(std::numeric_limits<FT>::epsilon()) * (longest / shortest);
+}
+
 } // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_INPUT_ROUNDING_H
