@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -35,14 +36,27 @@ public:
   {
     // the lift, relative to the diagonal, is against rounding where weights differ by many orders
     for(double lift = 0; !m_solver.factorize(matrix, lift * matrix.diagonal());
-        lift = tolerance::next_lift(lift))
+        lift = tolerance::next_lift(lift)) {
+      const auto& order = m_solver.order(matrix);
+      if(Laplacian_elimination<double>::is_needed(matrix, order) &&
+         m_elimination.factorize(matrix, Vector::Zero(matrix.cols()), order)) {
+        m_is_stiff = true;
+        return;
+      }
       if(lift > tolerance::greatest_Laplacian_lift)
         throw Intrinsic_triangulations::Numerical_error(
           "the Laplacian has no factorization as a positive definite matrix");
+    }
   }
 
   // the solution; zero where variables are fixed
-  Vector solve(const Vector& right_side) { return m_solver.solve(right_side); }
+  Vector solve(const Vector& right_side)
+  {
+    if(!m_is_stiff)
+      return m_solver.solve(right_side);
+    const std::vector<double> solution = m_elimination.solve(right_side);
+    return Eigen::Map<const Vector>(solution.data(), right_side.size());
+  }
 
 private:
   typedef Newton_direction::Solver Solver;
@@ -57,6 +71,8 @@ private:
   }
 
   Solver m_solver;
+  Laplacian_elimination<double> m_elimination; // instead, if weights are very different
+  bool m_is_stiff = false;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

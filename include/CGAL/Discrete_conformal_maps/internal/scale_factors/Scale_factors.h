@@ -153,7 +153,9 @@ private:
     minimize_rounded(minimizer, tolerance, visitor);
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
+    // needles may stop a search; the next starts close to its end
+    for(int i = m_problem.has_precise_lengths() ? can_descend<More_extended>() ? 3 : 1 : 0;
+        i > 0 && is_rounded(tolerance) && !has_no_solution(); --i)
       minimize_in<More_extended>(minimizer, tolerance, visitor);
   }
 
