@@ -108,9 +108,9 @@ constexpr double stiffness = 1e-10, negative_weight = 1e-6;
 // Variables of a Laplacian that are tied to each other by that many times the weights to others can
 // move as one.
 constexpr double group_ratio = 30;
-// The number of steps that are taken with more digits, on the exact surface, and of flips on the
-// way.
-constexpr std::size_t steps_with_more_digits = 300, flips_with_more_digits = 1000000;
+// The number of steps that are taken with more digits, on the exact surface, and how often groups of
+// vertices are moved alone.
+constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100000;
 // A start needs few digits, and few steps.
 constexpr double curvature_at_start = 1e-3;
 constexpr std::size_t steps_to_start = 300;

@@ -63,7 +63,7 @@ public:
     while(m_norm > (std::max)(tolerance, m_energy.gradient_error()) &&
           status == Minimization_status::converged)
       if(m_result.iterations == maximum_number_of_steps ||
-         m_energy.number_of_flips() > tolerance::flips_with_more_digits)
+         m_moves > tolerance::moves_with_more_digits)
         status = Minimization_status::iteration_limit;
       else {
         status = step();
@@ -112,7 +112,7 @@ private:
     const Vector gradient = m_gradient;
     const auto to_start = m_elimination.solve(m_start), to_minimum = m_elimination.solve(-gradient);
     m_part = (std::min)(2 * m_part, 1.);
-    for(; m_part > least_part; m_part /= 2) {
+    for(; m_part > least_part && m_moves <= tolerance::moves_with_more_digits; m_part /= 2) {
       const double position = m_part < 1 ? (1 - m_part) * m_position : 0;
       std::vector<FT> direction = to_minimum;
       for(std::size_t v = 0; v < direction.size(); ++v)
@@ -176,6 +176,7 @@ private:
       wanted += all_wanted[Eigen::Index(v)];
     std::vector<FT> values(group.size());
     const auto error = [&](const FT& x) {
+      ++m_moves;
       for(std::size_t i = 0; i < group.size(); ++i)
         values[i] = u[group[i]] + x;
       return m_energy.derivative_at(group, values) - wanted;
@@ -234,6 +235,7 @@ private:
   double m_norm = 0;                     // with it
   Vector m_start;                        // the gradient at the start of the path
   double m_position = 1, m_part = 0.125; // the part of it that is left, and that a step takes
+  std::size_t m_moves = 0;               // of groups
   Minimization_result m_result;
 };
 

@@ -153,9 +153,7 @@ private:
     minimize_rounded(minimizer, tolerance, visitor);
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    // needles may stop a search; the next starts close to its end
-    for(int i = m_problem.has_precise_lengths() ? can_descend<More_extended>() ? 2 : 1 : 0;
-        i > 0 && is_rounded(tolerance) && !has_no_solution(); --i)
+    if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
       minimize_in<More_extended>(minimizer, tolerance, visitor);
   }
 

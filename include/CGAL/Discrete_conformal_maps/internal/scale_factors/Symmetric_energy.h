@@ -79,9 +79,6 @@ public:
   }
   void move_origin() { set_origin(scale_factors()); }
 
-  // since the energy has been made, or the copy made deeper
-  std::size_t number_of_flips() const { return m_energy->surface().number_of_flips(); }
-
   // Moves some variables alone, and returns the sum of the derivatives by them. Until `evaluate()`,
   // other values are those before.
   double derivative_at(const std::vector<std::size_t>& variables, const std::vector<FT>& u)
