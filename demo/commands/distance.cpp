@@ -15,6 +15,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Precise_surface.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
@@ -34,6 +36,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -182,16 +185,34 @@ IT::Distance_method library_method(const Distance_options& options)
                                                               : IT::Distance_method::automatic;
 }
 
+// Returns distances as numbers of type `double`.
+Distances rounded(Distances distances) { return distances; }
+
+template <class FT>
+Distances rounded(const IT::Geodesic_distances<FT>& distances)
+{
+  Distances result{{},
+                   distances.method,
+                   CGAL::to_double(distances.time_step_factor),
+                   std::nullopt,
+                   distances.number_of_raised_vertices};
+  for(const FT& d : distances.distance)
+    result.distance.push_back(CGAL::to_double(d));
+  return result;
+}
+
 // At the vertices of the input, then at inserted ones.
-template <class Surface>
-Distances distances_on(const Surface& surface, const Sources& sources,
-                       const Distance_options& options, const std::vector<Point>& points)
+template <class Surface, class All_sources>
+IT::Geodesic_distances<IT::Length_of<Surface>>
+distances_on(const Surface& surface, const All_sources& sources, const Distance_options& options,
+             const std::vector<Point>& points)
 {
   const auto point = boost::make_function_property_map<IT::Vertex_index>(
     [&](IT::Vertex_index v) { return points[v.idx()]; });
   const auto parameters =
     IT::parameters::vertex_point_map(point).distance_method(library_method(options));
-  const auto all = sources_on(surface, sources);
+  IT::Distance_sources<Surface> all(surface);
+  all.add(sources);
   return options.time_step_factor
            ? IT::geodesic_distances(surface, all,
                                     parameters.time_step_factor(*options.time_step_factor))
@@ -202,8 +223,12 @@ Distances distances_on(const Surface& surface, const Sources& sources,
 std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
                                      double time_step_factor)
 {
-  const auto values = IT::signed_heat_distance(triangulation.intrinsic(), sources.curve,
-                                               IT::parameters::time_step_factor(time_step_factor));
+  const auto parameters = IT::parameters::time_step_factor(time_step_factor);
+  const auto values = IT::with_resolved_areas(triangulation, [&](const auto& surface) {
+    typedef IT::Length_of<std::decay_t<decltype(surface)>> FT;
+    const auto curve = IT::converted_curve<FT>(sources.curve);
+    return IT::rounded_values(IT::signed_heat_distance(surface, curve, parameters));
+  });
   for(Eigen::Index v = 0; v < values.size(); ++v)
     if(!std::isfinite(values[v]))
       throw Program_error("vertex " + std::to_string(v) +
@@ -239,12 +264,18 @@ Distances distances(const Triangulation& triangulation, const Input_mesh& input,
 {
   if(options.is_signed)
     return signed_distances(triangulation, sources, options);
-  const auto surface = triangulation.intrinsic();
   const std::vector<Point> points = positions(triangulation, input);
   if(!input.covered)
-    return distances_on(surface, sources, options, points);
-  return distances_on(IT::Tufted_surface<>(input.covered->cover, surface, input.covered->share()),
-                      sources, options, points);
+    return distances_on(triangulation, sources_on(triangulation, sources), options, points);
+  const auto tufted = [&](const auto& surface) {
+    typedef IT::Length_of<std::decay_t<decltype(surface)>> FT;
+    return IT::Tufted_surface<FT>(input.covered->cover, surface, input.covered->share());
+  };
+  const auto rounded_surface = tufted(triangulation);
+  const auto all = sources_on(rounded_surface, sources);
+  return IT::with_resolved_areas(triangulation, [&](const auto& surface) {
+    return rounded(distances_on(tufted(surface), all, options, points));
+  });
 }
 
 void describe_method(Statistics& statistics, const Distances& distances)

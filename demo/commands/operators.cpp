@@ -9,6 +9,8 @@
 #include "commands/triangulation_stages.h"
 #include "writing/matrix_market.h"
 
+#include <CGAL/Intrinsic_triangulations/Precise_surface.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
@@ -17,6 +19,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -60,21 +63,21 @@ struct Operand
 template <class Matrix_of>
 auto of_functions(Matrix_symmetry symmetry, Matrix_of matrix)
 {
-  return [=](const Operand& operand) {
-    const auto& surface = operand.triangulation.intrinsic();
-    if(operand.covered)
+  return [=](const Operand& operand, const auto& surface) {
+    typedef IT::Tufted_surface<IT::Length_of<std::decay_t<decltype(surface)>>> Tufted;
+    if(const Covered_soup* covered = operand.covered)
       return matrix_market(
-        matrix(IT::Tufted_surface<>(operand.covered->cover, surface, operand.covered->share())),
-        symmetry);
-    return matrix_market(matrix(surface), symmetry);
+        IT::rounded_values(matrix(Tufted(covered->cover, surface, covered->share()))), symmetry);
+    return matrix_market(IT::rounded_values(matrix(surface)), symmetry);
   };
 }
 
-std::string connection_laplacian(const Operand& operand)
+template <class Surface>
+std::string connection_laplacian(const Operand&, const Surface& surface)
 {
-  const auto& surface = operand.triangulation.intrinsic();
-  const IT::Tangent_frames<double> frames(surface);
-  return matrix_market(IT::connection_laplacian(surface, frames), Matrix_symmetry::HERMITIAN);
+  const IT::Tangent_frames<IT::Length_of<Surface>> frames(surface);
+  return matrix_market(IT::rounded_values(IT::connection_laplacian(surface, frames)),
+                       Matrix_symmetry::HERMITIAN);
 }
 
 // Takes functions on the input to the vertices of the cover.
@@ -93,15 +96,17 @@ std::string cover_vertices(const Operand& operand)
   return matrix_market(result, Matrix_symmetry::GENERAL);
 }
 
+template <class Surface>
 struct Matrix_description
 {
   std::string name;
-  std::function<std::string(const Operand&)> text;
+  std::function<std::string(const Operand&, const Surface&)> text;
 };
 
 // The first one refuses triangulations on which others would not be finite. The last one is for
 // covers.
-std::vector<Matrix_description> matrices()
+template <class Surface>
+std::vector<Matrix_description<Surface>> matrices()
 {
   const auto symmetric = Matrix_symmetry::SYMMETRIC, general = Matrix_symmetry::GENERAL;
   return {
@@ -109,18 +114,29 @@ std::vector<Matrix_description> matrices()
     {"mass", of_functions(symmetric, [](const auto& s) { return IT::mass_matrix(s); })},
     {"lumped_mass",
      of_functions(symmetric, [](const auto& s) { return IT::lumped_mass_matrix(s); })},
-    {"connection_laplacian", connection_laplacian},
+    {"connection_laplacian", connection_laplacian<Surface>},
     {"gradient", of_functions(general, [](const auto& s) { return IT::gradient_matrix(s); })},
     {"divergence", of_functions(general, [](const auto& s) { return IT::divergence_matrix(s); })},
-    {"cover_vertices", cover_vertices}};
+    {"cover_vertices",
+     [](const Operand& operand, const Surface&) { return cover_vertices(operand); }}};
 }
 
 std::vector<std::string> paths_of(const std::string& prefix)
 {
   std::vector<std::string> result;
-  for(const Matrix_description& matrix : matrices())
+  for(const auto& matrix : matrices<IT::Surface_view<Triangulation::Edge_length_map>>())
     result.push_back(prefix + "_" + matrix.name + ".mtx");
   return result;
+}
+
+// Writes the first matrices, as many as there are paths.
+template <class Surface>
+void add_matrices(Command_run& run, const Operand& operand, const Surface& surface,
+                  const std::vector<std::string>& paths)
+{
+  const auto all = matrices<Surface>();
+  for(std::size_t i = 0; i < paths.size(); ++i)
+    run.add_output(paths[i], all[i].text(operand, surface));
 }
 
 int write_matrices(Command_run& run, const Operators_options& options,
@@ -133,8 +149,9 @@ int write_matrices(Command_run& run, const Operators_options& options,
   run.statistics()["matrices"] = paths;
   const std::optional<Covered_soup>& covered = run.input().covered;
   run.timed("write", [&] {
-    for(std::size_t i = 0; i < paths.size(); ++i)
-      run.add_output(paths[i], matrices()[i].text({triangulation, covered ? &*covered : nullptr}));
+    const Operand operand{triangulation, covered ? &*covered : nullptr};
+    IT::with_resolved_areas(
+      triangulation, [&](const auto& surface) { add_matrices(run, operand, surface, paths); });
     save(run, triangulation);
   });
   run.finish(summary_of_changes(run) + ", " + std::to_string(paths.size()) + " matrices");

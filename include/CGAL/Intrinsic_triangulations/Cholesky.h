@@ -19,27 +19,29 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
 namespace internal {
 
+// the factorization for numbers of this type; others than those of Eigen are specializations
 template <typename Scalar>
-constexpr bool is_for_CHOLMOD =
-  std::is_same<Scalar, double>::value || std::is_same<Scalar, std::complex<double>>::value;
+struct Cholesky_of
+{
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
+  static constexpr bool is_for_CHOLMOD =
+    std::is_same<Scalar, double>::value || std::is_same<Scalar, std::complex<double>>::value;
+  typedef std::conditional_t<is_for_CHOLMOD, Supernodal_Cholesky<Scalar>,
+                             Simplicial_Cholesky<Scalar>>
+    type;
+#else
+  typedef Simplicial_Cholesky<Scalar> type;
+#endif
+};
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the factorization that all packages use for numbers of this type.
 template <typename Scalar>
-using Cholesky =
-  std::conditional_t<internal::is_for_CHOLMOD<Scalar>, internal::Supernodal_Cholesky<Scalar>,
-                     internal::Simplicial_Cholesky<Scalar>>;
-#else
-/// \ingroup PkgIntrinsicTriangulationsBlocks
-/// the factorization that all packages use for numbers of this type.
-template <typename Scalar>
-using Cholesky = internal::Simplicial_Cholesky<Scalar>;
-#endif
+using Cholesky = typename internal::Cholesky_of<Scalar>::type;
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -108,6 +108,14 @@ public:
     m_parts.insert(m_parts.end(), other.m_parts.begin(), other.m_parts.end());
   }
 
+  /// adds all sources of a set on the same faces with lengths of another type.
+  template <typename Other>
+  void add(const Distance_sources<Other>& other)
+  {
+    add(other.m_vertices);
+    add(converted_curve<FT>(other.m_curve));
+  }
+
   /// adds all elements of a range of sources, such as a `Surface_curve`.
   template <typename Range, typename = decltype(std::begin(std::declval<const Range&>()))>
   void add(const Range& sources)
@@ -117,6 +125,8 @@ public:
   }
 
 private:
+  template <typename Other>
+  friend class Distance_sources;
   friend class internal::Heat_method<FT>;
   friend struct internal::Access_to_sources;
 

@@ -37,6 +37,20 @@ struct Curve_segment
 template <typename FT>
 using Surface_curve = std::vector<Curve_segment<FT>>;
 
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// returns a curve with its coordinates converted to numbers of type `To`.
+template <typename To, typename FT>
+Surface_curve<To> converted_curve(const Surface_curve<FT>& curve)
+{
+  const auto place = [](const std::array<FT, 3>& p) {
+    return std::array<To, 3>{To(p[0]), To(p[1]), To(p[2])};
+  };
+  Surface_curve<To> result;
+  for(const Curve_segment<FT>& s : curve)
+    result.push_back({s.face, place(s.source), place(s.target)});
+  return result;
+}
+
 namespace internal {
 
 template <typename FT>

@@ -28,7 +28,8 @@ using boost::math::constants::pi;
 template <typename FT>
 FT corner_angle(const FT& a, const FT& b, const FT& c)
 {
-  return std::atan2(quadrupled_area(a, b, c), doubled_corner_product(a, b, c));
+  using std::atan2;
+  return atan2(quadrupled_area(a, b, c), doubled_corner_product(a, b, c));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Heat_error.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Precise_surface.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
@@ -143,6 +144,25 @@ void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& so
   }
 }
 
+// The distances by heat on a surface, or with more digits on a triangulation whose lengths do not
+// determine all areas.
+template <typename Surface, typename NamedParameters>
+std::vector<Length_of<Surface>> heat_values(const Surface& surface,
+                                            const Distance_sources<Surface>& sources,
+                                            const NamedParameters& np)
+{
+  typedef Length_of<Surface> FT;
+  return with_resolved_areas(surface, [&](const auto& resolved) {
+    const auto values = heat_distance(resolved, sources, np);
+    if constexpr(std::is_same_v<std::decay_t<decltype(values[0])>, FT>)
+      return std::vector<FT>(values.begin(), values.end());
+    else {
+      const auto rounded = rounded_values(values);
+      return std::vector<FT>(rounded.begin(), rounded.end());
+    }
+  });
+}
+
 // Unless a time is given, heat flows for as long as it takes to reach everything: where some edges
 // are far shorter than others, the standard is too short.
 template <typename Surface, typename NamedParameters>
@@ -155,9 +175,8 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
   Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np, FT(1))};
   for(;; result.time_step_factor *= 16)
     try {
-      const auto values =
-        heat_distance(surface, sources, parameters::time_step_factor(result.time_step_factor));
-      result.distance.assign(values.begin(), values.end());
+      result.distance =
+        heat_values(surface, sources, parameters::time_step_factor(result.time_step_factor));
       raise_to_bounds(surface, sources, positions, result);
       return result;
     } catch(const Underflow_error&) {
@@ -236,7 +255,8 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// `Shortest_paths` and `Heat_distance` are for repeated use.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths, on which heat flows as
-///   it is, or a `Tufted_surface`, which has heat alone
+///   it is, an `Intrinsic_triangulation`, on which heat flows in the exact metric where lengths do
+///   not determine it (`with_resolved_areas()`), or a `Tufted_surface`, which has heat alone
 /// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
 ///   of these, such as a `Surface_curve`, or `Distance_sources`
 /// \param np
@@ -322,10 +342,9 @@ auto geodesic_distances(const Mesh& mesh, const Sources& sources,
   if(auto result = internal::distances_by_windows(exact, internal::method_of(np)))
     return std::move(*result);
   make_Delaunay(tri);
-  const auto surface = tri.intrinsic();
-  Distance_sources<std::decay_t<decltype(surface)>> across(surface);
+  Distance_sources<Intrinsic_triangulation<>> across(tri);
   internal::add_sources_across(tri, all, across);
-  auto result = internal::distances_by_heat(surface, across, internal::positions_in(mesh, np), np);
+  auto result = internal::distances_by_heat(tri, across, internal::positions_in(mesh, np), np);
   result.error = internal::heat_error(exact, result.distance);
   return result;
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/reinsert_vertices.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/thin_faces.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
@@ -242,14 +243,27 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
   return result;
 }
 
-// Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these:
-// after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of
+// Decides exactly which edges are Delaunay, and computes all lengths anew, to nearly all digits.
+template <typename Traits, typename Visitor>
+Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                                     Visitor& visitor, Concurrency concurrency)
+{
+  const Flipping_result result = flip_exactly(tri, limit, visitor, concurrency);
+  Exact_flipping<Traits>(tri).recompute_lengths(rounding_unit<double>() / 2);
+  return result;
+}
+
+// Lengths of type `double` do not decide if they do not determine the angles of T1. Otherwise, goes
+// on with exact decisions, and from T1, where lengths cannot carry these: after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of
 // T2 may be bent.
 template <typename Traits, typename Visitor>
 Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                               Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
+  if constexpr(has_exact_decisions<Traits>())
+    if(can_be_exact && has_unresolved_angles(tri.input()))
+      return flip_in_exact_metric(tri, limit, visitor, concurrency);
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
   Flipping_result result = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, carried) : limit,
@@ -272,7 +286,9 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
 /// With `Exact_Euclidean_geometry_traits`, or with lengths of type `double` and the parameter
-/// `exact_decisions`, it is decided exactly which edges are Delaunay: by the stored lengths and
+/// `exact_decisions`, or if lengths of type `double` leave angles of \f$T_1\f$ unknown
+/// (`has_unresolved_angles()`), it is decided exactly which edges are Delaunay: by the stored
+/// lengths and
 /// bounds for their errors, and where these leave doubts, on the surface of \f$T_1\f$.
 /// `certify_Delaunay()` confirms the result. At the beginning edges that are not in \f$T_1\f$ are
 /// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and

@@ -28,14 +28,42 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Throws an exception where a metric has no gradients.
+// Returns whether a face has no area: of numbers with the digits to decide this.
 template <typename FT>
-void check_area(const Face_metric<FT>& metric, Face_index f)
+bool is_flat(const Face_metric<FT>& metric)
 {
+  const FT perimeter = metric.length(0) + metric.length(1) + metric.length(2);
+  return flat_face_ratio<FT>() > 0 &&
+         !(metric.quadrupled_area() > flat_face_ratio<FT>() * perimeter * perimeter);
+}
+
+// Returns whether a face contributes to integrals of gradients, as those of no area do not. Throws
+// an exception where rounding leaves a metric without gradients.
+template <typename FT>
+bool has_gradients(const Face_metric<FT>& metric, Face_index f)
+{
+  if(is_flat(metric))
+    return false;
   for(std::size_t s = 0; s < 3; ++s)
     if(!(metric.quadrupled_area() > 0) || !CGAL::is_finite(metric.cotangent(s)))
       throw Numerical_error("the area of face " + std::to_string(f.idx()) +
                             " is zero or out of range");
+  return true;
+}
+
+// Throws an exception if a vertex of faces without area, which are all of them, has no other face.
+inline void check_flat_faces(const std::vector<Face_index>& flat, const Delta_complex& mesh)
+{
+  std::vector<std::size_t> count(mesh.num_vertices(), 0);
+  for(Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      ++count[mesh.source(h).idx()];
+  for(Face_index f : flat)
+    for(Halfedge_index h : sides(f, mesh))
+      if(--count[mesh.source(h).idx()] == 0)
+        throw Numerical_error("the area of face " + std::to_string(f.idx()) +
+                              " is zero, as that of all faces at vertex " +
+                              std::to_string(mesh.source(h).idx()));
 }
 
 // For each edge half the sum of the cotangents of the angles opposite to it.
@@ -45,13 +73,19 @@ auto cotan_weights(const Surface& surface)
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
   std::vector<FT> result(mesh.num_edges(), FT(0));
+  std::vector<Face_index> flat;
   for(Face_index f : mesh.faces()) {
     const Face_metric<FT> metric(f, surface);
-    check_area(metric, f);
+    if(!has_gradients(metric, f)) {
+      flat.push_back(f);
+      continue;
+    }
     const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
       result[mesh.edge(h[s]).idx()] += metric.cotangent(s) / 2;
   }
+  if(!flat.empty())
+    check_flat_faces(flat, mesh);
   return result;
 }
 
@@ -172,7 +206,8 @@ auto gradient_matrix(const Surface& surface)
     if(mesh.is_removed(f))
       return;
     const Face_metric<FT> metric(f, surface);
-    internal::check_area(metric, f);
+    if(!internal::has_gradients(metric, f))
+      return;
     const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
       entries.emplace_back(int(mesh.source(h[(s + 2) % 3]).idx()),
@@ -199,6 +234,8 @@ auto divergence_matrix(const Surface& surface)
     if(mesh.is_removed(f))
       return;
     const Face_metric<FT> metric(f, surface);
+    if(internal::is_flat(metric))
+      return;
     const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
       entries.emplace_back(int(mesh.source(h[(s + 2) % 3]).idx()),

@@ -126,7 +126,7 @@ private:
     std::vector<char> is_zero(m_components.size(), 1);
     for(Face_index f : m_surface.mesh().faces()) {
       auto vector = field.template segment<2>(2 * Eigen::Index(f.idx()));
-      const FT norm = std::hypot(vector[0], vector[1]);
+      const FT norm = internal::length_of_vector<FT>(vector[0], vector[1]);
       if(!(norm > 0))
         continue;
       if(norm < least_norm())

@@ -118,6 +118,27 @@ double precise_length_error()
   return std::ldexp(1., 14 - std::numeric_limits<Length>::digits);
 }
 
+// Four times the area of a face, divided by the square of its perimeter, from which on its lengths
+// in `double` determine its angles well enough for flips: these are wrong by the roundoff, divided
+// by the quotient.
+constexpr double resolved_angle_ratio() { return 0x1p-24; }
+
+// The slack of the triangle inequality, divided by the perimeter, from which on lengths with an
+// error of half a `rounding_unit()` determine the area of a face to eight digits.
+constexpr double resolved_area_slack() { return 0x1p-22; }
+
+// A face whose area, four times, is not greater than this quotient of its squared perimeter has no
+// area: the exact metric, from which lengths with more digits than `double` come, says so.
+template <typename FT>
+FT flat_face_ratio()
+{
+  return FT(0);
+}
+
+// The diagonal entry of a matrix with cotangents beyond which a row is not eliminated in `double`:
+// what is added to it loses as many bits.
+constexpr double greatest_rounded_weight() { return 0x1p20; }
+
 // An angle of T1 whose rounding error is not less than this, in radians, is taken for unknown.
 constexpr double known_angle_error() { return 1e-9; }
 

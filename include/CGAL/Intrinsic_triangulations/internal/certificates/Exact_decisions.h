@@ -118,6 +118,12 @@ public:
              : compare_with_pi(m_mesh.prev(h), m_mesh.prev(m_mesh.opposite(h)));
   }
 
+  // Returns whether the edge of `h` is a straight line in space between vertices of T1.
+  bool is_straight_in_space(Halfedge_index h)
+  {
+    return !m_metric.points.empty() && !has_inserted_end(h) && has_exact_square(h);
+  }
+
   // Returns this sign where the edge and those around it are edges of T1 or straight lines in
   // space.
   Sign Delaunay_sign_by_squares(Halfedge_index h)

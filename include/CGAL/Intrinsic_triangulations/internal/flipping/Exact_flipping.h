@@ -152,10 +152,10 @@ public:
     }
   }
 
-  // Computes all lengths anew.
-  void recompute_lengths()
+  // Computes all lengths anew, with a relative error of at most `error`.
+  void recompute_lengths(double error = certified_length_error())
   {
-    const auto length = [this](Halfedge_index h) { return m_decisions.length(h); };
+    const auto length = [&](Halfedge_index h) { return m_decisions.length(h, error); };
     m_tri.set_lengths(length);
     std::replace(m_error.begin(), m_error.end(), unknown_error, certified_error);
     m_has_unknown_lengths = false;

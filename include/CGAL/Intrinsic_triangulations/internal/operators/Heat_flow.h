@@ -102,11 +102,14 @@ public:
   const Elimination_order& order() const { return m_factorization.order(); }
 
   // The heat at the sources: heat falls exponentially with distance, and has a long way to go
-  // before it is below the range of its number type.
+  // before it is below the range of its number type. Numbers with wide exponents need no help.
   static FT unit()
   {
     typedef std::numeric_limits<FT> Limits;
-    return (Limits::max)() * Limits::epsilon() * Limits::epsilon();
+    constexpr int narrow = 1 << 16;
+    return Limits::max_exponent > narrow
+             ? FT(1)
+             : FT((Limits::max)() * Limits::epsilon() * Limits::epsilon());
   }
 
   // one at the sources

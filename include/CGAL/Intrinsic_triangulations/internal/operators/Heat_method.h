@@ -141,7 +141,7 @@ private:
   {
     Vector field = -(m_gradient * heat);
     for(Eigen::Index i = 0; i < field.size(); i += 2)
-      if(const FT norm = std::hypot(field[i], field[i + 1]); norm > 0)
+      if(const FT norm = length_of_vector<FT>(field[i], field[i + 1]); norm > 0)
         field.template segment<2>(i) /= norm;
     return field;
   }
