@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// a floating point number with 2560 binary digits. Coordinates of type `double` are multiples of
 /// \f$2^{-1074}\f$: the height of a triangle with sides of about one is zero or at least as much,
 /// and lengths with so many digits determine it.

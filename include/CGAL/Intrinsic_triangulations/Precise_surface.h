@@ -50,7 +50,7 @@ with_scalar(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values)
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// the surface of \f$T_2\f$ with lengths from the exact metric of \f$T_1\f$, in 2560 binary digits.
 /// With them cotangents, areas and angles of the thinnest faces are those of the exact metric, and
 /// faces of no area are recognized: operators leave them out, as no integral depends on them.
@@ -126,7 +126,7 @@ private:
   std::vector<FT> m_length;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// calls `f(surface)` with the surface itself.
 template <typename Surface, typename Function>
 auto with_resolved_areas(const Surface& surface, const Function& f)
@@ -134,7 +134,7 @@ auto with_resolved_areas(const Surface& surface, const Function& f)
   return f(surface);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// calls `f(surface)` with the surface of \f$T_2\f$: as a `Precise_surface` if its lengths do not
 /// determine the areas of faces (`has_unresolved_areas()`), and with the stored lengths otherwise.
 /// \returns what `f` returns, of one type for both
@@ -148,7 +148,7 @@ auto with_resolved_areas(const Intrinsic_triangulation<Traits>& tri, const Funct
   return f(surface);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// returns the values of a function, or the entries of a matrix, rounded to `double`.
 template <typename Matrix>
 auto rounded_values(const Matrix& values)

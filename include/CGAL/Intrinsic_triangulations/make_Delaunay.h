@@ -254,8 +254,9 @@ Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::
 }
 
 // Lengths of type `double` do not decide if they do not determine the angles of T1. Otherwise, goes
-// on with exact decisions, and from T1, where lengths cannot carry these: after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of
-// T2 may be bent.
+// on with exact decisions, and from T1, where lengths cannot carry these: after
+// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2
+// may be bent.
 template <typename Traits, typename Visitor>
 Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                               Visitor& visitor, Concurrency concurrency = Concurrency())

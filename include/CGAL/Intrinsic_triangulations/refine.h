@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/thin_faces.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
@@ -259,7 +260,7 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
   Refinement_result result;
   result.flips = flips.flips;
   if constexpr(has_exact_decisions<Traits>())
-    if(flips.is_restarted)
+    if(flips.is_restarted || (can_be_exact && has_unresolved_angles(tri.input())))
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
@@ -294,11 +295,13 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 /// Only `maximum_number_of_insertions` guarantees an end: beyond 30 degrees vertices may be
 /// inserted without end, and the default is small.
 ///
-/// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
-/// circumcenter, a place or a length is lost, edges are bent at the end, or a face is left that
-/// nothing excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the vertices that had been
-/// inserted at the start, and refinement restarts with exact decisions. At the end lengths are
-/// computed afresh, and it is decided exactly which edges are Delaunay, as by `make_Delaunay()`.
+/// With lengths of type `double` that do not determine the angles of \f$T_1\f$
+/// (`has_unresolved_angles()`), decisions are exact. With others, they are in doubt if a face
+/// outlives the insertion of its circumcenter, a place or a length is lost, edges are bent at the
+/// end, or a face is left that nothing excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the
+/// vertices that had been inserted at the start, and refinement restarts with exact decisions. At
+/// the end lengths are computed afresh, and it is decided exactly which edges are Delaunay, as by
+/// `make_Delaunay()`.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex

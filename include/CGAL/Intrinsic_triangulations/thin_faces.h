@@ -37,7 +37,7 @@ bool has_face([[maybe_unused]] const Surface& surface, [[maybe_unused]] const Pr
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// returns whether a face is so thin that its edge lengths, rounded to `double`, do not determine
 /// its angles: four times its area is less than \f$2^{-24}\f$ squared perimeters. Rounding of the
 /// lengths changes an angle by the roundoff, divided by this quotient. Decisions about such a
@@ -53,7 +53,7 @@ bool has_unresolved_angles(const Surface& surface)
   });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// \ingroup PkgIntrinsicTriangulationsOperators
 /// returns whether a face is so thin that its edge lengths in `double` do not determine its area
 /// and its cotangents to eight digits: its longest side is shorter than both others together by
 /// less than \f$2^{-22}\f$ perimeters. Operators of such a surface must be computed with more
