@@ -55,8 +55,7 @@ void insert(Mesh& mesh, Face_index f, const std::array<double, 3>& weight)
   for(const Vertex_index v : corner)
     if(CGAL::squared_distance(mesh.point(v), Point(p[0], p[1], 0)) < 1e-70)
       return;
-  CGAL::Euler::add_center_vertex(h, mesh);
-  mesh.point(mesh.target(mesh.halfedge(f))) = Point(p[0], p[1], 0);
+  mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = Point(p[0], p[1], 0);
 }
 
 // A grid with vertices close to others and to edges, those of the boundary among them. Coordinates
