@@ -41,7 +41,7 @@ Mesh square(int n)
   return mesh;
 }
 
-// Inserts a vertex into a face, if it has a place of its own and edges are not too short.
+// Inserts a vertex into a face, if no other vertex is there.
 void insert(Mesh& mesh, Face_index f, const std::array<double, 3>& weight)
 {
   const Halfedge_index h = mesh.halfedge(f);
@@ -52,7 +52,7 @@ void insert(Mesh& mesh, Face_index f, const std::array<double, 3>& weight)
   for(std::size_t k = 0; k < 3; ++k)
     for(int c = 0; c < 2; ++c)
       p[std::size_t(c)] += weight[k] / sum * mesh.point(corner[k])[c];
-  for(const Vertex_index v : corner)
+  for(const Vertex_index v : mesh.vertices())
     if(CGAL::squared_distance(mesh.point(v), Point(p[0], p[1], 0)) < 1e-70)
       return;
   mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = Point(p[0], p[1], 0);
