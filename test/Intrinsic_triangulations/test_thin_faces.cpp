@@ -41,21 +41,37 @@ Mesh square(int n)
   return mesh;
 }
 
-// Inserts a vertex into a face, if no other vertex is there.
+std::array<Number, 2> vector_between(const Point& p, const Point& q)
+{
+  return {Number(q.x()) - Number(p.x()), Number(q.y()) - Number(p.y())};
+}
+
+bool is_clockwise(const Point& p, const Point& q, const Point& r)
+{
+  const auto u = vector_between(p, q), v = vector_between(p, r);
+  return u[0] * v[1] - u[1] * v[0] < 0;
+}
+
+// Inserts a vertex into a face, if no other vertex is there, and rounding has not moved it out of
+// the face: then the mesh would be folded.
 void insert(Mesh& mesh, Face_index f, const std::array<double, 3>& weight)
 {
   const Halfedge_index h = mesh.halfedge(f);
   const std::array<Vertex_index, 3> corner{mesh.source(h), mesh.target(h),
                                            mesh.target(mesh.next(h))};
   const double sum = weight[0] + weight[1] + weight[2];
-  std::array<double, 2> p{};
+  std::array<double, 2> at{};
   for(std::size_t k = 0; k < 3; ++k)
     for(int c = 0; c < 2; ++c)
-      p[std::size_t(c)] += weight[k] / sum * mesh.point(corner[k])[c];
+      at[std::size_t(c)] += weight[k] / sum * mesh.point(corner[k])[c];
+  const Point p(at[0], at[1], 0);
   for(const Vertex_index v : mesh.vertices())
-    if(CGAL::squared_distance(mesh.point(v), Point(p[0], p[1], 0)) < 1e-70)
+    if(CGAL::squared_distance(mesh.point(v), p) < 1e-70)
       return;
-  mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = Point(p[0], p[1], 0);
+  for(std::size_t k = 0; k < 3; ++k)
+    if(is_clockwise(p, mesh.point(corner[k]), mesh.point(corner[(k + 1) % 3])))
+      return;
+  mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = p;
 }
 
 // A grid with vertices close to others and to edges, those of the boundary among them. Coordinates
@@ -72,11 +88,6 @@ Mesh spoiled_square(double e, unsigned int seed)
     insert(mesh, Face_index(std::uint32_t(random.get_int(0, int(mesh.number_of_faces())))), weight);
   }
   return mesh;
-}
-
-std::array<Number, 2> vector_between(const Point& p, const Point& q)
-{
-  return {Number(q.x()) - Number(p.x()), Number(q.y()) - Number(p.y())};
 }
 
 // The cotangent at `p`, from exact positions: infinite if there is no area.

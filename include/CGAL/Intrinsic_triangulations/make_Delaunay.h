@@ -121,6 +121,14 @@ Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
   return stack;
 }
 
+// Whether ties are proven with any number of square roots, which can take seconds each, or with a
+// few; what 1024 binary digits do not tell from a tie counts as one then.
+enum class Tie_decisions
+{
+  exact,
+  by_digits
+};
+
 // Flips as the decisions of `flipping` demand.
 template <typename Flipping, typename Visitor>
 Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
@@ -181,12 +189,15 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
 // and then once more with a hundred times as many.
 template <typename Traits, typename Visitor>
 Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                              double effort, Visitor& visitor, Concurrency concurrency)
+                              double effort, Visitor& visitor, Concurrency concurrency,
+                              Tie_decisions ties = Tie_decisions::exact)
 {
   typedef Flipping_result::End End;
   Flipping_result result;
   for(double factor : {1, 100}) {
     Exact_flipping<Traits> flipping(tri, factor * effort);
+    if(ties == Tie_decisions::by_digits)
+      flipping.decisions().allow_few_roots();
     if(flipping.has_unknown_lengths() &&
        (flipping.has_too_many_crossings() || !flipping.find_lengths()))
       break;
@@ -228,27 +239,30 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 // Decides exactly which edges are Delaunay, and restarts from T1 where edges are bent.
 template <typename Traits, typename Visitor>
 Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor, Concurrency concurrency)
+                             Visitor& visitor, Concurrency concurrency,
+                             Tie_decisions ties = Tie_decisions::exact)
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
+  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency, ties);
   if(result.end == Flipping_result::End::doubt) {
     if(!can_be_reset(tri))
       throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
     restart_from_input(tri, visitor);
     result.is_restarted = true;
-    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);
+    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency, ties);
   }
   check_flip_limit(result.end == Flipping_result::End::limit);
   return result;
 }
 
-// Decides exactly which edges are Delaunay, and computes all lengths anew, to nearly all digits.
+// Decides in the exact metric which edges are Delaunay, and computes all lengths anew, to nearly
+// all digits.
 template <typename Traits, typename Visitor>
 Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                      Visitor& visitor, Concurrency concurrency)
 {
-  const Flipping_result result = flip_exactly(tri, limit, visitor, concurrency);
+  const Flipping_result result =
+    flip_exactly(tri, limit, visitor, concurrency, Tie_decisions::by_digits);
   Exact_flipping<Traits>(tri).recompute_lengths(rounding_unit<double>() / 2);
   return result;
 }
@@ -287,13 +301,15 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
 /// With `Exact_Euclidean_geometry_traits`, or with lengths of type `double` and the parameter
-/// `exact_decisions`, or if lengths of type `double` leave angles of \f$T_1\f$ unknown
-/// (`has_unresolved_angles()`), it is decided exactly which edges are Delaunay: by the stored
-/// lengths and
+/// `exact_decisions`, it is decided exactly which edges are Delaunay: by the stored lengths and
 /// bounds for their errors, and where these leave doubts, on the surface of \f$T_1\f$.
 /// `certify_Delaunay()` confirms the result. At the beginning edges that are not in \f$T_1\f$ are
 /// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and
 /// flipping restarts.
+///
+/// If lengths of type `double` do not determine the angles of \f$T_1\f$
+/// (`has_unresolved_angles()`), decisions are made so, too, except that an edge counts as Delaunay
+/// if 1024 binary digits do not tell it from a tie; lengths are then correct to nearly all digits.
 ///
 /// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips
 /// than edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from

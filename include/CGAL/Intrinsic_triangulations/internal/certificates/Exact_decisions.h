@@ -85,6 +85,10 @@ public:
     : Base(pair, &courses), m_is_flat(m_metric.points, pair.input_mesh())
   {}
 
+  // Leaves open what takes more than `most_digits` binary digits and more than a few roots: it is a
+  // tie up to errors beyond all others.
+  void allow_few_roots() { m_most_roots = few_roots; }
+
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
   // lengths if they leave no doubt.
   bool is_Delaunay(Halfedge_index h)
@@ -248,10 +252,10 @@ public:
         sign = sign_by_roots<Exact>(predicate, few_roots);
       return is_certain(sign);
     });
+    if(!is_certain(sign) && m_most_roots > few_roots)
+      sign = sign_by_roots<Exact>(predicate, m_most_roots);
     if(!is_certain(sign))
-      sign = sign_by_roots<Exact>(predicate, many_roots);
-    if(!is_certain(sign))
-      throw Numerical_error("an exact decision involves more than " + std::to_string(many_roots) +
+      throw Numerical_error("an exact decision involves more than " + std::to_string(m_most_roots) +
                             " independent square roots");
     return get_certain(sign);
   }
@@ -429,6 +433,7 @@ private:
   }
 
   Flat_edges m_is_flat;
+  std::size_t m_most_roots = many_roots;
   Decision_count m_count;
 };
 
