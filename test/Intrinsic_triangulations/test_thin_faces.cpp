@@ -227,6 +227,22 @@ TEST(Thin_faces, a_surface_without_area_has_no_operators)
   EXPECT_THROW(laplacian(t), IT::Numerical_error);
 }
 
+// Two vertices at the middle of an edge, one on each side, have the distance zero: no metric, but
+// lengths of type `double` still give a triangulation.
+TEST(Thin_faces, vertices_that_coincide)
+{
+  Mesh mesh = square(2);
+  const Edge_index e = *std::find_if(mesh.edges().begin(), mesh.edges().end(),
+                                     [&](Edge_index x) { return !mesh.is_border(x); });
+  const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+  const Point middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  for(const Halfedge_index x : {h, o})
+    mesh.point(mesh.target(CGAL::Euler::add_center_vertex(x, mesh))) = middle;
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  EXPECT_TRUE(IT::is_Delaunay(t));
+}
+
 TEST(Thin_faces, connections_and_signed_distances)
 {
   const Mesh mesh = spoiled_square(1e-14, 2);

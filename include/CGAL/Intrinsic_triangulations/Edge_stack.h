@@ -104,14 +104,14 @@ struct Flipping_result
 
   std::size_t flips = 0;
   End end = End::Delaunay;
-  bool is_restarted = false; // whether flipping has restarted from T1
+  bool is_exact = false; // whether lengths of type `double` did not suffice
 
   bool is_Delaunay() const { return end == End::Delaunay; }
 
   // Adds a run that follows this one.
   Flipping_result& operator+=(const Flipping_result& next)
   {
-    return *this = {flips + next.flips, next.end, is_restarted || next.is_restarted};
+    return *this = {flips + next.flips, next.end, is_exact || next.is_exact};
   }
 };
 

@@ -248,7 +248,7 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
     if(!can_be_reset(tri))
       throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
     restart_from_input(tri, visitor);
-    result.is_restarted = true;
+    result.is_exact = true;
     result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency, ties);
   }
   check_flip_limit(result.end == Flipping_result::End::limit);
@@ -261,13 +261,14 @@ template <typename Traits, typename Visitor>
 Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                      Visitor& visitor, Concurrency concurrency)
 {
-  const Flipping_result result =
-    flip_exactly(tri, limit, visitor, concurrency, Tie_decisions::by_digits);
+  Flipping_result result = flip_exactly(tri, limit, visitor, concurrency, Tie_decisions::by_digits);
   Exact_flipping<Traits>(tri).recompute_lengths(rounding_unit<double>() / 2);
+  result.is_exact = true;
   return result;
 }
 
-// Lengths of type `double` do not decide if they do not determine the angles of T1. Otherwise, goes
+// Lengths of type `double` do not decide if they do not determine the angles of T1, unless vertices
+// have the exact distance zero, so that there is no metric. Otherwise, goes
 // on with exact decisions, and from T1, where lengths cannot carry these: after
 // `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2
 // may be bent.
@@ -278,7 +279,11 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
   if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact && has_unresolved_angles(tri.input()))
-      return flip_in_exact_metric(tri, limit, visitor, concurrency);
+      try {
+        return flip_in_exact_metric(tri, limit, visitor, concurrency);
+      } catch(const Numerical_error&) { // vertices coincide
+        restart_from_input(tri, visitor);
+      }
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
   Flipping_result result = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, carried) : limit,
@@ -289,7 +294,7 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
   if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact) {
       restart_from_input(tri, visitor);
-      result.is_restarted = true;
+      result.is_exact = true;
       return result += flip_exactly(tri, limit - result.flips, visitor, concurrency);
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");

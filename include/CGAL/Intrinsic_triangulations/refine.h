@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
-#include <CGAL/Intrinsic_triangulations/thin_faces.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
@@ -260,7 +259,7 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
   Refinement_result result;
   result.flips = flips.flips;
   if constexpr(has_exact_decisions<Traits>())
-    if(flips.is_restarted || (can_be_exact && has_unresolved_angles(tri.input())))
+    if(flips.is_exact)
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
