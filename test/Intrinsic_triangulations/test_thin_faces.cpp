@@ -156,7 +156,7 @@ TEST(Thin_faces, areas_are_those_of_exact_positions)
     const double area = IT::with_resolved_areas(t, [](const auto& surface) {
       return IT::rounded_values(IT::lumped_mass_matrix(surface)).sum();
     });
-    EXPECT_NEAR(area, 1, 1e-12) << e;
+    EXPECT_NEAR(area, 1, 1e-10) << e;
   }
 }
 
@@ -177,6 +177,13 @@ TEST(Thin_faces, distances_by_heat)
   }
 }
 
+template <typename Matrix>
+Matrix with_all_digits(const Matrix& matrix)
+{
+  return matrix.unaryExpr(
+    [](const IT::Multiprecision_float& x) { return IT::Multiprecision_float(x.long_value()); });
+}
+
 // Rows with large entries first, then `double`: as with all digits.
 TEST(Thin_faces, factors_with_many_digits)
 {
@@ -195,12 +202,35 @@ TEST(Thin_faces, factors_with_many_digits)
     for(int i = 0; i < matrix.rows(); ++i)
       right_side[i] = FT(1 + i % 7);
     const Vector solution = IT::Factorization<FT>(matrix, "matrix").solve(right_side);
-    const Vector rest = matrix * solution - right_side;
-    Eigen::SimplicialLLT<Matrix> all_digits(matrix);
+    Eigen::SimplicialLLT<Matrix> all_digits(with_all_digits(matrix));
     const Vector exact = all_digits.solve(right_side);
     for(int i = 0; i < matrix.rows(); ++i)
       EXPECT_LT(CGAL::to_double(FT(abs(solution[i] - exact[i]))), 1e-9) << e << ' ' << i;
   }
+}
+
+// The digits of numbers are those that faces need: one needle does not make all operators slow.
+TEST(Thin_faces, few_numbers_have_many_digits)
+{
+  Mesh mesh = square(20);
+  insert(mesh, Face_index(350), {1, 1e-14, 1e-14});
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  const Precise surface(t);
+  const auto is_long = [](const auto& x) { return x.is_long(); };
+  const auto number_in = [&](const auto& numbers) {
+    return std::count_if(numbers.begin(), numbers.end(), is_long);
+  };
+  std::vector<Precise::FT> lengths;
+  for(const Edge_index e : t.mesh().edges())
+    lengths.push_back(surface.length_map()[e]);
+  EXPECT_GE(number_in(lengths), 3);
+  EXPECT_LE(number_in(lengths), 10);
+  const auto matrix = IT::cotan_laplacian(surface);
+  EXPECT_LE(number_in(matrix.coeffs()), 60);
+  const auto heat = IT::heat_distance(surface, Vertex_index(0));
+  EXPECT_TRUE(IT::rounded_values(heat).allFinite());
+  EXPECT_LE(number_in(heat), 10);
 }
 
 // A face of no area at the boundary does not count: the operators are those without it.
@@ -227,8 +257,8 @@ TEST(Thin_faces, a_surface_without_area_has_no_operators)
   EXPECT_THROW(laplacian(t), IT::Numerical_error);
 }
 
-// Two vertices at the middle of an edge, one on each side, have the distance zero: no metric, but
-// lengths of type `double` still give a triangulation.
+// Two vertices at the middle of an edge, one on each side, have the distance zero: there is no
+// metric.
 TEST(Thin_faces, vertices_that_coincide)
 {
   Mesh mesh = square(2);
@@ -239,8 +269,7 @@ TEST(Thin_faces, vertices_that_coincide)
   for(const Halfedge_index x : {h, o})
     mesh.point(mesh.target(CGAL::Euler::add_center_vertex(x, mesh))) = middle;
   Triangulation t(mesh);
-  IT::make_Delaunay(t);
-  EXPECT_TRUE(IT::is_Delaunay(t));
+  EXPECT_THROW(IT::make_Delaunay(t), IT::Numerical_error);
 }
 
 TEST(Thin_faces, connections_and_signed_distances)

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -41,16 +40,6 @@ template <typename FT>
 FT norm_of(const std::complex<FT>& v)
 {
   return CGAL::sqrt(dot(v, v));
-}
-
-// Returns the length of a vector, without overflow where the type of numbers has `std::hypot()`.
-template <typename FT>
-FT length_of_vector(const FT& x, const FT& y)
-{
-  if constexpr(std::is_floating_point_v<FT>)
-    return std::hypot(x, y);
-  else
-    return CGAL::sqrt(x * x + y * y);
 }
 
 template <typename FT>

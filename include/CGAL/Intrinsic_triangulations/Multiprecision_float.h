@@ -10,25 +10,204 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mixed_Cholesky.h>
 
-#include <boost/multiprecision/eigen.hpp>
+#include <Eigen/Core>
 
+#include <cmath>
 #include <complex>
+#include <limits>
+#include <memory>
+#include <ostream>
 #include <type_traits>
+
+namespace CGAL::Intrinsic_triangulations {
+class Multiprecision_float;
+}
+
+// The range is that of `double`, and the precision of most numbers.
+template <>
+class std::numeric_limits<CGAL::Intrinsic_triangulations::Multiprecision_float>
+  : public std::numeric_limits<double>
+{};
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// a floating point number with 2560 binary digits. Coordinates of type `double` are multiples of
-/// \f$2^{-1074}\f$: the height of a triangle with sides of about one is zero or at least as much,
-/// and lengths with so many digits determine it.
-typedef internal::Binary_float<2560> Multiprecision_float;
+/// a floating point number of type `double`, or with 2560 binary digits. A result has many digits
+/// if an operand has them, so that a computation takes as much time as with `double` but for what
+/// depends on such numbers.
+///
+/// Coordinates of type `double` are multiples of \f$2^{-1074}\f$: the height of a triangle with
+/// sides of about one is zero or at least as much, and lengths with so many digits determine it.
+class Multiprecision_float
+{
+public:
+  /// the type of numbers with many digits.
+  typedef internal::Binary_float<2560> Long;
+
+  /// constructs a number with the digits of `double`.
+  template <typename Arithmetic = int,
+            typename = std::enable_if_t<std::is_arithmetic_v<Arithmetic>>>
+  Multiprecision_float(Arithmetic x = 0) : m_short(static_cast<double>(x))
+  {}
+
+  /// constructs a number with many digits.
+  explicit Multiprecision_float(const Long& x) : m_short(0), m_long(std::make_shared<Long>(x)) {}
+
+  /// returns whether the number has many digits.
+  bool is_long() const { return m_long != nullptr; }
+
+  /// returns the number with many digits.
+  Long long_value() const { return m_long ? *m_long : Long(m_short); }
+
+  /// returns the number, rounded.
+  explicit operator double() const { return m_long ? m_long->convert_to<double>() : m_short; }
+
+  /// \name Arithmetic
+  /// @{
+  friend Multiprecision_float operator+(const Multiprecision_float& x,
+                                        const Multiprecision_float& y)
+  {
+    return combined(x, y, [](const auto& a, const auto& b) { return a + b; });
+  }
+  friend Multiprecision_float operator-(const Multiprecision_float& x,
+                                        const Multiprecision_float& y)
+  {
+    return combined(x, y, [](const auto& a, const auto& b) { return a - b; });
+  }
+  friend Multiprecision_float operator*(const Multiprecision_float& x,
+                                        const Multiprecision_float& y)
+  {
+    return combined(x, y, [](const auto& a, const auto& b) { return a * b; });
+  }
+  friend Multiprecision_float operator/(const Multiprecision_float& x,
+                                        const Multiprecision_float& y)
+  {
+    return combined(x, y, [](const auto& a, const auto& b) { return a / b; });
+  }
+  friend Multiprecision_float operator-(const Multiprecision_float& x)
+  {
+    return of(x, [](const auto& a) { return -a; });
+  }
+  Multiprecision_float& operator+=(const Multiprecision_float& x) { return *this = *this + x; }
+  Multiprecision_float& operator-=(const Multiprecision_float& x) { return *this = *this - x; }
+  Multiprecision_float& operator*=(const Multiprecision_float& x) { return *this = *this * x; }
+  Multiprecision_float& operator/=(const Multiprecision_float& x) { return *this = *this / x; }
+  /// @}
+
+  /// \name Comparison
+  /// @{
+  friend bool operator==(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return with_equal_digits(x, y, [](const auto& a, const auto& b) { return a == b; });
+  }
+  friend bool operator<(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return with_equal_digits(x, y, [](const auto& a, const auto& b) { return a < b; });
+  }
+  friend bool operator<=(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return with_equal_digits(x, y, [](const auto& a, const auto& b) { return a <= b; });
+  }
+  friend bool operator!=(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return !(x == y);
+  }
+  friend bool operator>(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return y < x;
+  }
+  friend bool operator>=(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return y <= x;
+  }
+  /// @}
+
+  /// \name Functions
+  /// @{
+  friend Multiprecision_float abs(const Multiprecision_float& x) { return x < 0 ? -x : x; }
+  friend Multiprecision_float fabs(const Multiprecision_float& x) { return abs(x); }
+  friend Multiprecision_float sqrt(const Multiprecision_float& x)
+  {
+    using std::sqrt;
+    return of(x, [](const auto& a) { return sqrt(a); });
+  }
+  friend Multiprecision_float cos(const Multiprecision_float& x)
+  {
+    using std::cos;
+    return of(x, [](const auto& a) { return cos(a); });
+  }
+  friend Multiprecision_float sin(const Multiprecision_float& x)
+  {
+    using std::sin;
+    return of(x, [](const auto& a) { return sin(a); });
+  }
+  friend Multiprecision_float atan2(const Multiprecision_float& y, const Multiprecision_float& x)
+  {
+    using std::atan2;
+    return combined(y, x, [](const auto& a, const auto& b) { return atan2(a, b); });
+  }
+  friend Multiprecision_float hypot(const Multiprecision_float& x, const Multiprecision_float& y)
+  {
+    return combined(x, y, [](const auto& a, const auto& b) {
+      if constexpr(std::is_same_v<decltype(a), const double&>)
+        return std::hypot(a, b);
+      else
+        return sqrt(a * a + b * b); // the exponents have room for squares
+    });
+  }
+  friend Multiprecision_float hypot(const Multiprecision_float& x, const Multiprecision_float& y,
+                                    const Multiprecision_float& z)
+  {
+    return hypot(x, hypot(y, z));
+  }
+  friend Multiprecision_float ldexp(const Multiprecision_float& x, int exponent)
+  {
+    using std::ldexp;
+    return of(x, [exponent](const auto& a) { return ldexp(a, exponent); });
+  }
+  friend bool isfinite(const Multiprecision_float& x)
+  {
+    return x.m_long ? bool((boost::multiprecision::isfinite)(*x.m_long)) : std::isfinite(x.m_short);
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Multiprecision_float& x)
+  {
+    return out << static_cast<double>(x);
+  }
+  /// @}
+
+private:
+  template <typename Function>
+  static Multiprecision_float of(const Multiprecision_float& x, const Function& f)
+  {
+    return x.m_long ? Multiprecision_float(Long(f(*x.m_long))) : Multiprecision_float(f(x.m_short));
+  }
+
+  // Calls `f` with two numbers of type `double` or `Long`.
+  template <typename Function>
+  static auto with_equal_digits(const Multiprecision_float& x, const Multiprecision_float& y,
+                                const Function& f) -> decltype(f(0., 0.))
+  {
+    return x.m_long || y.m_long ? f(x.long_value(), y.long_value()) : f(x.m_short, y.m_short);
+  }
+
+  template <typename Function>
+  static Multiprecision_float combined(const Multiprecision_float& x, const Multiprecision_float& y,
+                                       const Function& f)
+  {
+    return with_equal_digits(
+      x, y, [&](const auto& a, const auto& b) { return Multiprecision_float(f(a, b)); });
+  }
+
+  double m_short;
+  std::shared_ptr<const Long> m_long; // null if `m_short` is the number
+};
 
 namespace internal {
 
 // Errors are below the range of `double`.
 template <>
-struct Rounding<Multiprecision_float>
+struct Rounding<Multiprecision_float::Long>
 {
   static double unit() { return 0; }
 };
@@ -45,12 +224,19 @@ struct Cholesky_of<std::complex<Multiprecision_float>>
   typedef Mixed_Cholesky<std::complex<Multiprecision_float>, std::complex<double>> type;
 };
 
-// Four times the area of a face of no area, divided by the square of its perimeter, is less.
 template <>
-inline Multiprecision_float flat_face_ratio<Multiprecision_float>()
+struct Digits<Multiprecision_float>
 {
-  return ldexp(Multiprecision_float(1), -1200);
-}
+  static Multiprecision_float few(const Multiprecision_float& x) { return static_cast<double>(x); }
+
+  static bool is_flat(const Multiprecision_float& quadrupled_area,
+                      const Multiprecision_float& perimeter)
+  {
+    constexpr int least_exponent = -1200; // of an area that is not zero
+    return quadrupled_area.is_long() &&
+           !(quadrupled_area > ldexp(perimeter * perimeter, least_exponent));
+  }
+};
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
@@ -67,6 +253,31 @@ class Real_embeddable_traits<Intrinsic_triangulations::Multiprecision_float>
       Intrinsic_triangulations::Multiprecision_float>
 {};
 
+template <>
+class Algebraic_structure_traits<Intrinsic_triangulations::Multiprecision_float::Long>
+  : public Intrinsic_triangulations::internal::Binary_float_structure<
+      Intrinsic_triangulations::Multiprecision_float::Long>
+{};
+
+template <>
+class Real_embeddable_traits<Intrinsic_triangulations::Multiprecision_float::Long>
+  : public Intrinsic_triangulations::internal::Binary_float_embedding<
+      Intrinsic_triangulations::Multiprecision_float::Long>
+{};
+
 } // namespace CGAL
+
+template <>
+struct Eigen::NumTraits<CGAL::Intrinsic_triangulations::Multiprecision_float>
+  : public Eigen::GenericNumTraits<CGAL::Intrinsic_triangulations::Multiprecision_float>
+{
+  enum
+  {
+    RequireInitialization = 1,
+    ReadCost = 2,
+    AddCost = 4,
+    MulCost = 4
+  };
+};
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MULTIPRECISION_FLOAT_H

@@ -26,6 +26,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cmath>
 #include <complex>
 #include <string>
 #include <type_traits>
@@ -51,13 +52,15 @@ with_scalar(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the surface of \f$T_2\f$ with lengths from the exact metric of \f$T_1\f$, in 2560 binary digits.
-/// With them cotangents, areas and angles of the thinnest faces are those of the exact metric, and
-/// faces of no area are recognized: operators leave them out, as no integral depends on them.
+/// the surface of \f$T_2\f$ with lengths from the exact metric of \f$T_1\f$ on faces whose stored
+/// lengths do not determine the area (see `has_unresolved_areas()`), in 2560 binary digits. Other
+/// edges have their stored lengths. So cotangents, areas and angles of the thinnest faces are those
+/// of the exact metric, and faces of no area are recognized: operators leave them out, as no
+/// integral depends on them.
 ///
 /// Operators of this surface are matrices of `Multiprecision_float`. Their Cholesky factorization
 /// (`Factorization`) eliminates the rows of the thinnest faces with all digits, and the others in
-/// `double`. All other operations take about 0.1 ms for each face.
+/// `double`.
 ///
 /// The object refers to the connectivity of \f$T_2\f$, which must not change as long as it is used.
 ///
@@ -84,17 +87,16 @@ public:
   explicit Precise_surface(const Pair& pair)
     : m_mesh(&pair.mesh()), m_length(pair.mesh().num_edges())
   {
+    const auto surface = pair.intrinsic();
+    for(const Edge_index e : m_mesh->edges())
+      m_length[e.idx()] = surface.length_map()[e];
     const internal::Edge_courses<Traits> courses(pair, Concurrency());
-    internal::Exact_decisions<Traits> decisions(pair, courses);
-    Corners corners(internal::exact_input(pair));
-    const internal::Development<Traits, Corners> development(pair, courses, corners);
-    for(const Edge_index e : m_mesh->edges()) {
-      const Halfedge_index h = m_mesh->halfedge(e);
-      m_length[e.idx()] = decisions.is_straight_in_space(h) ? distance_in_space(h, pair)
-                                                            : length(h, development, corners);
-      if(!(m_length[e.idx()] > 0) || !CGAL::is_finite(CGAL::to_double(m_length[e.idx()])))
-        throw Numerical_error("edge " + std::to_string(e.idx()) + " has no positive finite length");
-    }
+    Long_lengths lengths(pair, courses);
+    for(const Face_index f : m_mesh->faces())
+      if(!internal::has_resolved_area(f, surface))
+        for(const Halfedge_index h : sides(f, *m_mesh))
+          if(FT& length = m_length[m_mesh->edge(h).idx()]; !length.is_long())
+            length = FT(lengths(h));
   }
 
   /// returns the connectivity of \f$T_2\f$.
@@ -103,24 +105,51 @@ public:
   Length_map length_map() const { return Length_map(m_length.data()); }
 
 private:
-  typedef internal::Rounded_corners<FT, typename Pair::Metric::Number> Corners;
-
-  // Differences of coordinates are exact.
-  static FT distance_in_space(Halfedge_index h, const Pair& pair)
+  // The lengths of edges with all digits.
+  class Long_lengths
   {
-    const auto& points = pair.input_metric().points;
-    const auto u =
-      internal::vector_between<FT>(points[pair.mesh().source(h)], points[pair.mesh().target(h)]);
-    return sqrt(internal::dot(u, u));
-  }
+    typedef typename FT::Long Number;
+    typedef internal::Rounded_corners<Number, typename Pair::Metric::Number> Corners;
 
-  template <typename Development>
-  static FT length(Halfedge_index h, const Development& development, const Corners& corners)
-  {
-    const auto strip = development.uncrossed_strip(h);
-    return sqrt(FT(strip.end.x * strip.end.x + strip.end.y * strip.end.y)) *
-           corners.length(strip.first.halfedge).x;
-  }
+  public:
+    Long_lengths(const Pair& pair, const internal::Edge_courses<Traits>& courses)
+      : m_pair(pair),
+        m_decisions(pair, courses),
+        m_corners(internal::exact_input(pair)),
+        m_development(pair, courses, m_corners)
+    {}
+
+    Number operator()(Halfedge_index h)
+    {
+      const Number result = m_decisions.is_straight_in_space(h) ? distance(h) : length(h);
+      if(!(result > 0) || !std::isfinite(static_cast<double>(result)))
+        throw Numerical_error("edge " + std::to_string(m_pair.mesh().edge(h).idx()) +
+                              " has no positive finite length");
+      return result;
+    }
+
+  private:
+    // Differences of coordinates are exact.
+    Number distance(Halfedge_index h) const
+    {
+      const auto& points = m_pair.input_metric().points;
+      const auto u = internal::vector_between<Number>(points[m_pair.mesh().source(h)],
+                                                      points[m_pair.mesh().target(h)]);
+      return sqrt(internal::dot(u, u));
+    }
+
+    Number length(Halfedge_index h) const
+    {
+      const auto strip = m_development.uncrossed_strip(h);
+      return sqrt(Number(strip.end.x * strip.end.x + strip.end.y * strip.end.y)) *
+             m_corners.length(strip.first.halfedge).x;
+    }
+
+    const Pair& m_pair;
+    internal::Exact_decisions<Traits> m_decisions;
+    Corners m_corners;
+    internal::Development<Traits, Corners> m_development;
+  };
 
   const Delta_complex* m_mesh;
   std::vector<FT> m_length;

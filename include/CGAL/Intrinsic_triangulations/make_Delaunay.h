@@ -267,8 +267,7 @@ Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::
   return result;
 }
 
-// Lengths of type `double` do not decide if they do not determine the angles of T1, unless vertices
-// have the exact distance zero, so that there is no metric. Otherwise, goes
+// Lengths of type `double` do not decide if they do not determine the angles of T1. Otherwise, goes
 // on with exact decisions, and from T1, where lengths cannot carry these: after
 // `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2
 // may be bent.
@@ -279,11 +278,7 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
   if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact && has_unresolved_angles(tri.input()))
-      try {
-        return flip_in_exact_metric(tri, limit, visitor, concurrency);
-      } catch(const Numerical_error&) { // vertices coincide
-        restart_from_input(tri, visitor);
-      }
+      return flip_in_exact_metric(tri, limit, visitor, concurrency);
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
   Flipping_result result = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, carried) : limit,

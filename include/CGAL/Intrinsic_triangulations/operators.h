@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
@@ -28,13 +29,12 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns whether a face has no area: of numbers with the digits to decide this.
+// Returns whether a face is known to have no area.
 template <typename FT>
 bool is_flat(const Face_metric<FT>& metric)
 {
-  const FT perimeter = metric.length(0) + metric.length(1) + metric.length(2);
-  return flat_face_ratio<FT>() > 0 &&
-         !(metric.quadrupled_area() > flat_face_ratio<FT>() * perimeter * perimeter);
+  return Digits<FT>::is_flat(metric.quadrupled_area(),
+                             metric.length(0) + metric.length(1) + metric.length(2));
 }
 
 // Returns whether a face contributes to integrals of gradients, as those of no area do not. Throws

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -194,7 +195,7 @@ private:
     Vector result = Vector::Zero(moments.size());
     for(Eigen::Index v = 0; v < moments.size(); ++v)
       if(const auto c = component(v); !m_is_anchored[index(c)] && area[c] > 0)
-        result[v] = integral[c] / area[c];
+        result[v] = internal::Digits<FT>::few(integral[c] / area[c]);
     return result;
   }
 

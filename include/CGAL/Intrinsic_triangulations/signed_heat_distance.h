@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -122,11 +123,12 @@ private:
   // of unit length; zero where normals from several sides cancel exactly
   Vector normals(const Surface_curve<FT>& curve, const std::vector<FT>& length) const
   {
+    using std::hypot;
     Vector field = m_flow.spread(curve);
     std::vector<char> is_zero(m_components.size(), 1);
     for(Face_index f : m_surface.mesh().faces()) {
       auto vector = field.template segment<2>(2 * Eigen::Index(f.idx()));
-      const FT norm = internal::length_of_vector<FT>(vector[0], vector[1]);
+      const FT norm = hypot(vector[0], vector[1]);
       if(!(norm > 0))
         continue;
       if(norm < least_norm())
@@ -160,8 +162,9 @@ private:
     }
     for(Eigen::Index v = 0; v < distance.size(); ++v) {
       const std::size_t c = m_components[static_cast<std::size_t>(v)];
-      distance[v] = length[c] > 0 ? FT(distance[v] - integral[c] / length[c])
-                                  : std::numeric_limits<FT>::infinity();
+      distance[v] = length[c] > 0
+                      ? FT(distance[v] - internal::Digits<FT>::few(integral[c] / length[c]))
+                      : std::numeric_limits<FT>::infinity();
     }
   }
 

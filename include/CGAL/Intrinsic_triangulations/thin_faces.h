@@ -19,20 +19,33 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns whether `predicate(a, b, c)` holds for the sides of a face; not if lengths are not of
-// type `double`.
+// Returns whether `predicate(f)` holds for a face; not if lengths are not of type `double`.
 template <typename Surface, typename Predicate>
 bool has_face([[maybe_unused]] const Surface& surface, [[maybe_unused]] const Predicate& predicate)
 {
   if constexpr(std::is_same_v<Length_of<Surface>, double>) {
-    const Delta_complex& mesh = surface.mesh();
-    for(const Face_index f : mesh.faces()) {
-      const auto [a, b, c] = side_lengths(mesh.halfedge(f), surface);
-      if(predicate(a, b, c))
-        return true;
-    }
+    const auto faces = surface.mesh().faces();
+    return std::any_of(faces.begin(), faces.end(), predicate);
   }
   return false;
+}
+
+// Returns whether the lengths of a face determine its angles well enough for flips.
+template <typename Surface>
+bool has_resolved_angles(Face_index f, const Surface& surface)
+{
+  const auto [a, b, c] = side_lengths(surface.mesh().halfedge(f), surface);
+  const double scaled = (a + b + c) * (a + b + c) * resolved_angle_ratio();
+  return squared_quadrupled_area(a, b, c) >= scaled * scaled;
+}
+
+// Returns whether the lengths of a face determine its area to eight digits.
+template <typename Surface>
+bool has_resolved_area(Face_index f, const Surface& surface)
+{
+  const auto [a, b, c] = side_lengths(surface.mesh().halfedge(f), surface);
+  const double slack = (std::min)({b + c - a, c + a - b, a + b - c});
+  return slack >= resolved_area_slack() * (a + b + c);
 }
 
 } // namespace internal
@@ -47,10 +60,8 @@ bool has_face([[maybe_unused]] const Surface& surface, [[maybe_unused]] const Pr
 template <typename Surface>
 bool has_unresolved_angles(const Surface& surface)
 {
-  return internal::has_face(surface, [](double a, double b, double c) {
-    const double scaled = (a + b + c) * (a + b + c) * internal::resolved_angle_ratio();
-    return !(squared_quadrupled_area(a, b, c) >= scaled * scaled);
-  });
+  return internal::has_face(
+    surface, [&](Face_index f) { return !internal::has_resolved_angles(f, surface); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -62,10 +73,8 @@ bool has_unresolved_angles(const Surface& surface)
 template <typename Surface>
 bool has_unresolved_areas(const Surface& surface)
 {
-  return internal::has_face(surface, [](double a, double b, double c) {
-    const double slack = (std::min)({b + c - a, c + a - b, a + b - c});
-    return !(slack >= internal::resolved_area_slack() * (a + b + c));
-  });
+  return internal::has_face(surface,
+                            [&](Face_index f) { return !internal::has_resolved_area(f, surface); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -127,13 +127,16 @@ constexpr double resolved_angle_ratio() { return 0x1p-24; }
 // error of half a `rounding_unit()` determine the area of a face to eight digits.
 constexpr double resolved_area_slack() { return 0x1p-22; }
 
-// A face whose area, four times, is not greater than this quotient of its squared perimeter has no
-// area: the exact metric, from which lengths with more digits than `double` come, says so.
+// What depends on the digits of a number type.
 template <typename FT>
-FT flat_face_ratio()
+struct Digits
 {
-  return FT(0);
-}
+  // Returns a number on which all results depend: they do not have many digits because of it.
+  static FT few(const FT& x) { return x; }
+
+  // Returns whether a face has no area. Only lengths with many digits determine that.
+  static bool is_flat(const FT& /* quadrupled_area */, const FT& /* perimeter */) { return false; }
+};
 
 // The diagonal entry of a matrix with cotangents beyond which a row is not eliminated in `double`:
 // what is added to it loses as many bits.

@@ -62,7 +62,7 @@ public:
   struct Sqrt
   {
     typedef Type_ result_type;
-    Type_ operator()(const Type_& x) const { return boost::multiprecision::sqrt(x); }
+    Type_ operator()(const Type_& x) const { return sqrt(x); }
   };
 };
 
@@ -70,10 +70,15 @@ template <typename Type_>
 class Binary_float_embedding : public INTERN_RET::Real_embeddable_traits_base<Type_, Tag_true>
 {
 public:
+  struct Is_finite
+  {
+    typedef bool result_type;
+    bool operator()(const Type_& x) const { return bool(isfinite(x)); }
+  };
   struct To_double
   {
     typedef double result_type;
-    double operator()(const Type_& x) const { return x.template convert_to<double>(); }
+    double operator()(const Type_& x) const { return static_cast<double>(x); }
   };
   struct To_interval
   {
@@ -81,7 +86,7 @@ public:
     result_type operator()(const Type_& x) const
     {
       constexpr double infinity = std::numeric_limits<double>::infinity();
-      const double nearest = x.template convert_to<double>();
+      const double nearest = static_cast<double>(x);
       return {nearest > x ? std::nextafter(nearest, -infinity) : nearest,
               nearest < x ? std::nextafter(nearest, infinity) : nearest};
     }

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -94,12 +93,8 @@ private:
 
   static FT distance(const Ball& ball, const Position& p)
   {
-    const FT x = ball.center[0] - p[0], y = ball.center[1] - p[1], z = ball.center[2] - p[2];
-    FT d;
-    if constexpr(std::is_floating_point_v<FT>)
-      d = std::hypot(x, y, z);
-    else
-      d = CGAL::sqrt(x * x + y * y + z * z);
+    using std::hypot;
+    const FT d = hypot(ball.center[0] - p[0], ball.center[1] - p[1], ball.center[2] - p[2]);
     return (std::max)(FT(0), FT(d - ball.radius));
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
@@ -52,7 +53,7 @@ std::vector<FT> time_steps(const Surface& surface, const FT& factor,
     count[c] += 1;
   }
   for(std::size_t c = 0; c < result.size(); ++c)
-    result[c] = factor * CGAL::square(result[c] / count[c]);
+    result[c] = Digits<FT>::few(factor * CGAL::square(result[c] / count[c]));
   return result;
 }
 
@@ -102,14 +103,11 @@ public:
   const Elimination_order& order() const { return m_factorization.order(); }
 
   // The heat at the sources: heat falls exponentially with distance, and has a long way to go
-  // before it is below the range of its number type. Numbers with wide exponents need no help.
+  // before it is below the range of its number type.
   static FT unit()
   {
     typedef std::numeric_limits<FT> Limits;
-    constexpr int narrow = 1 << 16;
-    return Limits::max_exponent > narrow
-             ? FT(1)
-             : FT((Limits::max)() * Limits::epsilon() * Limits::epsilon());
+    return (Limits::max)() * Limits::epsilon() * Limits::epsilon();
   }
 
   // one at the sources

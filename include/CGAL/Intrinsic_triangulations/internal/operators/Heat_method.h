@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -96,7 +97,7 @@ public:
     // without a source, all distances become infinite
     for(Eigen::Index v = 0; v < distance.size(); ++v)
       if(const std::size_t c = component(v); weight[c] > 0)
-        distance[v] -= error[c] / weight[c];
+        distance[v] -= Digits<FT>::few(error[c] / weight[c]);
       else
         distance[v] = infinity();
     return distance;
@@ -139,9 +140,10 @@ private:
   // against the gradient of the heat, of length one; zero where the gradient is
   Vector unit_descent(const Vector& heat) const
   {
+    using std::hypot;
     Vector field = -(m_gradient * heat);
     for(Eigen::Index i = 0; i < field.size(); i += 2)
-      if(const FT norm = length_of_vector<FT>(field[i], field[i + 1]); norm > 0)
+      if(const FT norm = hypot(field[i], field[i + 1]); norm > 0)
         field.template segment<2>(i) /= norm;
     return field;
   }

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -57,17 +56,6 @@ std::complex<double> rounded(const std::complex<Real>& x)
 {
   return {CGAL::to_double(x.real()), CGAL::to_double(x.imag())};
 }
-template <typename Real>
-Real extended(double x, const Real*)
-{
-  return Real(x);
-}
-template <typename Real>
-std::complex<Real> extended(const std::complex<double>& x, const std::complex<Real>*)
-{
-  return {Real(x.real()), Real(x.imag())};
-}
-
 // The Cholesky factorization of a Hermitian matrix of numbers with many digits, given by its upper
 // triangle. Rows whose diagonal entries are so large that sums in `double` would lose what matters
 // are eliminated with all digits; the rest is factorized in `double`. Such rows belong to vertices
@@ -236,27 +224,14 @@ private:
     return true;
   }
 
-  // The right side is scaled, so that `double` has its range below the greatest value.
   void solve_rest(Vector& x) const
   {
-    Real greatest(0);
-    for(const int i : m_rest)
-      greatest = (std::max)(greatest, Real(Eigen::numext::abs(x[i])));
-    if(!(greatest > 0))
-      return;
-    int exponent = 0;
-    frexp(greatest, &exponent);
-    constexpr int greatest_exponent = 900;
-    const Real scale = ldexp(Real(1), greatest_exponent - exponent);
     Rounded_vector y(static_cast<Eigen::Index>(m_rest.size()));
     for(std::size_t k = 0; k < m_rest.size(); ++k)
-      y[static_cast<Eigen::Index>(k)] = rounded(Scalar(x[m_rest[k]] * scale));
+      y[static_cast<Eigen::Index>(k)] = rounded(x[m_rest[k]]);
     y = m_factorization->solve(y);
-    for(std::size_t k = 0; k < m_rest.size(); ++k) {
-      const Rounded& value = y[static_cast<Eigen::Index>(k)];
-      const bool is_known = std::abs(value) >= (std::numeric_limits<double>::min)();
-      x[m_rest[k]] = is_known ? Scalar(extended(value, &x[0]) / scale) : Scalar(0);
-    }
+    for(std::size_t k = 0; k < m_rest.size(); ++k)
+      x[m_rest[k]] = Scalar(y[static_cast<Eigen::Index>(k)]);
   }
 
   std::vector<int> m_first, m_rest; // rows that are eliminated with all digits, and the others

@@ -144,7 +144,8 @@ private:
 
   static Field normalized(const Field& moments)
   {
-    const FT greatest = moments.size() == 0 ? FT(0) : moments.cwiseAbs().maxCoeff();
+    const FT greatest =
+      moments.size() == 0 ? FT(0) : Digits<FT>::few(moments.cwiseAbs().maxCoeff());
     return greatest > 0 ? Field(moments / greatest * Heat_flow<FT>::unit()) : moments;
   }
 
