@@ -91,7 +91,7 @@ TEST(High_degree, cylinder_of_a_thousand_twists)
 {
   const int n = 39, twists = 1000;
   Flat_triangulation flat(flat_cylinder(n, twists, 40000));
-  EXPECT_GT(flat.make_Delaunay(), 1000000u);
+  EXPECT_GT(flat.make_Delaunay(), 500000u);
   expect_Delaunay(*flat);
   const Correspondence c(*flat);
   EXPECT_GT(c.number_of_crossings(), 6000000u);

@@ -96,13 +96,19 @@ expect 0 operators isolated.mesh.off --prefix i
 claim "all(0 not in place for place in mtx('i_mass.mtx').entries)"
 rm i_*
 
+# Lengths do not determine the area of a face, and the exact metric does.
+off thin '0 0 0,1 0 0,0 1 0,0.5 1e-17 0' '0 3 2,3 1 2,0 1 3'
+expect 0 operators thin.mesh.off --prefix t --strict
+claim "t = mtx('t_laplacian.mtx')" 'near(max(t.entries.values()) / 5e16, 1, 1e-12)'
+rm t_*
+
 # A face without area has no Laplacian, unless it is mollified. Nothing is written without it.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
 expect 1 operators flat.mesh.off --prefix f --strict
-says 'the area of face 0 is zero or out of range'
+says 'the area of face 0 is zero, as that of all faces at vertex'
 expect_files
 expect 0 operators flat.mesh.off --prefix f
-says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero or out of range'
+says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero, as that of all faces at vertex'
 rm f_*
 expect 0 operators flat.mesh.off --prefix f --mollify 1e-3
 rm f_*

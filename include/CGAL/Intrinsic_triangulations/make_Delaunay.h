@@ -218,6 +218,13 @@ inline std::size_t flips_by_lengths(std::size_t number_of_edges)
   return 10000000 + 1000 * number_of_edges;
 }
 
+// The number of flips that are made with decisions in the exact metric at first: after very many,
+// edges cross so many others that each flip takes long.
+inline std::size_t flips_in_exact_metric(std::size_t number_of_edges)
+{
+  return 1000 + 100 * number_of_edges;
+}
+
 // Whether T2 can start from T1 again: what is constrained are edges of T1, or parts of them.
 template <typename Traits>
 bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
@@ -239,36 +246,39 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 // Decides exactly which edges are Delaunay, and restarts from T1 where edges are bent.
 template <typename Traits, typename Visitor>
 Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor, Concurrency concurrency,
-                             Tie_decisions ties = Tie_decisions::exact)
+                             Visitor& visitor, Concurrency concurrency)
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency, ties);
+  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
   if(result.end == Flipping_result::End::doubt) {
     if(!can_be_reset(tri))
       throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
     restart_from_input(tri, visitor);
     result.is_exact = true;
-    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency, ties);
+    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);
   }
   check_flip_limit(result.end == Flipping_result::End::limit);
   return result;
 }
 
 // Decides in the exact metric which edges are Delaunay, and computes all lengths anew, to nearly
-// all digits.
+// all digits. Does not succeed after too many flips, or if edges cross too many others.
 template <typename Traits, typename Visitor>
 Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                      Visitor& visitor, Concurrency concurrency)
 {
-  Flipping_result result = flip_exactly(tri, limit, visitor, concurrency, Tie_decisions::by_digits);
-  Exact_flipping<Traits>(tri).recompute_lengths(rounding_unit<double>() / 2);
-  result.is_exact = true;
+  const std::size_t most = flips_in_exact_metric(tri.mesh().number_of_edges());
+  Flipping_result result = flip_filtered(tri, (std::min)(limit, most), exact_metric_effort(),
+                                         visitor, concurrency, Tie_decisions::by_digits);
+  if(result.is_Delaunay()) {
+    Exact_flipping<Traits>(tri).recompute_lengths(rounding_unit<double>() / 2);
+    result.is_exact = true;
+  }
   return result;
 }
 
-// Lengths of type `double` do not decide if they do not determine the angles of T1. Otherwise, goes
-// on with exact decisions, and from T1, where lengths cannot carry these: after
+// Decides in the exact metric first if lengths of type `double` do not determine the angles of T1.
+// Goes on by lengths, and with exact decisions, from T1, where lengths cannot carry these: after
 // `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2
 // may be bent.
 template <typename Traits, typename Visitor>
@@ -276,13 +286,19 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
                               Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
+  Flipping_result result;
   if constexpr(has_exact_decisions<Traits>())
-    if(can_be_exact && has_unresolved_angles(tri.input()))
-      return flip_in_exact_metric(tri, limit, visitor, concurrency);
+    if(can_be_exact && has_unresolved_angles(tri.input())) {
+      result = flip_in_exact_metric(tri, limit, visitor, concurrency);
+      if(result.is_Delaunay())
+        return result;
+      check_flip_limit(result.flips == limit);
+    }
+  const std::size_t rest = limit - result.flips;
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
-  Flipping_result result = flip_by_lengths(
-    tri, can_be_exact ? (std::min)(limit, carried) : limit,
-    can_be_exact ? rounds_before_exact_flips() : rounds_of_flips(), visitor, concurrency);
+  result += flip_by_lengths(tri, can_be_exact ? (std::min)(rest, carried) : rest,
+                            can_be_exact ? rounds_before_exact_flips() : rounds_of_flips(), visitor,
+                            concurrency);
   if(result.is_Delaunay())
     return result;
   check_flip_limit(result.flips == limit);
@@ -308,8 +324,9 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 /// flipping restarts.
 ///
 /// If lengths of type `double` do not determine the angles of \f$T_1\f$
-/// (`has_unresolved_angles()`), decisions are made so, too, except that an edge counts as Delaunay
-/// if 1024 binary digits do not tell it from a tie; lengths are then correct to nearly all digits.
+/// (`has_unresolved_angles()`), decisions are made so, too, as long as edges do not cross very many
+/// others, except that an edge counts as Delaunay if 1024 binary digits do not tell it from a tie;
+/// lengths are then correct to nearly all digits.
 ///
 /// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips
 /// than edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from

@@ -173,9 +173,13 @@ constexpr double greatest_time_step_factor() { return 1e12; }
 constexpr int rounds_of_flips() { return 100; }
 constexpr int rounds_before_exact_flips() { return 2; }
 
-// How many steps on strips of triangles a refinement may take to flip with certainty, and how many
-// crossings all lengths together may have that are computed afresh with limited effort.
+// How many steps on strips of triangles a refinement may take to flip with certainty.
 constexpr double refinement_effort() { return 1e9; }
+
+// How many such steps flips in the exact metric may take before lengths decide instead.
+constexpr double exact_metric_effort() { return 1e7; }
+
+// How many crossings all lengths together may have that are computed afresh with limited effort.
 constexpr double greatest_number_of_crossings(double edges) { return 1e6 + 100 * edges; }
 
 } // namespace internal
