@@ -258,11 +258,8 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
   const Flipping_result flips = flip_before_refinement(tri, limits.flips, visitor);
   Refinement_result result;
   result.flips = flips.flips;
-  if constexpr(has_exact_decisions<Traits>())
-    if(flips.is_exact)
-      return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
-    refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
+    !flips.is_exact && refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
   if constexpr(has_exact_decisions<Traits>())
     if(!is_certain && can_be_exact) {
       reset_with_vertices(tri, given);
