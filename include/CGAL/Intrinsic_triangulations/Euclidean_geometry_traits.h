@@ -50,13 +50,14 @@ public:
     /// returns the length of \f$kl\f$.
     FT operator()(const Diamond<FT>& length) const
     {
+      using CGAL::sqrt; // or the one of `FT`
       const FT x = scaled_distance_of_feet(length);
       const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
       const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
       // what is known before the first root stands first, and the quotient needs no root: roots are
       // slow
-      const FT scaled_square = x * x + (height_k + height_l) + 2 * CGAL::sqrt(height_k * height_l);
-      return CGAL::sqrt(scaled_square) * (FT(1) / (2 * length.ij));
+      const FT scaled_square = x * x + (height_k + height_l) + 2 * sqrt(height_k * height_l);
+      return sqrt(scaled_square) * (FT(1) / (2 * length.ij));
     }
 
   private:
@@ -64,11 +65,12 @@ public:
     // other, the other if k and l are: the one with the smaller differences is taken.
     static FT scaled_distance_of_feet(const Diamond<FT>& length)
     {
+      using CGAL::abs; // or the one of `FT`
       const FT at_k = scaled_foot(length.jk, length.ki), at_l = scaled_foot(length.lj, length.il);
       if constexpr(internal::is_rounded<FT>()) {
         const FT at_i = scaled_foot(length.il, length.ki), at_j = scaled_foot(length.lj, length.jk);
         const bool are_k_and_l_near =
-          CGAL::abs(at_i) + CGAL::abs(at_j) < CGAL::abs(at_k) + CGAL::abs(at_l);
+          abs(at_i) + abs(at_j) < abs(at_k) + abs(at_l);
         return are_k_and_l_near ? at_i - at_j : at_k - at_l;
       }
       return at_k - at_l;

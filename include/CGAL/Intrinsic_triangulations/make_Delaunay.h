@@ -148,15 +148,16 @@ Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, 
 
 // Where edges have been flipped more than once on average, rounding may have added up; where a
 // flip failed, it has. With lengths computed afresh a second round is enough as a rule, but
-// nothing guarantees it.
-template <typename Traits, typename Visitor>
-Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
-                                Visitor& visitor, Concurrency concurrency = Concurrency())
+// nothing guarantees it. Each round makes its decisions by `make_flipping()`.
+template <typename Traits, typename Make_flipping, typename Visitor>
+Flipping_result flip_in_rounds(Intrinsic_triangulation<Traits>& tri,
+                               const Make_flipping& make_flipping, std::size_t limit, int rounds,
+                               Visitor& visitor, Concurrency concurrency)
 {
   typedef Flipping_result::End End;
   Flipping_result result;
   for(int round = 0; round < rounds && result.is_Delaunay(); ++round) {
-    Flipping_by_lengths<Traits> flipping(tri);
+    auto flipping = make_flipping();
     const Flipping_result flips =
       flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor, concurrency);
     const bool is_good = !is_rounded<typename Traits::FT>() ||
@@ -168,6 +169,14 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
       result.end = End::doubt;
   }
   return {result.flips, result.flips == limit ? End::limit : End::doubt};
+}
+
+template <typename Traits, typename Visitor>
+Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
+                                Visitor& visitor, Concurrency concurrency = Concurrency())
+{
+  return flip_in_rounds(
+    tri, [&] { return Flipping_by_lengths<Traits>(tri); }, limit, rounds, visitor, concurrency);
 }
 
 // Whether exact decisions are asked for, which is an error where they are not possible.

@@ -112,6 +112,23 @@ Eigen::SparseMatrix<FT> symmetric_matrix(const Delta_complex& mesh, std::vector<
     .template selfadjointView<Eigen::Upper>();
 }
 
+// Returns the Laplacian whose edges have these weights.
+template <typename FT>
+Eigen::SparseMatrix<FT> laplacian_of(const Delta_complex& mesh, std::vector<FT> on_edge)
+{
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0));
+  for(Edge_index e : mesh.edges()) {
+    FT& w = on_edge[e.idx()];
+    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
+    if(i == j)
+      w = 0;
+    diagonal[i.idx()] += w;
+    diagonal[j.idx()] += w;
+    w = -w;
+  }
+  return symmetric_matrix(mesh, std::move(diagonal), on_edge);
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -128,20 +145,7 @@ Eigen::SparseMatrix<FT> symmetric_matrix(const Delta_complex& mesh, std::vector<
 template <typename Surface>
 auto cotan_laplacian(const Surface& surface)
 {
-  typedef Length_of<Surface> FT;
-  const Delta_complex& mesh = surface.mesh();
-  std::vector<FT> diagonal(mesh.num_vertices(), FT(0));
-  auto on_edge = internal::cotan_weights(surface);
-  for(Edge_index e : mesh.edges()) {
-    FT& w = on_edge[e.idx()];
-    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
-    if(i == j)
-      w = 0;
-    diagonal[i.idx()] += w;
-    diagonal[j.idx()] += w;
-    w = -w;
-  }
-  return internal::symmetric_matrix(mesh, std::move(diagonal), on_edge);
+  return internal::laplacian_of(surface.mesh(), internal::cotan_weights(surface));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

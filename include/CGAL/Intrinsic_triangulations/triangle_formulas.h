@@ -50,7 +50,8 @@ inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 template <typename FT>
 FT quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
-  return CGAL::sqrt(squared_quadrupled_area(a, b, c));
+  using CGAL::sqrt; // or the one of `FT`
+  return sqrt(squared_quadrupled_area(a, b, c));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/weighted_laplacian.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+using namespace Test_surfaces;
+
+namespace {
+
+using Triangulation = IT::Intrinsic_triangulation<>;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Exact_kernel;
+typedef Exact_kernel::Point_2 Point_2;
+typedef std::set<std::pair<std::size_t, std::size_t>> Edges;
+
+template <typename T>
+std::pair<T, T> ordered(T a, T b)
+{
+  return std::minmax(a, b);
+}
+
+auto map_of(const std::vector<double>& weights)
+{
+  return boost::make_function_property_map<Vertex_index>(
+    [&weights](Vertex_index v) { return weights[v.idx()]; });
+}
+
+std::vector<double> random_numbers(std::size_t n, double least, double greatest,
+                                   CGAL::Random& random)
+{
+  std::vector<double> result(n);
+  std::generate(result.begin(), result.end(), [&] { return random.get_double(least, greatest); });
+  return result;
+}
+
+// Returns the edges of CGAL's regular triangulation of points that have been lifted to these
+// weights, and the hidden points.
+std::pair<Edges, std::vector<Vertex_index>>
+regular_triangulation(const std::vector<Point_2>& points, const std::vector<double>& weights)
+{
+  typedef CGAL::Regular_triangulation_vertex_base_2<Exact_kernel> Base;
+  typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Exact_kernel, Base> Vertex;
+  typedef CGAL::Regular_triangulation_face_base_2<Exact_kernel> Face;
+  typedef CGAL::Regular_triangulation_2<Exact_kernel,
+                                        CGAL::Triangulation_data_structure_2<Vertex, Face>>
+    Triangulation_2;
+  std::vector<std::pair<Triangulation_2::Weighted_point, std::size_t>> weighted;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    weighted.emplace_back(Triangulation_2::Weighted_point(points[i], weights[i]), i);
+  const Triangulation_2 t(weighted.begin(), weighted.end());
+  std::set<std::size_t> visible;
+  Edges edges;
+  for(auto v : t.finite_vertex_handles())
+    visible.insert(v->info());
+  for(auto e = t.finite_edges_begin(); e != t.finite_edges_end(); ++e)
+    edges.insert(ordered(e->first->vertex(t.cw(e->second))->info(),
+                         e->first->vertex(t.ccw(e->second))->info()));
+  std::vector<Vertex_index> hidden;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(visible.count(i) == 0)
+      hidden.emplace_back(static_cast<Delta_complex::size_type>(i));
+  return {edges, hidden};
+}
+
+// Returns the mesh of a triangulation of the convex hull of points.
+Mesh planar_mesh(const std::vector<Point_2>& points)
+{
+  typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Exact_kernel> Vertex;
+  CGAL::Delaunay_triangulation_2<Exact_kernel, CGAL::Triangulation_data_structure_2<Vertex>> t;
+  std::vector<std::pair<Point_2, std::size_t>> numbered;
+  std::vector<Point> corners;
+  for(const Point_2& p : points) {
+    numbered.emplace_back(p, numbered.size());
+    corners.emplace_back(p.x(), p.y(), 0);
+  }
+  t.insert(numbered.begin(), numbered.end());
+  Triangles triangles;
+  for(auto f : t.finite_face_handles())
+    triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  return make_mesh(corners, triangles);
+}
+
+Edges edges_without(const std::vector<Vertex_index>& hidden, const Triangulation& t)
+{
+  const std::set<Vertex_index> left_out(hidden.begin(), hidden.end());
+  Edges result;
+  for(Edge_index e : t.mesh().edges()) {
+    const Vertex_index v = t.mesh().vertex(e, 0), w = t.mesh().vertex(e, 1);
+    if(left_out.count(v) == 0 && left_out.count(w) == 0)
+      result.insert(ordered<std::size_t>(v.idx(), w.idx()));
+  }
+  return result;
+}
+
+std::vector<Point_2> random_points(std::size_t n, CGAL::Random& random)
+{
+  std::vector<Point_2> result;
+  while(result.size() < n)
+    result.emplace_back(random.get_double(-1, 1), random.get_double(-1, 1));
+  return result;
+}
+
+// Checks the condition of every edge with 50 digits: lengths come from the strips of T1, and the
+// power centers from coordinates of the corners in the plane.
+void expect_weighted_Delaunay(const Triangulation& t, const std::vector<double>& weights)
+{
+  typedef boost::multiprecision::cpp_bin_float_50 Number;
+  IT::Precise_lengths<IT::Euclidean_geometry_traits<double>, Number> precise(t);
+  const auto height = [&](Halfedge_index h) {
+    const Delta_complex& mesh = t.mesh();
+    const Number l = precise(h), b = precise(mesh.next(h)), a = precise(mesh.prev(h));
+    const Number wi = weights[mesh.source(h).idx()], wj = weights[mesh.target(h).idx()],
+                 wk = weights[mesh.target(mesh.next(h)).idx()];
+    const Number x = (l * l + a * a - b * b) / (2 * l), y = sqrt(a * a - x * x);
+    const Number center = (l * l + wi - wj) / (2 * l);
+    return Number((a * a + wi - wk - 2 * center * x) / (2 * y));
+  };
+  for(Edge_index e : t.mesh().edges())
+    if(!t.mesh().is_border(e)) {
+      const Halfedge_index h = t.mesh().halfedge(e);
+      EXPECT_GE(static_cast<double>(height(h) + height(t.mesh().opposite(h))), -1e-9) << e;
+    }
+}
+
+void flip_at_random(Triangulation& t, std::size_t flips, CGAL::Random& random)
+{
+  for(std::size_t i = 0; i < flips; ++i)
+    if(const auto h = random_index<Halfedge_index>(t.mesh().num_halfedges(), random);
+       t.is_flippable(h))
+      t.flip(h);
+}
+
+} // namespace
+
+TEST(Weighted_Delaunay, is_the_regular_triangulation_of_a_flat_domain)
+{
+  CGAL::Random random(1);
+  std::size_t hidden_vertices = 0;
+  for(std::size_t n : {5, 20, 100, 400})
+    for(double range : {1e-9, 0.01, 0.1, 1., 10.})
+      for(int sample = 0; sample < 5; ++sample) {
+        const std::vector<Point_2> points = random_points(n, random);
+        const std::vector<double> weights =
+          random_numbers(n, -range / double(n), range / double(n), random);
+        const auto [edges, hidden] = regular_triangulation(points, weights);
+        Triangulation t(planar_mesh(points));
+        const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+        EXPECT_EQ(result.hidden_vertices, hidden);
+        EXPECT_EQ(edges_without(hidden, t), edges) << n << ' ' << range << ' ' << sample;
+        EXPECT_TRUE(IT::is_weighted_Delaunay(t, result.weight_map()));
+        EXPECT_TRUE(t.is_valid());
+        hidden_vertices += hidden.size();
+      }
+  EXPECT_GT(hidden_vertices, 1000);
+}
+
+TEST(Weighted_Delaunay, holds_in_fifty_digits_and_is_unique)
+{
+  CGAL::Random random(2);
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    Triangulation t(random_sphere(60, seed)), u = t;
+    std::vector<double> weights(60);
+    for(std::size_t i = 0; i < 60; ++i) {
+      double least = 10;
+      for(Halfedge_index h : CGAL::halfedges_around_target(
+            Vertex_index(static_cast<Delta_complex::size_type>(i)), t.mesh()))
+        least = (std::min)(least, t.length(t.mesh().edge(h)));
+      weights[i] = std::pow(random.get_double(0, 0.7) * least, 2);
+    }
+    const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+    EXPECT_TRUE(result.hidden_vertices.empty());
+    expect_weighted_Delaunay(t, weights);
+    EXPECT_TRUE(t.is_valid());
+    flip_at_random(u, 300, random);
+    IT::make_weighted_Delaunay(u, map_of(weights));
+    std::map<std::pair<Vertex_index, Vertex_index>, std::multiset<long>> lengths_of_t, lengths_of_u;
+    for(Edge_index e : t.mesh().edges()) {
+      lengths_of_t[ordered(t.mesh().vertex(e, 0), t.mesh().vertex(e, 1))].insert(
+        std::lround(1e7 * t.length(e)));
+      lengths_of_u[ordered(u.mesh().vertex(e, 0), u.mesh().vertex(e, 1))].insert(
+        std::lround(1e7 * u.length(e)));
+    }
+    EXPECT_EQ(lengths_of_t, lengths_of_u);
+  }
+}
+
+TEST(Weighted_Delaunay, equal_weights_are_none)
+{
+  for(unsigned int seed = 0; seed < 5; ++seed)
+    for(double weight : {-3., 0., 2.}) {
+      Triangulation t(random_sphere(200, seed)), u = t;
+      IT::make_Delaunay(t);
+      const std::vector<double> weights(200, weight);
+      const auto result = IT::make_weighted_Delaunay(u, map_of(weights));
+      EXPECT_TRUE(result.hidden_vertices.empty());
+      EXPECT_TRUE(IT::is_Delaunay(u));
+      for(Edge_index e : t.mesh().edges())
+        EXPECT_EQ(t.length(e), u.length(e));
+      EXPECT_LT((IT::cotan_laplacian(t.intrinsic()) -
+                 IT::weighted_laplacian(u.intrinsic(), map_of(weights)))
+                  .norm(),
+                1e-10);
+    }
+}
+
+TEST(Weighted_Delaunay, hides_vertices_of_any_curvature)
+{
+  Triangulation t((cube()));
+  std::vector<double> weights(8, 0.);
+  weights[0] = -100;
+  const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+  EXPECT_EQ(result.hidden_vertices, std::vector<Vertex_index>{Vertex_index(0)});
+  EXPECT_GT(result.weights[0], -100);
+  EXPECT_TRUE(IT::is_weighted_Delaunay(t, result.weight_map()));
+  expect_weighted_Delaunay(t, result.weights);
+  EXPECT_TRUE(t.is_valid());
+}
+
+TEST(Weighted_Delaunay, constrained_edges_stay)
+{
+  Mesh mesh = random_sphere(100, 7);
+  Triangulation t(mesh);
+  CGAL::Random random(3);
+  const std::vector<double> weights = random_numbers(100, 0, 0.01, random);
+  for(Edge_index e : t.mesh().edges())
+    t.set_constrained(e, e.idx() % 3 == 0);
+  IT::make_weighted_Delaunay(t, map_of(weights));
+  for(Edge_index e : t.mesh().edges())
+    if(e.idx() % 3 == 0) {
+      EXPECT_TRUE(t.coordinates().is_shared(e));
+    }
+}
+
+// Dual edges are orthogonal to edges: coordinates of a flat domain are harmonic inside, whatever
+// the weights.
+TEST(Weighted_laplacian, has_linear_precision)
+{
+  CGAL::Random random(4);
+  const std::vector<Point_2> points = random_points(100, random);
+  const std::vector<double> weights = random_numbers(100, -0.3, 0.3, random);
+  const Triangulation t(planar_mesh(points));
+  const auto laplacian = IT::weighted_laplacian(t.intrinsic(), map_of(weights));
+  Eigen::VectorXd x(100), ones = Eigen::VectorXd::Ones(100);
+  for(int i = 0; i < 100; ++i)
+    x[i] = points[static_cast<std::size_t>(i)].x() + 2 * points[static_cast<std::size_t>(i)].y();
+  const Eigen::VectorXd image = laplacian * x, of_ones = laplacian * ones;
+  for(Vertex_index v : t.mesh().vertices()) {
+    if(!t.mesh().is_border(v)) {
+      EXPECT_NEAR(image[int(v.idx())], 0, 1e-9);
+    }
+    EXPECT_NEAR(of_ones[int(v.idx())], 0, 1e-9);
+  }
+}
+
+TEST(Power_center, has_equal_power_to_the_corners)
+{
+  CGAL::Random random(5);
+  const std::vector<Point_2> points = random_points(50, random);
+  const std::vector<double> weights = random_numbers(50, -1, 1, random);
+  const Triangulation t(planar_mesh(points));
+  for(Face_index f : t.mesh().faces()) {
+    const Halfedge_index h = t.mesh().halfedge(f);
+    const auto b = IT::power_center(h, t.intrinsic(), map_of(weights));
+    std::array<std::size_t, 3> corner{t.mesh().source(h).idx(), t.mesh().target(h).idx(),
+                                      t.mesh().target(t.mesh().next(h)).idx()};
+    double x = 0, y = 0;
+    for(std::size_t c = 0; c < 3; ++c) {
+      x += b[c] * points[corner[c]].x();
+      y += b[c] * points[corner[c]].y();
+    }
+    std::array<double, 3> power;
+    for(std::size_t c = 0; c < 3; ++c)
+      power[c] = CGAL::squared_distance(Point_2(x, y), points[corner[c]]) - weights[corner[c]];
+    const double scale = 1e-9 * (1 + std::abs(power[0])) * (1 + std::abs(x) + std::abs(y));
+    EXPECT_NEAR(b[0] + b[1] + b[2], 1, scale);
+    EXPECT_NEAR(power[0], power[1], scale);
+    EXPECT_NEAR(power[0], power[2], scale);
+  }
+}
