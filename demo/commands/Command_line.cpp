@@ -23,6 +23,7 @@ constexpr const char* examples_help =
   intrinsic flatten bunny.obj -o flat.obj
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
   intrinsic sphere bunny.obj -o sphere.ply
+  intrinsic convex dented.off -o convex.off
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
 Colors, normals, texture coordinates and functions at the vertices of a mesh, and the groups and
@@ -50,7 +51,7 @@ Command_line::Command_line()
   for(const auto define :
       {define_info, define_view, define_delaunay, define_refine, define_distance, define_path,
        define_transfer, define_operators, define_flatten, define_hyperbolic, define_uniformize,
-       define_sphere, define_simplify})
+       define_sphere, define_convex, define_simplify})
     define(*this);
 }
 
@@ -63,15 +64,25 @@ void add_output(CLI::App& command, Output_options& options, const std::string& w
   command.add_flag("--binary", options.is_binary, "Write .ply with binary numbers");
 }
 
-void add_common_options(CLI::App& command, Common_options& options)
+void add_statistics(CLI::App& command, Common_options& options)
 {
   command.add_option("--stats", options.statistics, "JSON file for statistics");
+}
+
+void add_common_options(CLI::App& command, Common_options& options)
+{
+  add_statistics(command, options);
   command.add_option("--view", options.view,
                      "HTML file that shows the result in a browser, see `intrinsic view`");
   command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
   command.add_option(
     "--section", options.section,
     "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius");
+  add_input_options(command, options);
+}
+
+void add_input_options(CLI::App& command, Common_options& options)
+{
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, "
              "relative to the mean edge length; done by itself where almost flat triangles leave "

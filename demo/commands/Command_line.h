@@ -73,6 +73,7 @@ void define_flatten(Command_line& line);
 void define_hyperbolic(Command_line& line);
 void define_uniformize(Command_line& line);
 void define_sphere(Command_line& line);
+void define_convex(Command_line& line);
 void define_simplify(Command_line& line);
 
 // ---- Options that several commands have ----
@@ -88,6 +89,9 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Number& numb
 void add_output(CLI::App& command, Output_options& options, const std::string& what,
                 const std::string& formats);
 void add_common_options(CLI::App& command, Common_options& options);
+void add_statistics(CLI::App& command, Common_options& options);
+// Those about the input.
+void add_input_options(CLI::App& command, Common_options& options);
 void add_save(CLI::App& command, Common_options& options);
 void add_direct(CLI::App& command, Common_options& options);
 void add_exact(

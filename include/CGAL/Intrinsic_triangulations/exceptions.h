@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -27,6 +28,27 @@ class Invalid_input : public Error
 {
 public:
   using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// vertices of negative curvature keep a surface from being that of a convex polyhedron.
+class Negative_curvature : public Invalid_input
+{
+  std::vector<std::size_t> m_vertices;
+
+public:
+  /// makes an error of these vertices, at least one, the first of which has this curvature.
+  Negative_curvature(const std::vector<std::size_t>& vertices, double curvature)
+    : Invalid_input("vertex " + std::to_string(vertices.front()) + " has negative curvature, " +
+                    std::to_string(curvature) + " radians" +
+                    (vertices.size() == 1
+                       ? std::string()
+                       : ", and so have " + std::to_string(vertices.size() - 1) + " others")),
+      m_vertices(vertices)
+  {}
+
+  /// returns the indices of the vertices of negative curvature.
+  const std::vector<std::size_t>& vertices() const { return m_vertices; }
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions

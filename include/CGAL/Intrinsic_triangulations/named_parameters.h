@@ -113,6 +113,11 @@ auto parent_edge_map(const Map& map);
 template <typename Map>
 auto parent_face_map(const Map& map);
 
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// names the curvature, in radians, up to which vertices count as flat.
+template <typename Number>
+auto curvature_tolerance(const Number& value);
+
 } // namespace parameters
 
 #endif // DOXYGEN_RUNNING

@@ -32,5 +32,6 @@ CGAL_named_parameter(input_point_map)
 CGAL_named_parameter(parent_vertex_map)
 CGAL_named_parameter(parent_edge_map)
 CGAL_named_parameter(parent_face_map)
+CGAL_named_parameter(curvature_tolerance)
 
 #endif

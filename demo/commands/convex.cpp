@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/Command_line.h"
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/number_ranges.h"
+#include "commands/triangulation_stages.h"
+#include "reading/glued_sides.h"
+#include "writing/Mesh_writer.h"
+#include "writing/subdivision_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
+#include <CGAL/Intrinsic_triangulations/glue_boundary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+struct Convex_options : Output_options
+{
+  Convex_options() : Output_options("off") {}
+
+  std::string sides;              // a file of glued sides; empty if the mesh is closed
+  std::string subdivision;        // empty if not wanted
+  std::optional<double> flatness; // the curvature up to which vertices are flat
+};
+
+// Of edges, relative to their lengths.
+constexpr double greatest_edge_error = 1e-9;
+
+constexpr const char* convex_help =
+  R"(The mesh must be a sphere without vertices of negative curvature; it need not be convex. There is
+exactly one convex polyhedron with its surface, which may be a polygon with two sides: "flat" in
+the statistics.
+
+The output has the vertices of the mesh, in their order; those without curvature lie on faces and
+edges. Its triangles are those of the polyhedron. Whether it is convex is decided exactly for the
+positions that are written, flat vertices aside. --subdivision writes the common subdivision of the
+mesh and the polyhedron, on the polyhedron; .ply and .vtp have for each vertex its place on the mesh
+(input_x, input_y, input_z), and of edges and faces of which they are parts.
+
+With --glue, the mesh is a net: one or more polygons, the sides of which are glued. Each line of the
+file has four numbers of vertices, a b c d: the side from a to b is glued to that from c to d, a to
+c and b to d. Words after # are comments. Glued vertices become one, with the number of the first
+among those that are left; vertex_map in the statistics has these numbers.
+
+Examples:
+  intrinsic convex dented.off -o convex.off
+  intrinsic convex cross.off --glue cross.txt -o folded.off --stats folded.json)";
+
+Output_mesh described_mesh(const IT::Convex_polyhedron& polyhedron)
+{
+  Output_mesh result = output_mesh(polyhedron.mesh());
+  std::vector<std::int64_t> is_flat(result.points.size(), 0);
+  for(const IT::Vertex_index v : polyhedron.flat_vertices())
+    is_flat[v.idx()] = 1;
+  result.point_data.push_back({"is_flat", is_flat});
+  return result;
+}
+
+void describe(Statistics& statistics, const IT::Convex_polyhedron& polyhedron)
+{
+  const IT::Polyhedron_certificate& certificate = polyhedron.certificate();
+  statistics["vertices"] = polyhedron.points().size();
+  statistics["faces"] = polyhedron.triangulation().mesh().number_of_faces();
+  statistics["flat_vertices"] = polyhedron.flat_vertices().size();
+  statistics["flat"] = polyhedron.is_flat();
+  statistics["convex"] = certificate.is_convex();
+  statistics["convex_edges"] = certificate.convex_edges;
+  statistics["flat_edges"] = certificate.flat_edges;
+  statistics["concave_edges"] = certificate.concave_edges;
+  statistics["max_edge_error"] = polyhedron.max_edge_error();
+  statistics["last_curvature"] = polyhedron.last_curvature();
+  statistics["iterations"] = polyhedron.newton_steps();
+}
+
+void check(const IT::Convex_polyhedron& polyhedron)
+{
+  std::ostringstream text;
+  if(!(polyhedron.max_edge_error() <= greatest_edge_error))
+    text << "an edge of the polyhedron has a relative error of " << polyhedron.max_edge_error();
+  else if(!polyhedron.certificate().is_convex())
+    text << "by rounding, " << polyhedron.certificate().concave_edges
+         << " edges of the polyhedron are not convex";
+  else
+    return;
+  throw IT::Numerical_error(text.str());
+}
+
+std::string summary(const IT::Convex_polyhedron& polyhedron)
+{
+  std::ostringstream text;
+  const std::size_t flat = polyhedron.flat_vertices().size(), all = polyhedron.points().size();
+  text << (polyhedron.is_flat() ? "polygon with two sides, " : "convex polyhedron, ") << all - flat
+       << " vertices";
+  if(flat > 0)
+    text << " and " << flat << " on faces and edges";
+  text << ", edges equal to " << polyhedron.max_edge_error();
+  return text.str();
+}
+
+template <class Surface, class Parameters>
+IT::Convex_polyhedron polyhedron_of(const Surface& surface, const Parameters& np,
+                                    std::optional<double> flatness)
+{
+  return flatness ? IT::convex_polyhedron(surface, np.curvature_tolerance(*flatness))
+                  : IT::convex_polyhedron(surface, np);
+}
+
+// The surface of a net whose sides are glued.
+IT::Glued_surface glued(Command_run& run, const std::string& path)
+{
+  const Mesh& mesh = run.input().mesh;
+  const Edge_length_map length = edge_lengths(run);
+  const Glued_sides sides = read_glued_sides(path, mesh);
+  double difference = 0;
+  for(const auto& [h, o] : sides.pairs)
+    difference = (std::max)(difference, std::abs(length[mesh.edge(h)] - length[mesh.edge(o)]));
+  run.statistics()["max_side_difference"] = difference;
+  IT::Glued_surface result = IT::glue_boundary(mesh, length, sides.pairs);
+  std::vector<std::int64_t> numbers;
+  for(const IT::Vertex_index v : result.vertices)
+    numbers.push_back(number_of(v));
+  run.statistics()["vertex_map"] = numbers;
+  return result;
+}
+
+// The common subdivision on the polyhedron, with the places of its vertices on the input.
+Output_mesh subdivision_on(const IT::Convex_polyhedron& polyhedron, const Subdivision& subdivision)
+{
+  Output_mesh result = subdivision_mesh(subdivision);
+  result.keep();
+  std::array<std::vector<double>, 3> position;
+  const char* names[] = {"input_x", "input_y", "input_z"};
+  for(int x = 0; x < 3; ++x) {
+    std::vector<double> values, before;
+    for(const Point& p : polyhedron.points())
+      values.push_back(p[x]);
+    for(const Point& p : result.points)
+      before.push_back(p[x]);
+    position[static_cast<std::size_t>(x)] = interpolated(IT::Side::intrinsic, values, subdivision);
+    result.point_data.push_back({names[x], before});
+  }
+  for(std::size_t i = 0; i < result.points.size(); ++i)
+    result.points[i] = Point(position[0][i], position[1][i], position[2][i]);
+  return result;
+}
+
+int convex(const Common_options& common, const Convex_options& options)
+{
+  const Mesh_format format = output_format(options.output, options);
+  if(!options.sides.empty() && !options.subdivision.empty())
+    throw Program_error("--subdivision: a net has no place in space; leave out --glue");
+  const std::optional<Mesh_format> subdivision_format =
+    options.subdivision.empty()
+      ? std::nullopt
+      : std::optional<Mesh_format>(output_format(options.subdivision, options));
+  Command_run run("convex", common, {options.output, options.subdivision});
+  run.plan({{"build", "fold"}, subdivision_format ? subdivision_stages : Stages{}});
+  std::optional<IT::Glued_surface> net;
+  run.timed("build", [&] {
+    if(!options.sides.empty())
+      net = glued(run, options.sides);
+  });
+  const IT::Convex_polyhedron polyhedron = run.timed("fold", [&] {
+    if(net)
+      return polyhedron_of(
+        net->mesh, IT::parameters::edge_length_map(IT::stored_length_map<double>(net->mesh)),
+        options.flatness);
+    return polyhedron_of(run.input().mesh, IT::parameters::mollification(mollification(run)),
+                         options.flatness);
+  });
+  describe(run.statistics(), polyhedron);
+  check(polyhedron);
+  if(subdivision_format) {
+    const Subdivision subdivision = subdivide(run, polyhedron.triangulation());
+    run.add_output(options.subdivision, subdivision_on(polyhedron, subdivision),
+                   *subdivision_format);
+  }
+  run.timed("write", [&] {
+    run.add_output(options.output, described_mesh(polyhedron), format);
+    save(run, polyhedron.triangulation());
+  });
+  run.finish(summary(polyhedron));
+  return 0;
+}
+
+} // namespace
+
+void define_convex(Command_line& line)
+{
+  const auto [command, options] = line.add_with_mesh(
+    "convex", "Fold a surface or a net to the convex polyhedron that has it", convex, convex_help);
+  add_output(command, options, "The polyhedron (.off, .obj, .ply, .vtp", "off, obj, ply or vtp");
+  command.add_option("--glue", options.sides, "Text file of the sides of a net that are glued");
+  command.add_option("--subdivision", options.subdivision,
+                     "File for the common subdivision on the polyhedron");
+  command
+    .add_option("--flat", options.flatness,
+                "Curvature in radians up to which vertices count as flat; by default what rounding "
+                "can come to")
+    ->check(number_from_to(0., 1.));
+  add_save(command, line.common());
+  add_statistics(command, line.common());
+  add_input_options(command, line.common());
+}

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_POLYHEDRON_CERTIFICATE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_POLYHEDRON_CERTIFICATE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <cstddef>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// what exact predicates have found about a polyhedron with positions of type `double`, without a
+/// tolerance. Vertices that are flat do not count: rounding moves them out of their faces.
+struct Polyhedron_certificate
+{
+  bool is_flat = false; ///< whether the polyhedron is a polygon with two sides
+  /// the edges at which the polyhedron is convex; of a polygon, its sides.
+  std::size_t convex_edges = 0;
+  /// the edges between triangles in one plane.
+  std::size_t flat_edges = 0;
+  /// the edges that are not convex; of a polygon, the vertices.
+  std::size_t concave_edges = 0;
+  /// the triangles that are not seen from the center, from inside; of a polygon, those without
+  /// area.
+  std::size_t hidden_faces = 0;
+  /// how often the triangles cover the sphere of directions from the center; of a polygon, how
+  /// often its sides turn around.
+  int degree = 0;
+
+  /// returns whether the polyhedron is convex.
+  bool is_convex() const { return concave_edges == 0 && hidden_faces == 0 && degree == 1; }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_POLYHEDRON_CERTIFICATE_H

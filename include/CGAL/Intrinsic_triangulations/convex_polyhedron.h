@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONVEX_POLYHEDRON_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONVEX_POLYHEDRON_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Polyhedron_certificate.h>
+#include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Polyhedron_builder.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// the convex polyhedron that has a given surface, as `convex_polyhedron()` finds it: an intrinsic
+/// triangulation of the surface, whose edges are straight lines on the polyhedron, and the
+/// positions of its vertices.
+class Convex_polyhedron
+{
+public:
+  /// the kernel of the positions.
+  typedef Exact_predicates_inexact_constructions_kernel Kernel;
+  /// the type of positions.
+  typedef Kernel::Point_3 Point;
+  /// the type of the triangulation.
+  typedef Intrinsic_triangulation<> Triangulation;
+
+#ifndef DOXYGEN_RUNNING
+  Convex_polyhedron(Triangulation triangulation, std::optional<double> tolerance)
+    : m_triangulation(std::move(triangulation))
+  {
+    internal::Polyhedron_builder<Triangulation::Traits> built(m_triangulation, tolerance);
+    m_points = built.points();
+    m_flat_vertices = built.flat_vertices();
+    m_certificate = built.certificate();
+    m_max_edge_error = built.max_edge_error();
+    m_last_curvature = built.last_curvature();
+    m_newton_steps = built.newton_steps();
+  }
+#endif
+
+  /// returns the triangulation: \f$T_1\f$ is the input, and the faces of \f$T_2\f$ are triangles of
+  /// the polyhedron. So the correspondence of both, such as `Common_subdivision`, is that of the
+  /// input and the polyhedron.
+  const Triangulation& triangulation() const { return m_triangulation; }
+
+  /// returns the position of a vertex.
+  const Point& point(Vertex_index v) const { return m_points[v.idx()]; }
+  /// returns the positions of all vertices, by index.
+  const std::vector<Point>& points() const { return m_points; }
+
+  /// returns the vertices without curvature, which lie on faces and edges of the polyhedron.
+  const std::vector<Vertex_index>& flat_vertices() const { return m_flat_vertices; }
+
+  /// returns whether the polyhedron is a polygon with two sides, in the plane \f$z = 0\f$.
+  bool is_flat() const { return m_certificate.is_flat; }
+
+  /// returns what exact predicates have found about the positions of vertices with curvature.
+  const Polyhedron_certificate& certificate() const { return m_certificate; }
+
+  /// returns the greatest difference between the length of an edge of \f$T_2\f$ on the surface and
+  /// the distance of its ends, relative to the length.
+  double max_edge_error() const { return m_max_edge_error; }
+
+  /// returns the part of the curvature that was left at the apex at the end of the path.
+  double last_curvature() const { return m_last_curvature; }
+
+  /// returns the number of steps of Newton's method.
+  std::size_t newton_steps() const { return m_newton_steps; }
+
+  /// returns the polyhedron as a mesh with the elements of \f$T_2\f$, which keep their indices. A
+  /// polygon with two sides can have parallel edges. Complexity: linear.
+  Surface_mesh<Point> mesh() const
+  {
+    auto result = internal::mesh_with_connectivity<Point>(m_triangulation.mesh());
+    for(Vertex_index v : m_triangulation.mesh().vertices())
+      result.point(v) = point(v);
+    return result;
+  }
+
+private:
+  Triangulation m_triangulation;
+  std::vector<Point> m_points;
+  std::vector<Vertex_index> m_flat_vertices;
+  Polyhedron_certificate m_certificate;
+  double m_max_edge_error = 0, m_last_curvature = 1;
+  std::size_t m_newton_steps = 0;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// computes the convex polyhedron that has the surface of `g`. By Alexandrov's theorem there is
+/// exactly one, up to motions, if the surface is a sphere and no vertex has negative curvature; it
+/// may be a polygon with two sides. Vertices of zero curvature lie on its faces and edges.
+///
+/// The pyramids over the triangles have a common apex. Its distances from the vertices are
+/// followed from large ones, where the curvature at each edge to the apex is nearly that of the
+/// vertex, to those where this curvature is zero (Bobenko and Izmestiev 2008). The triangulation is
+/// weighted Delaunay for the squares of the distances all the time. Newton's method takes
+/// derivatives in `double`; curvatures have twice as many digits.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex is allowed
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a triangulated sphere
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the positions of the vertices, whose distances are the edge lengths;
+///       the surface need not be convex}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, g)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_length_map}
+///     \cgalParamDescription{the lengths of the edges themselves; no positions are needed then}
+///     \cgalParamType{a model of `ReadablePropertyMap` with value type convertible to `double`}
+///     \cgalParamDefault{unused}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{curvature_tolerance}
+///     \cgalParamDescription{the curvature in radians, positive or negative, up to which a vertex
+///       counts as flat}
+///     \cgalParamType{convertible to `double`}
+///     \cgalParamDefault{what the rounding of lengths, or of positions, can come to}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Complexity: some dozens of factorizations of a sparse matrix with as many rows as vertices, and
+/// more steps for thin polyhedra.
+/// \throws Invalid_input if `g` is not a triangulated sphere
+/// \throws Negative_curvature if vertices have negative curvature
+/// \throws Numerical_error if a matrix or a pyramid degenerates by rounding
+template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Convex_polyhedron convex_polyhedron(const Graph& g,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef CGAL::parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::curvature_tolerance_t>
+    Is_default;
+  std::optional<double> tolerance;
+  if constexpr(!Is_default::value)
+    tolerance = get_parameter(np, internal_np::curvature_tolerance);
+  return Convex_polyhedron(Intrinsic_triangulation<>(g, np), tolerance);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONVEX_POLYHEDRON_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_CONVEX_POSITIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_CONVEX_POSITIONS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/Polyhedron_certificate.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+typedef Exact_predicates_inexact_constructions_kernel Polyhedron_kernel;
+typedef std::vector<Polyhedron_kernel::Point_3> Polyhedron_points;
+
+// Returns the side of the plane of the face of `h` on which the other face at `h` has its third
+// corner: POSITIVE is outside.
+inline Orientation side_of_neighbor(Halfedge_index h, const Delta_complex& mesh,
+                                    const Polyhedron_points& points)
+{
+  const auto point = [&](Vertex_index v) { return points[v.idx()]; };
+  return CGAL::orientation(point(mesh.source(h)), point(mesh.target(h)),
+                           point(mesh.target(mesh.next(h))),
+                           point(mesh.target(mesh.next(opposite(h)))));
+}
+
+// Flips edges that are concave for rounded positions, in faces of more than three vertices as a
+// rule. Each flip makes the polyhedron larger.
+template <typename Is_flippable, typename Flip>
+void flip_concave_edges(const Delta_complex& mesh, const Polyhedron_points& points,
+                        const Is_flippable& is_flippable, const Flip& flip)
+{
+  const auto is_good = [&](Edge_index e) {
+    const Halfedge_index h = mesh.halfedge(e);
+    return side_of_neighbor(h, mesh, points) != POSITIVE || !is_flippable(h);
+  };
+  Edge_stack stack(mesh.num_edges());
+  for(Edge_index e : mesh.edges())
+    stack.push_if(!is_good(e), e);
+  flip_within_limit(
+    mesh, stack, 10 * std::size_t(mesh.num_edges()), [](Edge_index) { return false; }, is_good,
+    [&](Halfedge_index h) { return flip(h), true; });
+}
+
+// Returns the corners of the face of `h`, that at the source of `h` first.
+inline std::array<Polyhedron_kernel::Point_3, 3>
+corners_in_space(Halfedge_index h, const Delta_complex& mesh, const Polyhedron_points& points)
+{
+  return {points[mesh.source(h).idx()], points[mesh.target(h).idx()],
+          points[mesh.target(mesh.next(h)).idx()]};
+}
+
+// Returns the solid angle of a triangle, seen from `center` (van Oosterom and Strackee 1983).
+inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corner,
+                          const Polyhedron_kernel::Point_3& center)
+{
+  const Polyhedron_kernel::Vector_3 a = corner[0] - center, b = corner[1] - center,
+                                    c = corner[2] - center;
+  const double la = std::sqrt(a.squared_length()), lb = std::sqrt(b.squared_length()),
+               lc = std::sqrt(c.squared_length());
+  return 2 * std::atan2(CGAL::cross_product(a, b) * c,
+                        la * lb * lc + (a * b) * lc + (b * c) * la + (c * a) * lb);
+}
+
+// A surface of which all faces are seen from the center, each from inside, covers the sphere of
+// directions. If it covers it once and no edge is concave, it is convex.
+inline Polyhedron_certificate certified_polyhedron(const Delta_complex& mesh,
+                                                   const Polyhedron_points& points,
+                                                   const Polyhedron_kernel::Point_3& center)
+{
+  Polyhedron_certificate result;
+  double angle = 0;
+  for(Edge_index e : mesh.edges()) {
+    const Orientation side = side_of_neighbor(mesh.halfedge(e), mesh, points);
+    ++(side == NEGATIVE   ? result.convex_edges
+       : side == POSITIVE ? result.concave_edges
+                          : result.flat_edges);
+  }
+  for(Face_index f : mesh.faces()) {
+    const auto corner = corners_in_space(mesh.halfedge(f), mesh, points);
+    result.hidden_faces += CGAL::orientation(corner[0], corner[1], corner[2], center) != NEGATIVE;
+    angle += solid_angle(corner, center);
+  }
+  result.degree = static_cast<int>(std::lround(angle / (4 * pi<double>())));
+  return result;
+}
+
+// The same for a polygon in the plane z = 0 that is covered twice: `flat_edges` are its diagonals
+// on both sides, `convex_edges` its sides. An angle of the polygon is that of the faces above it.
+inline Polyhedron_certificate certified_polygon(const Delta_complex& mesh,
+                                                const Polyhedron_points& points)
+{
+  Polyhedron_certificate result;
+  result.is_flat = true;
+  const auto side = [&](Halfedge_index h) {
+    const auto c = corners_in_space(h, mesh, points);
+    typedef Polyhedron_kernel::Point_2 Point_2;
+    return CGAL::orientation(Point_2(c[0].x(), c[0].y()), Point_2(c[1].x(), c[1].y()),
+                             Point_2(c[2].x(), c[2].y()));
+  };
+  std::vector<std::size_t> next(mesh.num_vertices(), mesh.num_vertices());
+  std::vector<std::size_t> rim;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    if(side(h) == side(opposite(h))) {
+      ++result.flat_edges;
+      continue;
+    }
+    ++result.convex_edges;
+    const Halfedge_index upper = side(h) == COUNTERCLOCKWISE ? h : opposite(h);
+    next[mesh.source(upper).idx()] = mesh.target(upper).idx();
+    rim.push_back(mesh.source(upper).idx());
+  }
+  for(Face_index f : mesh.faces())
+    result.hidden_faces += side(mesh.halfedge(f)) == COLLINEAR;
+  double turns = 0;
+  for(std::size_t i : rim) {
+    const std::size_t j = next[i], k = j < next.size() ? next[j] : j;
+    if(k >= next.size()) {
+      ++result.concave_edges;
+      continue;
+    }
+    const auto &p = points[i], &q = points[j], &r = points[k];
+    result.concave_edges +=
+      CGAL::orientation(Polyhedron_kernel::Point_2(p.x(), p.y()),
+                        Polyhedron_kernel::Point_2(q.x(), q.y()),
+                        Polyhedron_kernel::Point_2(r.x(), r.y())) == CLOCKWISE;
+    const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - q.x(), vy = r.y() - q.y();
+    turns += std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+  }
+  result.degree = rim.size() == mesh.num_vertices()
+                    ? static_cast<int>(std::lround(turns / (2 * pi<double>())))
+                    : 0;
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_CONVEX_POSITIONS_H

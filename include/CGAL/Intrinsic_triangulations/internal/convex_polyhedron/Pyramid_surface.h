@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_PYRAMID_SURFACE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_PYRAMID_SURFACE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Radii.h>
+#include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The curvatures at the edges from a common apex of pyramids over the faces of a surface: what the
+// angles between lateral faces lack of a whole turn.
+struct Apex_curvatures
+{
+  bool exist = true; // whether all pyramids do
+  Eigen::VectorXd curvature;
+  Eigen::SparseMatrix<double> derivative; // by the radii, row by row
+};
+
+// Decides whether the angles between bases of pyramids are at most pi.
+class Is_convex_with_apex
+{
+public:
+  Is_convex_with_apex(const Metric_surface& surface, const Radii& radii)
+    : m_surface(surface), m_radii(radii)
+  {}
+
+  bool is_certain(Edge_index e) const
+  {
+    const Halfedge_index h = m_surface.mesh().halfedge(e);
+    return m_is_Delaunay.is_certain(m_surface.diamond_at(h), weights(h));
+  }
+  bool operator()(Edge_index e) const
+  {
+    const Halfedge_index h = m_surface.mesh().halfedge(e);
+    return m_is_Delaunay(m_surface.diamond_at(h), weights(h));
+  }
+
+private:
+  Diamond_weights<Double_double> weights(Halfedge_index h) const
+  {
+    return diamond_weights(boost::make_function_property_map<Vertex_index>(
+                             [this](Vertex_index v) { return m_radii.weight(v.idx()); }),
+                           h, m_surface.mesh());
+  }
+
+  const Metric_surface& m_surface;
+  const Radii& m_radii;
+  // lengths that flips have rounded are no better
+  Is_locally_weighted_Delaunay<Double_double> m_is_Delaunay{0x1p-80};
+};
+
+// Flips until the angles between bases of pyramids are at most pi. Returns whether that was
+// possible, with at most `limit` flips.
+inline bool make_convex(Metric_surface& surface, const Radii& radii, std::size_t limit)
+{
+  const Is_convex_with_apex is_convex(surface, radii);
+  Edge_stack stack(surface.mesh().num_edges());
+  for(Edge_index e : surface.mesh().edges())
+    stack.push_if(!is_convex.is_certain(e), e);
+  const auto flip = [&](Halfedge_index h) {
+    const bool is_possible = surface.is_flippable(h);
+    if(is_possible)
+      surface.flip(h);
+    return is_possible;
+  };
+  return flip_within_limit(
+           surface.mesh(), stack, limit, [&](Edge_index e) { return is_convex.is_certain(e); },
+           is_convex, flip)
+    .is_Delaunay();
+}
+
+inline Pyramid pyramid(Face_index f, const Metric_surface& surface, const Radii& radii)
+{
+  std::array<Double_double, 3> side, radius, weight;
+  for(std::size_t s = 0; s < 3; ++s) {
+    const Halfedge_index h = sides(f, surface.mesh())[s];
+    const std::size_t i = surface.mesh().source(h).idx();
+    side[s] = surface.length(h);
+    radius[s] = radii.radius(i);
+    weight[s] = radii.weight(i);
+  }
+  return {side, radius, weight};
+}
+
+inline Apex_curvatures apex_curvatures(const Metric_surface& surface, const Radii& radii)
+{
+  const Delta_complex& mesh = surface.mesh();
+  const auto n = static_cast<Eigen::Index>(mesh.number_of_vertices());
+  const auto index = [](Vertex_index v) { return static_cast<int>(v.idx()); };
+  std::vector<Angle_sum> angles(mesh.number_of_vertices());
+  std::vector<Eigen::Triplet<double>> entries;
+  for(Face_index f : mesh.faces()) {
+    const Pyramid p = pyramid(f, surface, radii);
+    if(!p.exists())
+      return {false, {}, {}};
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Halfedge_index h = sides(f, mesh)[s];
+      const int i = index(mesh.source(h)), j = index(mesh.target(h));
+      p.add_lateral_angle(s, angles[mesh.source(h).idx()]);
+      const double w = p.derivative(s), cosine = p.cosine_at_apex(s);
+      entries.emplace_back(i, j, w);
+      entries.emplace_back(j, i, w);
+      entries.emplace_back(i, i, -cosine * w);
+      entries.emplace_back(j, j, -cosine * w);
+    }
+  }
+  Apex_curvatures result{true, Eigen::VectorXd(n), {}};
+  for(Vertex_index v : mesh.vertices())
+    result.curvature[index(v)] = angles[v.idx()].rest_of_turn();
+  result.derivative.resize(n, n);
+  result.derivative.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_PYRAMID_SURFACE_H

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_RESTING_POINTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_RESTING_POINTS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Returns the apex of a triangle over a side from 0 to `side`, above the x-axis.
+inline std::complex<double> apex_over(double side, double from_source, double from_target)
+{
+  return {(side + (from_source - from_target) * (from_source + from_target) / side) / 2,
+          quadrupled_area(side, from_source, from_target) / (2 * side)};
+}
+
+// Returns the barycentric coordinates of a point in a triangle, none of them negative.
+inline std::array<double, 3> coordinates_in_triangle(const std::complex<double>& p,
+                                                     const std::array<std::complex<double>, 3>& q)
+{
+  std::array<double, 3> result;
+  double sum = 0;
+  for(std::size_t c = 0; c < 3; ++c) {
+    const auto a = q[(c + 1) % 3] - p, b = q[(c + 2) % 3] - p;
+    result[c] = (std::max)(a.real() * b.imag() - a.imag() * b.real(), 0.);
+    sum += result[c];
+  }
+  for(double& x : result)
+    x = sum > 0 ? x / sum : 1. / 3;
+  return result;
+}
+
+// Points on a surface that stay where they are when its edges are flipped. Coordinates are those in
+// a face, of the source of its halfedge first.
+class Resting_points
+{
+public:
+  struct Point
+  {
+    std::size_t number; // that its owner has given it
+    std::array<double, 3> coordinates;
+  };
+
+  // the points in the face `f`
+  const std::vector<Point>& in_face(Face_index f) const
+  {
+    static const std::vector<Point> none;
+    return f.idx() < m_points.size() ? m_points[f.idx()] : none;
+  }
+
+  void add(Face_index f, const Point& point)
+  {
+    if(f.idx() >= m_points.size())
+      m_points.resize(f.idx() + 1);
+    m_points[f.idx()].push_back(point);
+  }
+
+  // Moves the points of the two faces at the edge of `h` to the faces that its flip leaves.
+  void before_flip(Halfedge_index h, const Diamond<double>& length, const Delta_complex& mesh)
+  {
+    const Halfedge_index o = opposite(h);
+    const Face_index f = mesh.face(h), g = mesh.face(o);
+    if(in_face(f).empty() && in_face(g).empty())
+      return;
+    const Complex i(0), j(length.ij), k = apex_over(length.ij, length.ki, length.jk),
+                                      l = conj(apex_over(length.ij, length.il, length.lj));
+    Placed placed;
+    take(h, {i, j, k}, mesh, placed);
+    take(o, {j, i, l}, mesh, placed);
+    const Complex along = k - l;
+    for(const auto& [number, p] : placed)
+      if(along.real() * (p - l).imag() >= along.imag() * (p - l).real())
+        add(f, {number, coordinates_in_triangle(p, {l, k, i})}); // as `h` leads from l to k then
+      else
+        add(g, {number, coordinates_in_triangle(p, {k, l, j})});
+  }
+
+  // Moves the points of the three faces around a vertex to the face that takes their place, and
+  // lets the vertex rest there. `outgoing` are its edges, counterclockwise, with their lengths, and
+  // `side` are the lengths of the edges between their ends. Returns the points, where the face has
+  // the ends as corners in this order.
+  std::vector<Point> before_removal(std::size_t number,
+                                    const std::array<Halfedge_index, 3>& outgoing,
+                                    const std::array<double, 3>& outgoing_length,
+                                    const std::array<double, 3>& side, const Delta_complex& mesh)
+  {
+    const std::array<Complex, 3> corner{0, side[0], apex_over(side[0], side[2], side[1])};
+    const Complex center = apex_over(side[0], outgoing_length[0], outgoing_length[1]);
+    Placed placed{{number, center}};
+    for(std::size_t s = 0; s < 3; ++s)
+      take(outgoing[s], {center, corner[s], corner[(s + 1) % 3]}, mesh, placed);
+    std::vector<Point> result;
+    for(const auto& [n, p] : placed)
+      result.push_back({n, coordinates_in_triangle(p, corner)});
+    return result;
+  }
+
+private:
+  typedef std::complex<double> Complex;
+  typedef std::vector<std::pair<std::size_t, Complex>> Placed;
+
+  // Takes the points of the face of `h` away and adds them to `placed`. The face has these corners,
+  // the source of `h` first.
+  void take(Halfedge_index h, const std::array<Complex, 3>& corner, const Delta_complex& mesh,
+            Placed& placed)
+  {
+    const Face_index f = mesh.face(h);
+    if(in_face(f).empty())
+      return;
+    const std::size_t shift = mesh.halfedge(f) == h ? 0 : mesh.next(mesh.halfedge(f)) == h ? 1 : 2;
+    for(const Point& p : std::exchange(m_points[f.idx()], {})) {
+      Complex position(0);
+      for(std::size_t c = 0; c < 3; ++c)
+        position += p.coordinates[(c + shift) % 3] * corner[c];
+      placed.emplace_back(p.number, position);
+    }
+  }
+
+  std::vector<std::vector<Point>> m_points; // of each face
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONVEX_POLYHEDRON_RESTING_POINTS_H

@@ -1,0 +1,352 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
+#include <CGAL/Intrinsic_triangulations/edge_lengths.h>
+#include <CGAL/Intrinsic_triangulations/glue_boundary.h>
+
+using namespace Test_surfaces;
+
+namespace {
+
+using Triangulation = IT::Intrinsic_triangulation<>;
+typedef IT::Convex_polyhedron Polyhedron;
+
+// Returns a surface by its lengths alone, with edges flipped at random.
+Triangulation flipped_at_random(const Mesh& mesh, CGAL::Random& random)
+{
+  Triangulation t(mesh);
+  for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i)
+    if(const auto h = random_index<Halfedge_index>(t.mesh().num_halfedges(), random);
+       t.is_flippable(h) && t.coordinates().crossings(h) < 50)
+      t.flip(h);
+  t.recompute_lengths();
+  return t;
+}
+
+Polyhedron polyhedron_of_lengths(const Triangulation& t)
+{
+  return IT::convex_polyhedron(t.mesh(), IT::parameters::edge_length_map(t.length_map()));
+}
+
+double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Polyhedron& p, Vertex_index v, Vertex_index w)
+{
+  return std::sqrt(CGAL::squared_distance(p.point(v), p.point(w)));
+}
+
+// Checks that distances of all vertices are those of a convex mesh.
+void expect_congruent(const Polyhedron& p, const Mesh& mesh, double tolerance)
+{
+  for(Vertex_index v : mesh.vertices())
+    for(Vertex_index w : mesh.vertices())
+      ASSERT_NEAR(distance(p, v, w), distance(mesh.point(v), mesh.point(w)), tolerance)
+        << v << ' ' << w;
+  EXPECT_TRUE(p.certificate().is_convex());
+}
+
+std::multiset<std::array<unsigned, 3>> faces_of(const Delta_complex& mesh)
+{
+  std::multiset<std::array<unsigned, 3>> result;
+  for(Face_index f : mesh.faces()) {
+    std::array<unsigned, 3> corner;
+    for(std::size_t s = 0; s < 3; ++s)
+      corner[s] = mesh.source(IT::sides(f, mesh)[s]).idx();
+    std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+    result.insert(corner);
+  }
+  return result;
+}
+
+Mesh stretched(Mesh mesh, double x, double y, double z)
+{
+  for(Vertex_index v : mesh.vertices()) {
+    Point& p = mesh.point(v);
+    p = Point(x * p.x(), y * p.y(), z * p.z());
+  }
+  return mesh;
+}
+
+// Rotates by an angle about a skew axis, so that coordinates are rounded.
+Mesh rotated(Mesh mesh)
+{
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  for(Vertex_index v : mesh.vertices()) {
+    Point& p = mesh.point(v);
+    p = Point(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+    p = Point(p.x(), c * p.y() - s * p.z(), s * p.y() + c * p.z());
+  }
+  return mesh;
+}
+
+// A box whose sides are grids of squares, each cut in two.
+Mesh gridded_cube(int n)
+{
+  std::map<std::array<int, 3>, std::size_t> number;
+  std::vector<Point> points;
+  Triangles triangles;
+  const auto corner = [&](std::array<int, 3> p) {
+    const auto [it, is_new] = number.emplace(p, points.size());
+    if(is_new)
+      points.emplace_back(double(p[0]) / n, double(p[1]) / n, double(p[2]) / n);
+    return it->second;
+  };
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(int end : {0, n})
+      for(int i = 0; i < n; ++i)
+        for(int j = 0; j < n; ++j) {
+          const auto at = [&](int u, int v) {
+            std::array<int, 3> p{};
+            p[axis] = end;
+            p[(axis + 1) % 3] = u;
+            p[(axis + 2) % 3] = v;
+            return corner(p);
+          };
+          std::array<std::size_t, 4> q{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+          if(end == 0)
+            std::reverse(q.begin(), q.end());
+          triangles.push_back({q[0], q[1], q[2]});
+          triangles.push_back({q[0], q[2], q[3]});
+        }
+  return make_mesh(points, triangles);
+}
+
+// A polygon with two sides, each cut into triangles at a corner of its own.
+Mesh double_polygon(const std::vector<Point>& corner, std::size_t lower_fan)
+{
+  Triangles triangles;
+  const std::size_t n = corner.size();
+  for(std::size_t i = 1; i + 1 < n; ++i) {
+    triangles.push_back({0, i, i + 1});
+    triangles.push_back({lower_fan, (lower_fan + i + 1) % n, (lower_fan + i) % n});
+  }
+  return make_mesh(corner, triangles);
+}
+
+} // namespace
+
+TEST(Convex_polyhedron, recovers_hulls_from_their_metrics)
+{
+  CGAL::Random random(1);
+  for(std::size_t n : {4, 5, 8, 20, 100})
+    for(unsigned int seed = 0; seed < 4; ++seed)
+      for(double z : {1., 0.1, 0.003}) {
+        const Mesh mesh = stretched(random_sphere(n, seed), 1, 1, z);
+        const Triangulation t = flipped_at_random(mesh, random);
+        const Polyhedron p = polyhedron_of_lengths(t);
+        expect_congruent(p, mesh, 1e-9);
+        EXPECT_LT(p.max_edge_error(), 1e-9);
+        EXPECT_EQ(p.certificate().convex_edges, mesh.number_of_edges());
+        EXPECT_EQ(faces_of(p.triangulation().mesh()), faces_of(Triangulation(mesh).mesh()));
+        EXPECT_TRUE(p.triangulation().is_valid());
+        EXPECT_FALSE(p.is_flat());
+        EXPECT_TRUE(p.flat_vertices().empty());
+      }
+}
+
+TEST(Convex_polyhedron, keeps_convex_meshes)
+{
+  for(const Mesh& mesh : {tetrahedron(), octahedron(), cube(), rotated(cube())})
+    expect_congruent(IT::convex_polyhedron(mesh), mesh, 1e-11);
+}
+
+TEST(Convex_polyhedron, takes_flat_vertices_along)
+{
+  for(int n : {2, 5})
+    for(const Mesh& mesh : {gridded_cube(n), rotated(gridded_cube(n)),
+                            rotated(stretched(gridded_cube(n), 1, 3, 0.01))}) {
+      const Polyhedron p = IT::convex_polyhedron(mesh);
+      EXPECT_EQ(p.flat_vertices().size(), mesh.number_of_vertices() - 8);
+      expect_congruent(p, mesh, 1e-11);
+      EXPECT_LT(p.max_edge_error(), 1e-10);
+      EXPECT_TRUE(p.triangulation().is_valid());
+    }
+}
+
+TEST(Convex_polyhedron, flat_vertices_of_lengths_are_flat_by_rounding)
+{
+  CGAL::Random random(2);
+  const Mesh mesh = rotated(gridded_cube(4));
+  const Polyhedron p = polyhedron_of_lengths(flipped_at_random(mesh, random));
+  EXPECT_EQ(p.flat_vertices().size(), mesh.number_of_vertices() - 8);
+  expect_congruent(p, mesh, 1e-9);
+}
+
+TEST(Convex_polyhedron, unfolds_a_dent)
+{
+  // the cap above a plane is reflected in it: angles at vertices on the plane stay the same
+  const std::size_t n = 7;
+  Mesh mesh = bipyramid(n, 0.8), dented = mesh;
+  dented.point(Vertex_index(unsigned(n))) = Point(0, 0, -0.8 + 1e-3);
+  mesh.point(Vertex_index(unsigned(n))) = Point(0, 0, 0.8 - 1e-3);
+  expect_congruent(IT::convex_polyhedron(dented), mesh, 1e-11);
+}
+
+TEST(Convex_polyhedron, recognizes_polygons_with_two_sides)
+{
+  for(std::size_t n : {3, 4, 5, 8, 20}) {
+    std::vector<Point> corner;
+    for(std::size_t i = 0; i < n; ++i) {
+      const double angle = 2 * pi * double(i) / double(n) + 0.1 * std::sin(double(i));
+      corner.emplace_back(std::cos(angle), 0.7 * std::sin(angle), 0);
+    }
+    const Mesh mesh = double_polygon(corner, 1);
+    const Polyhedron p = IT::convex_polyhedron(mesh);
+    EXPECT_TRUE(p.is_flat()) << n;
+    EXPECT_EQ(p.certificate().convex_edges, n);
+    expect_congruent(p, mesh, 1e-10);
+  }
+}
+
+TEST(Convex_polyhedron, corresponds_to_the_input)
+{
+  CGAL::Random random(3);
+  const Mesh mesh = random_sphere(60, 5);
+  const Triangulation t = flipped_at_random(mesh, random);
+  const Polyhedron p = polyhedron_of_lengths(t);
+  for(Edge_index e : t.mesh().edges())
+    EXPECT_EQ(p.triangulation().input_length(e), t.length(e));
+  const IT::Correspondence<IT::Euclidean_geometry_traits<>> correspondence(p.triangulation());
+  const IT::Common_subdivision<> subdivision(correspondence);
+  EXPECT_GT(subdivision.mesh().number_of_faces(), t.mesh().number_of_faces());
+  EXPECT_EQ(p.mesh().number_of_faces(), t.mesh().number_of_faces());
+}
+
+TEST(Convex_polyhedron, names_vertices_of_negative_curvature)
+{
+  Mesh mesh = gridded_cube(2);
+  for(Vertex_index v : mesh.vertices())
+    if(mesh.point(v) == Point(0.5, 0.5, 1))
+      mesh.point(v) = Point(0.5, 0.5, 0.7);
+  try {
+    IT::convex_polyhedron(mesh);
+    FAIL();
+  } catch(const IT::Negative_curvature& e) {
+    EXPECT_FALSE(e.vertices().empty());
+    EXPECT_NE(std::string(e.what()).find("negative curvature"), std::string::npos);
+  }
+}
+
+TEST(Convex_polyhedron, refuses_what_is_no_sphere)
+{
+  EXPECT_THROW(IT::convex_polyhedron(square()), IT::Invalid_input);
+}
+
+TEST(Convex_polyhedron, takes_a_tolerance_of_curvature)
+{
+  Mesh mesh = gridded_cube(4);
+  CGAL::Random random(4);
+  for(Vertex_index v : mesh.vertices()) {
+    Point& p = mesh.point(v);
+    p = Point(std::round(1e6 * p.x() / 3) / 1e6, std::round(1e6 * p.y() / 3) / 1e6,
+              std::round(1e6 * (p.z() + 0.3 * p.x() + 0.1 * p.y())) / 1e6);
+  }
+  EXPECT_THROW(IT::convex_polyhedron(mesh), IT::Negative_curvature);
+  const Polyhedron p = IT::convex_polyhedron(mesh, IT::parameters::curvature_tolerance(1e-4));
+  EXPECT_EQ(p.flat_vertices().size(), mesh.number_of_vertices() - 8);
+  expect_congruent(p, mesh, 1e-4);
+}
+
+// ---- Nets ----
+
+namespace {
+
+// Glues the sides of a polygon in the plane, cut into triangles, by pairs of the numbers of sides:
+// side i leads from corner i to the next.
+Polyhedron folded(const std::vector<Point>& corner, const Triangles& triangles,
+                  const std::vector<std::pair<std::size_t, std::size_t>>& sides)
+{
+  Mesh net = make_mesh(corner, triangles);
+  const auto length = net.add_property_map<Edge_index, double>("e:length").first;
+  IT::compute_edge_lengths(net, length);
+  const auto side = [&](std::size_t i) {
+    return net.halfedge(Vertex_index(unsigned(i)), Vertex_index(unsigned((i + 1) % corner.size())));
+  };
+  std::vector<std::pair<Halfedge_index, Halfedge_index>> pairs;
+  for(const auto& [i, j] : sides)
+    pairs.emplace_back(side(i), side(j));
+  IT::Glued_surface glued = IT::glue_boundary(net, length, pairs);
+  return IT::convex_polyhedron(
+    glued.mesh, IT::parameters::edge_length_map(IT::stored_length_map<double>(glued.mesh)));
+}
+
+const std::vector<Point> cross{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {3, 1, 0}, {3, 2, 0},
+                               {2, 2, 0}, {2, 3, 0}, {2, 4, 0}, {1, 4, 0}, {1, 3, 0},
+                               {1, 2, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 0}};
+const Triangles squares_of_cross{{0, 1, 2},  {0, 2, 13},  {2, 3, 4},    {2, 4, 5},
+                                 {13, 2, 5}, {13, 5, 10}, {12, 13, 10}, {12, 10, 11},
+                                 {10, 5, 6}, {10, 6, 9},  {9, 6, 7},    {9, 7, 8}};
+
+// All distances of the vertices, in increasing order.
+std::vector<double> distances_of(const Polyhedron& p)
+{
+  std::vector<double> result;
+  for(std::size_t i = 0; i < p.points().size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      result.push_back(std::sqrt(CGAL::squared_distance(p.points()[i], p.points()[j])));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace
+
+TEST(Convex_polyhedron, cross_folds_to_a_cube)
+{
+  const Polyhedron p =
+    folded(cross, squares_of_cross, {{1, 2}, {4, 5}, {9, 10}, {12, 13}, {0, 7}, {3, 6}, {11, 8}});
+  EXPECT_TRUE(p.certificate().is_convex());
+  const std::vector<double> distance = distances_of(p);
+  ASSERT_EQ(distance.size(), 28);
+  for(std::size_t i = 0; i < 28; ++i)
+    EXPECT_NEAR(distance[i], std::sqrt(i < 12 ? 1. : i < 24 ? 2. : 3.), 1e-11);
+}
+
+TEST(Convex_polyhedron, closed_zipper_of_the_cross_is_convex)
+{
+  // each side is glued to the one that is as far from corner 0 on the other way around
+  std::vector<std::pair<std::size_t, std::size_t>> sides;
+  for(std::size_t start = 0; start < 14; ++start) {
+    sides.clear();
+    for(std::size_t i = 0; i < 7; ++i)
+      sides.emplace_back((start + i) % 14, (start + 13 - i) % 14);
+    try {
+      const Polyhedron p = folded(cross, squares_of_cross, sides);
+      EXPECT_TRUE(p.certificate().is_convex()) << start;
+      EXPECT_LT(p.max_edge_error(), 1e-9) << start;
+    } catch(const IT::Negative_curvature&) {
+    }
+  }
+}
+
+TEST(Convex_polyhedron, triangle_folds_to_a_regular_tetrahedron)
+{
+  const double s = std::sqrt(3.) / 2;
+  const Polyhedron p =
+    folded({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, s, 0}, {1, 2 * s, 0}, {0.5, s, 0}},
+           {{0, 1, 5}, {1, 2, 3}, {1, 3, 5}, {5, 3, 4}}, {{0, 1}, {2, 3}, {4, 5}});
+  const std::vector<double> distance = distances_of(p);
+  ASSERT_EQ(distance.size(), 6);
+  for(double d : distance)
+    EXPECT_NEAR(d, 1, 1e-11);
+}
+
+TEST(Glue_boundary, refuses_sides_that_are_missing_or_glued_twice)
+{
+  Mesh net = square();
+  const auto length = net.add_property_map<Edge_index, double>("e:length", 1).first;
+  const auto side = [&](unsigned i) {
+    return net.halfedge(Vertex_index(i), Vertex_index((i + 1) % 4));
+  };
+  EXPECT_THROW(IT::glue_boundary(net, length, {{side(0), side(1)}}), IT::Invalid_input);
+  EXPECT_THROW(IT::glue_boundary(net, length, {{side(0), side(1)}, {side(1), side(2)}}),
+               IT::Invalid_input);
+  const IT::Glued_surface glued =
+    IT::glue_boundary(net, length, {{side(0), side(1)}, {side(2), side(3)}});
+  EXPECT_EQ(glued.mesh.number_of_vertices(), 3);
+  EXPECT_EQ(glued.mesh.number_of_edges(), 3);
+  EXPECT_TRUE(glued.mesh.is_valid());
+}
