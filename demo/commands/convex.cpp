@@ -16,8 +16,10 @@
 #include <CGAL/Intrinsic_triangulations/glue_boundary.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -72,8 +74,8 @@ Output_mesh described_mesh(const IT::Convex_polyhedron& polyhedron)
 void describe(Statistics& statistics, const IT::Convex_polyhedron& polyhedron)
 {
   const IT::Polyhedron_certificate& certificate = polyhedron.certificate();
-  statistics["vertices"] = polyhedron.points().size();
-  statistics["faces"] = polyhedron.triangulation().mesh().number_of_faces();
+  statistics["polyhedron"] = {{"vertices", polyhedron.points().size()},
+                              {"faces", polyhedron.triangulation().mesh().number_of_faces()}};
   statistics["flat_vertices"] = polyhedron.flat_vertices().size();
   statistics["flat"] = polyhedron.is_flat();
   statistics["convex"] = certificate.is_convex();

@@ -69,8 +69,7 @@ public:
       const FT at_k = scaled_foot(length.jk, length.ki), at_l = scaled_foot(length.lj, length.il);
       if constexpr(internal::is_rounded<FT>()) {
         const FT at_i = scaled_foot(length.il, length.ki), at_j = scaled_foot(length.lj, length.jk);
-        const bool are_k_and_l_near =
-          abs(at_i) + abs(at_j) < abs(at_k) + abs(at_l);
+        const bool are_k_and_l_near = abs(at_i) + abs(at_j) < abs(at_k) + abs(at_l);
         return are_k_and_l_near ? at_i - at_j : at_k - at_l;
       }
       return at_k - at_l;

@@ -47,13 +47,14 @@ public:
   // Goes on to `t`, as far as that is possible.
   void follow_to(double t)
   {
-    for(double step = 1; m_t > t && step > least_step;)
+    for(double step = 1; m_t > t && step > least_step && m_newton_steps < most_steps;)
       step *= reach((std::max)(t, at(place_of(m_t) - step))) ? 2 : 0.5;
   }
 
 private:
   static constexpr double least_step = 1e-6, greatest_start = 1e20;
   static constexpr int steps_of_Newton = 12;
+  static constexpr std::size_t most_steps = 20000; // in all
   // the error of curvatures, relative to their distance from the ends of their range
   static constexpr double curvature_error = 1e-5;
 
@@ -65,12 +66,17 @@ private:
   // With large radii the curvatures at the apex are nearly those of the surface.
   void start()
   {
+    // equal radii need a Delaunay triangulation
+    const std::size_t n = m_surface.mesh().num_vertices();
+    if(!make_convex(m_surface, Radii(n, 1), flip_limit()))
+      throw Numerical_error("rounding keeps the surface from becoming Delaunay");
+    const double circumradius = greatest_circumradius();
     Apex_curvatures first{false, {}, {}};
     const auto is_start = [&] {
       return first.exist && (first.curvature.array() / m_metric_curvature.array()).minCoeff() > 0.5;
     };
     for(double factor = 2; factor < greatest_start && !is_start(); factor *= 2) {
-      m_radii = Radii(m_surface.mesh().num_vertices(), factor * greatest_circumradius());
+      m_radii = Radii(n, factor * circumradius);
       first = apex_curvatures(m_surface, m_radii);
     }
     if(!is_start())
