@@ -17,6 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <utility>

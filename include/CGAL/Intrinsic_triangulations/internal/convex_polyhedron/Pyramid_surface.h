@@ -21,6 +21,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Radii.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
