@@ -108,8 +108,8 @@ constexpr double stiffness = 1e-10, negative_weight = 1e-6;
 // Variables of a Laplacian that are tied to each other by that many times the weights to others can
 // move as one.
 constexpr double group_ratio = 30;
-// The number of steps that are taken with more digits, on the exact surface, and how often groups of
-// vertices are moved alone.
+// The number of steps that are taken with more digits, on the exact surface, and of moves of groups
+// of vertices alone.
 constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100000;
 // A start needs few digits, and few steps.
 constexpr double curvature_at_start = 1e-3;
