@@ -101,10 +101,11 @@ void check_success(const Planar_conformal_map& map)
   EXPECT_LT(map.max_curvature_error(), 1e-10);
 }
 
-// A square is a rectangle already: sides keep their lengths, however short they are.
+// A square is a rectangle already: sides keep their lengths, however short they are. With needles
+// that are thinner yet, a map with rounded lengths can be a success, with scale factors of its own.
 TEST(Needles, square_keeps_its_lengths)
 {
-  for(const double e : widths) {
+  for(const double e : {1e-2, 1e-5, 1e-8, 1e-11, 1e-13}) {
     SCOPED_TRACE(e);
     const Mesh mesh = with_needles(unit_square(3), e, 4, 5);
     const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
