@@ -270,9 +270,10 @@ private:
     }
   }
 
-  // Takes the angles of the map of the disk to a hemisphere, of which this one is the stereographic
-  // projection unless edges of T^C cross the boundary: then the angles are close to these. If scale
-  // factors are far from zero, they are taken, too. Returns whether there is such a map.
+  // Takes angles and scale factors of the map of the disk to a hemisphere, of which this one is the
+  // stereographic projection unless edges of T^C cross the boundary: then the angles are close to
+  // these. Others are good enough if they succeed and scale factors differ by little. Returns
+  // whether it has taken them.
   template <typename Flattening>
   bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
   {
@@ -281,10 +282,11 @@ private:
     const std::optional<Round_disk> disk =
       has_vertices_inside(problem) ? round_hemisphere(problem, sources(), flattening.visitor())
                                    : round_polygon<Extended>(problem, sources());
-    if(!disk || !take_angles(*disk))
+    if(!disk)
       return false;
-    if(flattening.has_succeeded() && (!is_flat(problem) || range(disk->log_scale) <= usual_range))
-      return true;
+    const bool is_usual = !is_flat(problem) || range(disk->log_scale) <= usual_range;
+    if((flattening.has_succeeded() && is_usual) || !take_angles(*disk))
+      return false;
     std::vector<double> log_scale;
     for(const More_extended& u : disk->log_scale)
       log_scale.push_back(static_cast<double>(u));
