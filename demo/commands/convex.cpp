@@ -42,8 +42,8 @@ struct Convex_options : Output_options
 constexpr double greatest_edge_error = 1e-9;
 
 constexpr const char* convex_help =
-  R"(The mesh must be a sphere without vertices of negative curvature; it need not be convex. There is
-exactly one convex polyhedron with its surface, which may be a polygon with two sides: "flat" in
+  R"(The mesh must be a sphere without vertices of negative curvature; it need not be convex.
+Exactly one convex polyhedron has its surface, which may be a polygon with two sides: "flat" in
 the statistics.
 
 The output has the vertices of the mesh, in their order; those without curvature lie on faces and

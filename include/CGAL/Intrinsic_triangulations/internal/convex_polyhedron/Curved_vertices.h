@@ -44,9 +44,8 @@ Metric_surface precise_surface(const Intrinsic_triangulation<Traits>& tri)
 constexpr double greatest_curvature_error() { return 1e-6; }
 
 // Returns for each vertex by how much rounding of the input can change its curvature. Lengths have
-// relative errors of a rounding, and positions errors of a rounding of the largest coordinate. The
-// latter change the curvature of a vertex that was flat by the square of the angle by which they
-// tilt faces.
+// relative errors of a rounding, and positions errors of a rounding of the largest coordinate: they
+// turn the sides of faces.
 template <typename Traits>
 std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -60,9 +59,9 @@ std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
   for(Face_index f : mesh.faces()) {
     const Face_metric<double> metric(f, tri.intrinsic());
     const double longest = (std::max)({metric.length(0), metric.length(1), metric.length(2)}),
-                 height = metric.doubled_area() / longest, tilt = unit * coordinate / height;
+                 height = metric.doubled_area() / longest;
     for(Halfedge_index h : sides(f, mesh))
-      result[mesh.source(h).idx()] += coordinate > 0 ? tilt * tilt : unit * longest / height;
+      result[mesh.source(h).idx()] += unit * (std::max)(longest, coordinate) / height;
   }
   for(double& error : result)
     error = (std::min)(error, greatest_curvature_error());

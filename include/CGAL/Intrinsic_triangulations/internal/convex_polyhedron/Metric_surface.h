@@ -65,7 +65,7 @@ public:
   void flip(Halfedge_index h)
   {
     const Diamond<Number> length = diamond_at(h);
-    m_points.before_flip(h, rounded(length), m_mesh);
+    m_points.before_flip(h, length, m_mesh);
     flip_edge(h, m_mesh);
     m_length[m_mesh.edge(h)] = Euclidean_geometry_traits<Number>::Compute_flipped_length()(length);
   }
@@ -149,20 +149,15 @@ private:
     return (cotangents_at_source(d) / (4 * d.ij * d.ij * d.ki * d.il)).high();
   }
 
-  static Diamond<double> rounded(const Diamond<Number>& d)
-  {
-    return {d.ij.high(), d.jk.high(), d.ki.high(), d.il.high(), d.lj.high()};
-  }
-
   void remove_degree_3(Vertex_index v)
   {
     std::array<Halfedge_index, 3> outgoing;
-    std::array<double, 3> outgoing_length, side;
+    std::array<Number, 3> outgoing_length, side;
     Halfedge_index h = first_outgoing_halfedge(v, m_mesh);
     for(std::size_t s = 0; s < 3; ++s, h = next_around_source(h, m_mesh)) {
       outgoing[s] = h;
-      outgoing_length[s] = length(h).high();
-      side[s] = length(m_mesh.next(h)).high();
+      outgoing_length[s] = length(h);
+      side[s] = length(m_mesh.next(h));
     }
     const Halfedge_index first_side = m_mesh.next(outgoing[0]);
     const auto points = m_points.before_removal(v.idx(), outgoing, outgoing_length, side, m_mesh);

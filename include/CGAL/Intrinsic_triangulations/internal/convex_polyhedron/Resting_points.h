@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -16,33 +17,46 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the apex of a triangle over a side from 0 to `side`, above the x-axis.
-inline std::complex<double> apex_over(double side, double from_source, double from_target)
+// Returns the apex of a triangle over a side from 0 to `side`, above the x-axis. In a triangle that
+// is almost flat, lengths of type `double` know half of the digits of the height.
+inline std::complex<double> apex_over(const Double_double& side, const Double_double& from_source,
+                                      const Double_double& from_target)
 {
-  return {(side + (from_source - from_target) * (from_source + from_target) / side) / 2,
-          quadrupled_area(side, from_source, from_target) / (2 * side)};
+  const Double_double x = (side + scaled_foot(from_target, from_source) / side) / 2,
+                      y = quadrupled_area(side, from_source, from_target) / (2 * side);
+  return {x.high(), y.high()};
 }
 
-// Returns the barycentric coordinates of a point in a triangle, none of them negative.
-inline std::array<double, 3> coordinates_in_triangle(const std::complex<double>& p,
-                                                     const std::array<std::complex<double>, 3>& q)
+// Barycentric coordinates of a point, which is best in the triangle where the least is greatest.
+struct Coordinates_in_triangle
 {
-  std::array<double, 3> result;
-  double sum = 0;
-  for(std::size_t c = 0; c < 3; ++c) {
-    const auto a = q[(c + 1) % 3] - p, b = q[(c + 2) % 3] - p;
-    result[c] = (std::max)(a.real() * b.imag() - a.imag() * b.real(), 0.);
-    sum += result[c];
+  std::array<double, 3> coordinates;
+  double least;
+
+  // In a triangle without area no point is at its place.
+  Coordinates_in_triangle(const std::complex<double>& p,
+                          const std::array<std::complex<double>, 3>& q)
+  {
+    const auto cross = [](const std::complex<double>& a, const std::complex<double>& b) {
+      return a.real() * b.imag() - a.imag() * b.real();
+    };
+    const double area = cross(q[1] - q[0], q[2] - q[0]),
+                 size = norm(q[1] - q[0]) + norm(q[2] - q[0]);
+    for(std::size_t c = 0; c < 3; ++c)
+      coordinates[c] = cross(q[(c + 1) % 3] - p, q[(c + 2) % 3] - p) / area;
+    least = area > least_area * size ? (std::min)({coordinates[0], coordinates[1], coordinates[2]})
+                                     : -std::numeric_limits<double>::infinity();
   }
-  for(double& x : result)
-    x = sum > 0 ? x / sum : 1. / 3;
-  return result;
-}
+
+private:
+  static constexpr double least_area = 1e-7;
+};
 
 // Points on a surface that stay where they are when its edges are flipped. Coordinates are those in
 // a face, of the source of its halfedge first.
@@ -70,23 +84,25 @@ public:
   }
 
   // Moves the points of the two faces at the edge of `h` to the faces that its flip leaves.
-  void before_flip(Halfedge_index h, const Diamond<double>& length, const Delta_complex& mesh)
+  void before_flip(Halfedge_index h, const Diamond<Double_double>& length,
+                   const Delta_complex& mesh)
   {
     const Halfedge_index o = opposite(h);
     const Face_index f = mesh.face(h), g = mesh.face(o);
     if(in_face(f).empty() && in_face(g).empty())
       return;
-    const Complex i(0), j(length.ij), k = apex_over(length.ij, length.ki, length.jk),
-                                      l = conj(apex_over(length.ij, length.il, length.lj));
+    const Complex i(0), j(length.ij.high()), k = apex_over(length.ij, length.ki, length.jk),
+                                             l = conj(apex_over(length.ij, length.il, length.lj));
     Placed placed;
     take(h, {i, j, k}, mesh, placed);
     take(o, {j, i, l}, mesh, placed);
-    const Complex along = k - l;
-    for(const auto& [number, p] : placed)
-      if(along.real() * (p - l).imag() >= along.imag() * (p - l).real())
-        add(f, {number, coordinates_in_triangle(p, {l, k, i})}); // as `h` leads from l to k then
+    for(const auto& [number, p] : placed) {
+      const Coordinates_in_triangle left(p, {l, k, i}), right(p, {k, l, j}); // `h` leads to k then
+      if(left.least >= right.least)
+        add(f, {number, left.coordinates});
       else
-        add(g, {number, coordinates_in_triangle(p, {k, l, j})});
+        add(g, {number, right.coordinates});
+    }
   }
 
   // Moves the points of the three faces around a vertex to the face that takes their place, and
@@ -95,17 +111,18 @@ public:
   // the ends as corners in this order.
   std::vector<Point> before_removal(std::size_t number,
                                     const std::array<Halfedge_index, 3>& outgoing,
-                                    const std::array<double, 3>& outgoing_length,
-                                    const std::array<double, 3>& side, const Delta_complex& mesh)
+                                    const std::array<Double_double, 3>& outgoing_length,
+                                    const std::array<Double_double, 3>& side,
+                                    const Delta_complex& mesh)
   {
-    const std::array<Complex, 3> corner{0, side[0], apex_over(side[0], side[2], side[1])};
+    const std::array<Complex, 3> corner{0, side[0].high(), apex_over(side[0], side[2], side[1])};
     const Complex center = apex_over(side[0], outgoing_length[0], outgoing_length[1]);
     Placed placed{{number, center}};
     for(std::size_t s = 0; s < 3; ++s)
       take(outgoing[s], {center, corner[s], corner[(s + 1) % 3]}, mesh, placed);
     std::vector<Point> result;
     for(const auto& [n, p] : placed)
-      result.push_back({n, coordinates_in_triangle(p, corner)});
+      result.push_back({n, Coordinates_in_triangle(p, corner).coordinates});
     return result;
   }
 
