@@ -10,10 +10,12 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -33,7 +35,8 @@ auto weighted_laplacian(const Surface& surface, const WeightMap& weight)
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
   for(Face_index f : mesh.faces())
-    internal::check_area(Face_metric<FT>(f, surface), f);
+    if(!internal::has_gradients(Face_metric<FT>(f, surface), f))
+      throw Numerical_error("the area of face " + std::to_string(f.idx()) + " is zero");
   std::vector<FT> on_edge(mesh.num_edges(), FT(0));
   for(Edge_index e : mesh.edges())
     on_edge[e.idx()] = dual_edge_length(e, surface, weight) / get(surface.length_map(), e);
