@@ -29,20 +29,30 @@ claim "p = obj('cube.obj').points" 'len(p) == 8' \
 rm cube.obj cube.json
 
 # What is wrong with a file of sides is said with its line.
-printf '1 2 3 2\n4 5 7 6\n' >wrong.txt
+printf '1 2 3 2\n4 5 7 99\n' >wrong.txt
 refuses 'line 2' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 3 14\n' >wrong.txt
 refuses 'vertex 14: the mesh has 14' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 2 3\n' >wrong.txt
-refuses 'would not be oriented' convex cross.mesh.off --glue wrong.txt -o x.off
+refuses 'the surface would not be oriented; the sides are to run in opposite directions around the net' \
+  convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 3 2\n1 2 3 4\n' >wrong.txt
 refuses 'is glued twice' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 3 2\n' >wrong.txt
 refuses 'is not glued' convex cross.mesh.off --glue wrong.txt -o x.off
+printf '0 2 3 2\n' >wrong.txt
+refuses 'is not on the boundary of the mesh' convex cross.mesh.off --glue wrong.txt -o x.off
+printf '1 2 3 2 5\n' >wrong.txt
+refuses 'more than four numbers in a line' convex cross.mesh.off --glue wrong.txt -o x.off
+off oblong '0 0 0,2 0 0,2 1 0,0 1 0' '0 1 2 3'
+printf '0 1 2 1\n' >wrong.txt
+refuses 'the sides are' convex oblong.mesh.off --glue wrong.txt -o x.off
+refuses '--subdivision: a net has no place in space; leave out --glue' \
+  convex cross.mesh.off --glue cross.txt --subdivision x.ply -o x.off
 
 # So is what keeps a mesh from being the surface of a convex polyhedron.
 refuses 'only a sphere' convex cross.mesh.off -o x.off
-off saddle '1 0 0,-1 0 0,0 1 0,0 -1 0,0 0 1,0 0 -1,0.2 0.2 0.2' \
-  '0 2 6,2 4 6,4 0 6,2 1 4,1 3 4,3 0 4,2 0 5,1 2 5,3 1 5,0 3 5'
+off saddle '0 0 0,2 0 0,2 1 0,1 1 0,1 2 0,0 2 0,0 0 1,2 0 1,2 1 1,1 1 1,1 2 1,0 2 1' \
+  '6 7 8 9 10 11,5 4 3 2 1 0,0 1 7 6,1 2 8 7,2 3 9 8,3 4 10 9,4 5 11 10,5 0 6 11'
 refuses 'negative curvature' convex saddle.mesh.off -o x.off
 expect_files cross.txt wrong.txt
