@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Convex polyhedra from the lengths of their surfaces alone: hulls of random points on spheres that
+// are flattened along an axis, triangulated by random flips. Errors are those of the distances
+// between the ends of edges of the hull. The time is also given as a multiple of that of a Delaunay
+// triangulation of the same surface.
+
+#include "../../test/Intrinsic_triangulations/generators.h"
+#include "measure.h"
+
+#include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+using namespace Test_surfaces;
+using Triangulation = IT::Intrinsic_triangulation<>;
+
+Mesh flattened_hull(std::size_t n, double height)
+{
+  Mesh mesh = random_sphere(n, 1);
+  for(Vertex_index v : mesh.vertices()) {
+    Point& p = mesh.point(v);
+    p = Point(p.x(), p.y(), height * p.z());
+  }
+  return mesh;
+}
+
+Triangulation flipped_at_random(const Mesh& mesh)
+{
+  CGAL::Random random(1);
+  Triangulation t(mesh);
+  for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i)
+    if(const auto h = random_index<Halfedge_index>(t.mesh().num_halfedges(), random);
+       t.is_flippable(h) && t.coordinates().crossings(h) < 50)
+      t.flip(h);
+  t.recompute_lengths();
+  return t;
+}
+
+double greatest_error(const IT::Convex_polyhedron& p, const Mesh& hull)
+{
+  double result = 0;
+  for(const auto e : hull.edges()) {
+    const Vertex_index v = hull.vertex(e, 0), w = hull.vertex(e, 1);
+    const double is = std::sqrt(CGAL::squared_distance(p.point(v), p.point(w))),
+                 ought = std::sqrt(CGAL::squared_distance(hull.point(v), hull.point(w)));
+    result = (std::max)(result, std::abs(is - ought) / ought);
+  }
+  return result;
+}
+
+int main()
+{
+  std::printf("| vertices | height | steps | seconds | times Delaunay | error | convex |\n"
+              "| -------: | -----: | ----: | ------: | -------------: | ----: | ------ |\n");
+  for(const double height : {1., 0.1, 0.01})
+    for(const std::size_t n : {100, 500, 2000}) {
+      const Mesh hull = flattened_hull(n, height);
+      const Triangulation t = flipped_at_random(hull);
+      const auto surface = IT::parameters::edge_length_map(t.length_map());
+      Samples path, Delaunay;
+      const auto p = path.time([&] { return IT::convex_polyhedron(t.mesh(), surface); });
+      for(int i = 0; i < 5; ++i)
+        Delaunay.time([&] {
+          Triangulation copy(t.mesh(), surface);
+          return IT::make_Delaunay(copy);
+        });
+      std::printf("| %zu | %g | %zu | %.2f | %.0f | %.1e | %s |\n", n, height, p.newton_steps(),
+                  path.least() / 1000, path.least() / Delaunay.least(), greatest_error(p, hull),
+                  p.certificate().is_convex() ? "yes" : "no");
+      std::fflush(stdout);
+    }
+}
