@@ -23,11 +23,13 @@ namespace CGAL::Intrinsic_triangulations {
 class Multiprecision_float;
 }
 
+#ifndef DOXYGEN_RUNNING
 // The range is that of `double`, and the precision of most numbers.
 template <>
 class std::numeric_limits<CGAL::Intrinsic_triangulations::Multiprecision_float>
   : public std::numeric_limits<double>
 {};
+#endif
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -35,7 +37,8 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// a floating point number of type `double`, or with 2560 binary digits. A result has many digits
 /// if an operand has them, so that a computation takes as much time as with `double` but for what
-/// depends on such numbers.
+/// depends on such numbers. It has the operators, comparisons and functions of `double`, such as
+/// `sqrt()`.
 ///
 /// Coordinates of type `double` are multiples of \f$2^{-1074}\f$: the height of a triangle with
 /// sides of about one is zero or at least as much, and lengths with so many digits determine it.
@@ -63,8 +66,7 @@ public:
   /// returns the number, rounded.
   explicit operator double() const { return m_long ? m_long->convert_to<double>() : m_short; }
 
-  /// \name Arithmetic
-  /// @{
+#ifndef DOXYGEN_RUNNING
   friend Multiprecision_float operator+(const Multiprecision_float& x,
                                         const Multiprecision_float& y)
   {
@@ -93,10 +95,7 @@ public:
   Multiprecision_float& operator-=(const Multiprecision_float& x) { return *this = *this - x; }
   Multiprecision_float& operator*=(const Multiprecision_float& x) { return *this = *this * x; }
   Multiprecision_float& operator/=(const Multiprecision_float& x) { return *this = *this / x; }
-  /// @}
 
-  /// \name Comparison
-  /// @{
   friend bool operator==(const Multiprecision_float& x, const Multiprecision_float& y)
   {
     return with_equal_digits(x, y, [](const auto& a, const auto& b) { return a == b; });
@@ -121,10 +120,7 @@ public:
   {
     return y <= x;
   }
-  /// @}
 
-  /// \name Functions
-  /// @{
   friend Multiprecision_float abs(const Multiprecision_float& x) { return x < 0 ? -x : x; }
   friend Multiprecision_float fabs(const Multiprecision_float& x) { return abs(x); }
   friend Multiprecision_float sqrt(const Multiprecision_float& x)
@@ -174,7 +170,7 @@ public:
   {
     return out << static_cast<double>(x);
   }
-  /// @}
+#endif
 
 private:
   template <typename Function>
@@ -267,6 +263,7 @@ class Real_embeddable_traits<Intrinsic_triangulations::Multiprecision_float::Lon
 
 } // namespace CGAL
 
+#ifndef DOXYGEN_RUNNING
 template <>
 struct Eigen::NumTraits<CGAL::Intrinsic_triangulations::Multiprecision_float>
   : public Eigen::GenericNumTraits<CGAL::Intrinsic_triangulations::Multiprecision_float>
@@ -279,5 +276,6 @@ struct Eigen::NumTraits<CGAL::Intrinsic_triangulations::Multiprecision_float>
     MulCost = 4
   };
 };
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MULTIPRECISION_FLOAT_H
