@@ -122,7 +122,7 @@ public:
   }
 
   friend Multiprecision_float abs(const Multiprecision_float& x) { return x < 0 ? -x : x; }
-  friend Multiprecision_float fabs(const Multiprecision_float& x) { return abs(x); }
+  friend Multiprecision_float fabs(const Multiprecision_float& x) { return x < 0 ? -x : x; }
   friend Multiprecision_float sqrt(const Multiprecision_float& x)
   {
     using std::sqrt;

@@ -298,8 +298,12 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
   Flipping_result result;
   if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact && has_unresolved_angles(tri.input())) {
-      result = flip_in_exact_metric(tri, limit, visitor, concurrency);
-      if(result.is_Delaunay())
+      try {
+        result = flip_in_exact_metric(tri, limit, visitor, concurrency);
+      } catch(const Numerical_error&) { // such as for vertices that coincide
+        restart_from_input(tri, visitor);
+      }
+      if(result.is_Delaunay() && result.is_exact)
         return result;
       check_flip_limit(result.flips == limit);
     }

@@ -142,8 +142,8 @@ struct Is_locally_weighted_Delaunay
   bool is_certain(const Diamond<FT>& length, const Diamond_weights<FT>& weight) const
   {
     const auto [left, right] = internal::weighted_triangles(length, weight);
-    return (left.scaled_height() > left.error_of_height(error)) &
-           (right.scaled_height() > right.error_of_height(error));
+    return left.scaled_height() > left.error_of_height(error) &&
+           right.scaled_height() > right.error_of_height(error);
   }
 
 private:

@@ -88,7 +88,7 @@ public:
     std::vector<Vertex_index> vertices;
     std::vector<FT> values;
     for(std::size_t i = 0; i < variables.size(); ++i)
-      for(Vertex_index v(Delta_complex::size_type(variables[i])); v.is_valid();
+      for(auto v = Vertex_index(Delta_complex::size_type(variables[i])); v.is_valid();
           v = m_next_copy[v.idx()]) {
         vertices.push_back(v);
         values.push_back(u[i]);
