@@ -7,7 +7,7 @@
 // between the ends of edges of the hull. The time is also given as a multiple of that of a Delaunay
 // triangulation of the same surface.
 
-#include "../../test/Intrinsic_triangulations/generators.h"
+#include "../../test/Intrinsic_triangulations/more_generators.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
@@ -20,7 +20,6 @@
 #include <cstdio>
 
 using namespace Test_surfaces;
-using Triangulation = IT::Intrinsic_triangulation<>;
 
 Mesh flattened_hull(std::size_t n, double height)
 {
@@ -30,18 +29,6 @@ Mesh flattened_hull(std::size_t n, double height)
     p = Point(p.x(), p.y(), height * p.z());
   }
   return mesh;
-}
-
-Triangulation flipped_at_random(const Mesh& mesh)
-{
-  CGAL::Random random(1);
-  Triangulation t(mesh);
-  for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i)
-    if(const auto h = random_index<Halfedge_index>(t.mesh().num_halfedges(), random);
-       t.is_flippable(h) && t.coordinates().crossings(h) < 50)
-      t.flip(h);
-  t.recompute_lengths();
-  return t;
 }
 
 double greatest_error(const IT::Convex_polyhedron& p, const Mesh& hull)
@@ -63,7 +50,8 @@ int main()
   for(const double height : {1., 0.1, 0.01})
     for(const std::size_t n : {100, 500, 2000}) {
       const Mesh hull = flattened_hull(n, height);
-      const Triangulation t = flipped_at_random(hull);
+      CGAL::Random random(1);
+      const Triangulation t = with_random_flips(hull, random);
       const auto surface = IT::parameters::edge_length_map(t.length_map());
       Samples path, Delaunay;
       const auto p = path.time([&] { return IT::convex_polyhedron(t.mesh(), surface); });

@@ -60,6 +60,18 @@ inline void flip_at_random(Triangulation& t, std::size_t attempts, unsigned int 
   }
 }
 
+// Returns a mesh whose edges have been flipped at random, but no edge that crosses fifty others.
+inline Triangulation with_random_flips(const Mesh& mesh, CGAL::Random& random)
+{
+  Triangulation t(mesh);
+  for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i)
+    if(const Halfedge_index h = random_index<Halfedge_index>(t.mesh().num_halfedges(), random);
+       t.is_flippable(h) && t.coordinates().crossings(h) < 50)
+      t.flip(h);
+  t.recompute_lengths();
+  return t;
+}
+
 // ---- Near-degenerate meshes ----
 
 // Every third vertex is moved next to a neighbour.

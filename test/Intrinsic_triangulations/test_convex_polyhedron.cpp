@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "generators.h"
+#include "more_generators.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
@@ -13,20 +13,7 @@ using namespace Test_surfaces;
 
 namespace {
 
-using Triangulation = IT::Intrinsic_triangulation<>;
 typedef IT::Convex_polyhedron Polyhedron;
-
-// Returns a surface by its lengths alone, with edges flipped at random.
-Triangulation flipped_at_random(const Mesh& mesh, CGAL::Random& random)
-{
-  Triangulation t(mesh);
-  for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i)
-    if(const auto h = random_index<Halfedge_index>(t.mesh().num_halfedges(), random);
-       t.is_flippable(h) && t.coordinates().crossings(h) < 50)
-      t.flip(h);
-  t.recompute_lengths();
-  return t;
-}
 
 Polyhedron polyhedron_of_lengths(const Triangulation& t)
 {
@@ -136,7 +123,7 @@ TEST(Convex_polyhedron, recovers_hulls_from_their_metrics)
     for(unsigned int seed = 0; seed < 4; ++seed)
       for(double z : {1., 0.1, 0.003}) {
         const Mesh mesh = stretched(random_sphere(n, seed), 1, 1, z);
-        const Triangulation t = flipped_at_random(mesh, random);
+        const Triangulation t = with_random_flips(mesh, random);
         const Polyhedron p = polyhedron_of_lengths(t);
         expect_congruent(p, mesh, 1e-9);
         EXPECT_LT(p.max_edge_error(), 1e-9);
@@ -171,7 +158,7 @@ TEST(Convex_polyhedron, flat_vertices_of_lengths_are_flat_by_rounding)
 {
   CGAL::Random random(2);
   const Mesh mesh = rotated(gridded_cube(4));
-  const Polyhedron p = polyhedron_of_lengths(flipped_at_random(mesh, random));
+  const Polyhedron p = polyhedron_of_lengths(with_random_flips(mesh, random));
   EXPECT_EQ(p.flat_vertices().size(), mesh.number_of_vertices() - 8);
   expect_congruent(p, mesh, 1e-9);
 }
@@ -206,7 +193,7 @@ TEST(Convex_polyhedron, corresponds_to_the_input)
 {
   CGAL::Random random(3);
   const Mesh mesh = random_sphere(60, 5);
-  const Triangulation t = flipped_at_random(mesh, random);
+  const Triangulation t = with_random_flips(mesh, random);
   const Polyhedron p = polyhedron_of_lengths(t);
   for(Edge_index e : t.mesh().edges())
     EXPECT_EQ(p.triangulation().input_length(e), t.length(e));

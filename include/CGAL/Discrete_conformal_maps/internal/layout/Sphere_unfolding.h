@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -69,7 +68,7 @@ private:
     if(search(rounded, tolerance::gradient, visitor))
       return;
     const std::vector<Extended> start = is_lost(rounded.result())
-                                          ? flat_start(m_problem, neighborhood(), visitor)
+                                          ? flat_start(m_problem, m_at_infinity, visitor)
                                           : std::vector<Extended>();
     if(!start.empty() && search_beyond_range(start, visitor))
       return;
@@ -85,11 +84,6 @@ private:
   {
     return result.status != Minimization_status::converged &&
            result.status != Minimization_status::rounding_limit;
-  }
-
-  std::set<Vertex_index> neighborhood() const
-  {
-    return closed_neighborhood(m_at_infinity, m_problem);
   }
 
   // Finds scale factors beyond the range of `double`, from these on or from a guess. Returns

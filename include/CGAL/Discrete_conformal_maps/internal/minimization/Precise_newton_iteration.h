@@ -44,14 +44,14 @@ public:
   Precise_newton_iteration(Energy& energy, const Minimization_domain& domain)
     : m_energy(energy),
       m_variables(domain, energy.size()),
-      m_is_fixed(energy.size(), 1),
       m_solver(m_variables.indices(), energy.shared_order())
   {
-    for(Eigen::Index v : m_variables.indices())
-      m_is_fixed[std::size_t(v)] = 0;
     move_to(energy.scale_factors());
+    std::vector<char> is_fixed(energy.size(), 1);
+    for(Eigen::Index v : m_variables.indices())
+      is_fixed[std::size_t(v)] = 0;
     if(m_gradient.allFinite())
-      m_groups = Variable_groups(energy.Hessian(), m_is_fixed).groups();
+      m_groups = Variable_groups(energy.Hessian(), is_fixed).groups();
   }
 
   // Takes steps until no entry of the gradient is above `tolerance`, or above its rounding error.
@@ -225,7 +225,6 @@ private:
 
   Energy& m_energy;
   Free_variables m_variables;
-  std::vector<char> m_is_fixed;
   std::vector<Variable_groups::Group> m_groups; // at the start
   Newton_direction::Solver m_solver;            // of which the order is used
   Laplacian_elimination<FT> m_elimination;

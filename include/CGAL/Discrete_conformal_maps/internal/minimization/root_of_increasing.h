@@ -11,29 +11,43 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns where an increasing function is at most `limit` from zero, as found from zero on with
-// steps that begin with that of Newton's method, for the slope there; zero if it is nowhere. Its
-// slope may change by many orders of magnitude: each second point is in the middle of the interval
-// that is left.
+// An interval, and the values of a function at its ends.
+template <typename FT>
+struct Interval_of_root
+{
+  FT low, high;
+  double at_low, at_high;
+};
+
+// Returns an interval at whose ends an increasing function has different signs, or is at most
+// `limit` from zero at one of them, if there is one. Steps from zero begin with that of Newton's
+// method, for the slope there.
+template <typename FT, typename Function>
+Interval_of_root<FT> interval_of_root(const Function& function, double slope, double limit)
+{
+  constexpr int most_steps = 60;
+  const double at_zero = function(FT(0));
+  Interval_of_root<FT> x{FT(0), FT(0), at_zero, at_zero};
+  FT step(std::abs(at_zero) / slope);
+  for(int i = 0; i < most_steps && x.at_low > limit; ++i, step *= 4) {
+    const FT low = x.low - step;
+    x = {low, x.low, function(low), x.at_low};
+  }
+  for(int i = 0; i < most_steps && x.at_high < -limit; ++i, step *= 4) {
+    const FT high = x.high + step;
+    x = {x.high, high, x.at_high, function(high)};
+  }
+  return x;
+}
+
+// Returns where an increasing function is at most `limit` from zero; zero if it is nowhere. `slope`
+// is that at zero. It may change by many orders of magnitude: each second point is in the middle of
+// the interval that is left.
 template <typename FT, typename Function>
 FT root_of_increasing(const Function& function, double slope, double limit)
 {
-  constexpr int most_steps = 60, most_points = 600;
-  FT low(0), high(0), step(0);
-  double at_low = function(low), at_high = at_low;
-  step = FT(std::abs(at_low) / slope);
-  for(int i = 0; i < most_steps && at_low > limit; ++i, step *= 4) {
-    high = low;
-    at_high = at_low;
-    low -= step;
-    at_low = function(low);
-  }
-  for(int i = 0; i < most_steps && at_high < -limit; ++i, step *= 4) {
-    low = high;
-    at_low = at_high;
-    high += step;
-    at_high = function(high);
-  }
+  constexpr int most_points = 600;
+  auto [low, high, at_low, at_high] = interval_of_root<FT>(function, slope, limit);
   for(int i = 0; i < most_points; ++i) {
     if(std::abs(at_low) <= limit)
       return low;

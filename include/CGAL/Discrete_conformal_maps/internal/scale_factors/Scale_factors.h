@@ -12,9 +12,9 @@
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/falls_without_end.h>
@@ -135,7 +135,10 @@ public:
   std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
     auto energy = energy_at_start<FT>(triangulation);
-    approach(energy, improve(energy, tolerance::rounding_of_gradient<FT>(), visitor), visitor);
+    const double left =
+      reduce_gradient(energy, Free_variables(domain(), m_problem.size()), m_problem.is_fixed(),
+                      m_problem.order(), tolerance::rounding_of_gradient<FT>(), visitor);
+    approach(energy, left, visitor);
     note_values(energy);
     return energy.scale_factors();
   }
@@ -197,36 +200,6 @@ private:
     minimize_beyond_range(minimizer, tolerance, visitor);
     if(bends(tolerance))
       minimize_beyond_range(minimizer, tolerance, visitor);
-  }
-
-  // Takes steps with the Hessian at the start, close to the minimum: each gains as many digits as
-  // `double` has there. Returns the gradient that is left, once it is within `limit` or a step
-  // gains less than a digit.
-  template <typename FT, typename Visitor>
-  double improve(Energy<FT>& energy, double limit, Visitor& visitor)
-  {
-    const Free_variables variables(domain(), m_problem.size());
-    Vector gradient;
-    const auto norm = [&] {
-      gradient = energy.gradient();
-      variables.set_fixed_to_zero(gradient);
-      return max_norm(gradient);
-    };
-    double before = 1, now = norm();
-    if(!(now > limit))
-      return now;
-    Dirichlet_solver solver(energy.Hessian(), m_problem.is_fixed(), m_problem.order());
-    for(std::size_t i = 1; now > limit && now < before / 10; ++i) {
-      energy.move_origin();
-      const Vector step = -solver.solve(gradient);
-      energy.evaluate(step);
-      before = std::exchange(now, norm());
-      visitor.after_iteration(i, now, max_norm(step));
-    }
-    if(now < before)
-      return now;
-    energy.evaluate(Vector::Zero(m_u.size()));
-    return before;
   }
 
   // whether the error of curvatures moves no side in the plane by more than is promised

@@ -98,6 +98,45 @@ inline Polyhedron_certificate certified_polyhedron(const Delta_complex& mesh,
   return result;
 }
 
+// Returns the orientation of three points in the plane z = 0.
+inline Orientation orientation_in_plane(const std::array<Polyhedron_kernel::Point_3, 3>& p)
+{
+  const auto projected = [](const Polyhedron_kernel::Point_3& q) {
+    return Polyhedron_kernel::Point_2(q.x(), q.y());
+  };
+  return CGAL::orientation(projected(p[0]), projected(p[1]), projected(p[2]));
+}
+
+// Returns the angle in the plane z = 0 by which the way over three points turns at the second.
+inline double turn_in_plane(const std::array<Polyhedron_kernel::Point_3, 3>& p)
+{
+  const auto u = p[1] - p[0], v = p[2] - p[1];
+  return std::atan2(u.x() * v.y() - u.y() * v.x(), u.x() * v.x() + u.y() * v.y());
+}
+
+// Counts the faces and edges of a polygon that is covered twice. Returns its sides, as halfedges of
+// the faces above.
+inline std::vector<Halfedge_index> count_elements(const Delta_complex& mesh,
+                                                  const Polyhedron_points& points,
+                                                  Polyhedron_certificate& result)
+{
+  const auto side = [&](Halfedge_index h) {
+    return orientation_in_plane(corners_in_space(h, mesh, points));
+  };
+  std::vector<Halfedge_index> rim;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    if(side(h) == side(opposite(h)))
+      ++result.flat_edges;
+    else
+      rim.push_back(side(h) == COUNTERCLOCKWISE ? h : opposite(h));
+  }
+  result.convex_edges = rim.size();
+  for(Face_index f : mesh.faces())
+    result.hidden_faces += side(mesh.halfedge(f)) == COLLINEAR;
+  return rim;
+}
+
 // The same for a polygon in the plane z = 0 that is covered twice: `flat_edges` are its diagonals
 // on both sides, `convex_edges` its sides. An angle of the polygon is that of the faces above it.
 inline Polyhedron_certificate certified_polygon(const Delta_complex& mesh,
@@ -105,45 +144,23 @@ inline Polyhedron_certificate certified_polygon(const Delta_complex& mesh,
 {
   Polyhedron_certificate result;
   result.is_flat = true;
-  const auto side = [&](Halfedge_index h) {
-    const auto c = corners_in_space(h, mesh, points);
-    typedef Polyhedron_kernel::Point_2 Point_2;
-    return CGAL::orientation(Point_2(c[0].x(), c[0].y()), Point_2(c[1].x(), c[1].y()),
-                             Point_2(c[2].x(), c[2].y()));
-  };
-  std::vector<std::size_t> next(mesh.num_vertices(), mesh.num_vertices());
-  std::vector<std::size_t> rim;
-  for(Edge_index e : mesh.edges()) {
-    const Halfedge_index h = mesh.halfedge(e);
-    if(side(h) == side(opposite(h))) {
-      ++result.flat_edges;
-      continue;
-    }
-    ++result.convex_edges;
-    const Halfedge_index upper = side(h) == COUNTERCLOCKWISE ? h : opposite(h);
-    next[mesh.source(upper).idx()] = mesh.target(upper).idx();
-    rim.push_back(mesh.source(upper).idx());
-  }
-  for(Face_index f : mesh.faces())
-    result.hidden_faces += side(mesh.halfedge(f)) == COLLINEAR;
+  const std::vector<Halfedge_index> rim = count_elements(mesh, points, result);
+  const std::size_t none = mesh.num_vertices();
+  std::vector<std::size_t> next(none, none);
+  for(Halfedge_index h : rim)
+    next[mesh.source(h).idx()] = mesh.target(h).idx();
   double turns = 0;
-  for(std::size_t i : rim) {
-    const std::size_t j = next[i], k = j < next.size() ? next[j] : j;
-    if(k >= next.size()) {
+  for(Halfedge_index h : rim) {
+    const std::size_t i = mesh.source(h).idx(), j = next[i], k = next[j];
+    if(k == none) {
       ++result.concave_edges;
       continue;
     }
-    const auto &p = points[i], &q = points[j], &r = points[k];
-    result.concave_edges +=
-      CGAL::orientation(Polyhedron_kernel::Point_2(p.x(), p.y()),
-                        Polyhedron_kernel::Point_2(q.x(), q.y()),
-                        Polyhedron_kernel::Point_2(r.x(), r.y())) == CLOCKWISE;
-    const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = r.x() - q.x(), vy = r.y() - q.y();
-    turns += std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+    result.concave_edges += orientation_in_plane({points[i], points[j], points[k]}) == CLOCKWISE;
+    turns += turn_in_plane({points[i], points[j], points[k]});
   }
-  result.degree = rim.size() == mesh.num_vertices()
-                    ? static_cast<int>(std::lround(turns / (2 * pi<double>())))
-                    : 0;
+  result.degree =
+    rim.size() == none ? static_cast<int>(std::lround(turns / (2 * pi<double>()))) : 0;
   return result;
 }
 
