@@ -52,6 +52,8 @@ if(WITH_Three AND PROJECT_IS_TOP_LEVEL)
   include(Three)
 endif()
 
+option(WITH_Python "Build the package for Python, if pybind11 and numpy are found" ON)
+
 option(WITH_compiled_library
   "Build the library of what applications would compile from the headers otherwise"
   ${PROJECT_IS_TOP_LEVEL})

@@ -1,0 +1,124 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Intrinsic triangulations, exact geodesics, conformal maps and simplification of surfaces.
+
+A surface is a pair of arrays, V (n, 3) of positions and F (m, 3) of corners from 0, or a mesh of
+trimesh, meshio or pyvista. Points on surfaces are pairs of arrays: faces (k,) and barycentric
+coordinates (k, 3), in the order of the corners in F.
+"""
+
+from . import errors, shapes
+from .distances import (
+    DistanceSolver,
+    Distances,
+    LogMap,
+    Path,
+    distance,
+    exp_map,
+    log_map,
+    path,
+    signed_distance,
+    vertex_point,
+)
+from .errors import (
+    ArrayError,
+    InputError,
+    IntrinsicError,
+    LimitError,
+    MapError,
+    MissingProgramError,
+    MollificationWarning,
+    NegativeCurvatureError,
+    NotAManifoldError,
+    NumericalError,
+    UnderflowError,
+)
+from .maps import (
+    ConformalMap,
+    FlatMap,
+    HyperbolicMap,
+    MapSubdivision,
+    SphereMap,
+    Uniformization,
+    flatten,
+    to_hyperbolic,
+    to_sphere,
+    uniformize,
+)
+from .operators import (
+    SoupOperators,
+    connection_laplacian,
+    divergence,
+    gradient,
+    laplacian,
+    mass,
+    soup_operators,
+)
+from .polyhedra import ConvexPolyhedron, convex_polyhedron
+from .repairs import Info, Repair, info, repair
+from .showing import Page, show
+from .simplification import CoarseMesh, Simplification, simplify
+from .triangulation import Certificate, CommonSubdivision, Curves, Refinement, Triangulation
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "ArrayError",
+    "Certificate",
+    "CoarseMesh",
+    "CommonSubdivision",
+    "ConformalMap",
+    "ConvexPolyhedron",
+    "Curves",
+    "DistanceSolver",
+    "Distances",
+    "FlatMap",
+    "HyperbolicMap",
+    "Info",
+    "InputError",
+    "IntrinsicError",
+    "LimitError",
+    "LogMap",
+    "MapError",
+    "MapSubdivision",
+    "MissingProgramError",
+    "MollificationWarning",
+    "NegativeCurvatureError",
+    "NotAManifoldError",
+    "NumericalError",
+    "Page",
+    "Path",
+    "Refinement",
+    "Repair",
+    "Simplification",
+    "SoupOperators",
+    "SphereMap",
+    "Triangulation",
+    "UnderflowError",
+    "Uniformization",
+    "connection_laplacian",
+    "convex_polyhedron",
+    "distance",
+    "divergence",
+    "errors",
+    "exp_map",
+    "flatten",
+    "gradient",
+    "info",
+    "laplacian",
+    "log_map",
+    "mass",
+    "path",
+    "repair",
+    "shapes",
+    "show",
+    "signed_distance",
+    "simplify",
+    "soup_operators",
+    "to_hyperbolic",
+    "to_sphere",
+    "uniformize",
+    "vertex_point",
+]

@@ -1,0 +1,145 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Takes what users have and makes arrays that the compiled part accepts, or says what is wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import ArrayError, InputError
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+_GREATEST_INDEX = 2**32 - 2  # of the compiled part
+
+
+def _array(values: ArrayLike, name: str) -> NDArray[Any]:
+    if values is None:
+        raise ArrayError(f"{name} is None; give an array")
+    if getattr(values, "format", None) is not None and hasattr(values, "todense"):
+        raise ArrayError(f"{name} is a sparse matrix; give an array")
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise ArrayError(f"{name} is not an array of numbers: {error}") from None
+    if isinstance(array, np.ma.MaskedArray) or array.dtype.names is not None:
+        raise ArrayError(f"{name} has masks or fields; give a plain array")
+    return array
+
+
+def _check_shape(array: NDArray[Any], shape: tuple[int | None, ...], name: str) -> None:
+    if array.ndim == len(shape) and all(
+        expected in (None, n) for n, expected in zip(array.shape, shape)
+    ):
+        return
+    letters = iter("nmk")
+    text = ", ".join(next(letters) if n is None else str(n) for n in shape)
+    raise ArrayError(f"{name} has the shape {array.shape}; it must be ({text}{',' * (len(shape) == 1)})")
+
+
+def _first_row(is_bad: NDArray[np.bool_]) -> int:
+    return int(np.argwhere(is_bad)[0][0])
+
+
+def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
+    """Return finite numbers of type float64, stored by rows; a copy only if it is needed."""
+    array = _array(values, name)
+    if array.dtype.kind not in "fiu" and not (array.size == 0 and array.dtype == object):
+        raise ArrayError(f"{name} has the type {array.dtype}; it must be real numbers")
+    _check_shape(array, shape, name)
+    with np.errstate(over="ignore"):
+        result = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(result).all():
+        row = _first_row(~np.isfinite(result))
+        error = InputError(f"row {row} of {name} is not finite: {array[row]}")
+        error.row = row
+        raise error
+    return result
+
+
+def integers(
+    values: ArrayLike, shape: tuple[int | None, ...], name: str, size: int | None, what: str
+) -> Integers:
+    """Return indices of type int64, stored by rows, from 0 to `size` - 1."""
+    array = _array(values, name)
+    if array.size == 0 and array.dtype.kind == "f":  # that of an empty list
+        array = array.astype(np.int64)
+    if array.dtype.kind == "O" and all(isinstance(i, int) for i in array.flat):
+        array = np.clip(array, -1, _GREATEST_INDEX + 1).astype(np.int64)  # of huge numbers
+    if array.dtype.kind not in "iu":
+        hint = "; convert it by .astype(int)" if array.dtype.kind in "fb" else ""
+        raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
+    _check_shape(array, shape, name)
+    limit = _GREATEST_INDEX + 1 if size is None else size
+    is_bad = (array < 0) | (array >= np.uint64(limit) if array.dtype.kind == "u" else array >= limit)
+    if is_bad.any():
+        row = _first_row(is_bad)
+        known = f"the {what} are 0 to {limit - 1}" if limit > 0 else f"there are no {what}"
+        error = InputError(f"row {row} of {name} is {array[row]}, and {known}")
+        error.row = row
+        raise error
+    return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def number(value: Any, name: str, least: float, greatest: float = np.inf) -> float:
+    """Return a finite number between two others."""
+    try:
+        result = float(value)
+    except (TypeError, ValueError):
+        raise ArrayError(f"{name} is {value!r}; it must be a number") from None
+    if not (least <= result <= greatest) or not np.isfinite(result):
+        bound = f" and at most {greatest}" if np.isfinite(greatest) else ""
+        raise InputError(f"{name} is {result}; it must be finite and at least {least}{bound}")
+    return result
+
+
+def count(value: Any, name: str, least: int) -> int:
+    """Return an integer that is not less than another."""
+    try:
+        result = int(np.asarray(value).item() if isinstance(value, np.ndarray) else value)
+    except (TypeError, ValueError, OverflowError):
+        raise ArrayError(f"{name} is {value!r}; it must be an integer") from None
+    if result != value:
+        raise ArrayError(f"{name} is {value!r}; it must be an integer")
+    if not least <= result <= _GREATEST_INDEX:
+        raise InputError(f"{name} is {result}; it must be at least {least}")
+    return result
+
+
+def points_on(
+    points: tuple[ArrayLike, ArrayLike], number_of_faces: int, name: str
+) -> tuple[Integers, Floats]:
+    """Return faces (k,) and barycentric coordinates (k, 3) of points; one point may be (3,)."""
+    try:
+        faces, coordinates = points
+    except (TypeError, ValueError):
+        raise ArrayError(f"{name} must be a pair of faces and barycentric coordinates") from None
+    rows = integers(np.atleast_1d(_array(faces, name)), (None,), f"the faces of {name}",
+                    number_of_faces, "faces")
+    weights = floats(np.atleast_2d(_array(coordinates, name)), (len(rows), 3),
+                     f"the barycentric coordinates of {name}")
+    is_bad = (weights < 0).any(axis=1) | (np.abs(weights.sum(axis=1) - 1) > 1e-6)
+    if is_bad.any():
+        row = _first_row(is_bad)
+        error = InputError(f"row {row} of the barycentric coordinates of {name} is {weights[row]}; "
+                           "they are not negative and sum up to one")
+        error.row = row
+        raise error
+    return rows, weights
+
+
+def sparse(arrays: tuple[Any, Any, Any, Any], by_rows: bool = False) -> Any:
+    """Return the sparse matrix of arrays of the compiled part."""
+    try:
+        import scipy.sparse
+    except ImportError:
+        raise ImportError("matrices need scipy; install it") from None
+    values, inner, starts, shape = arrays
+    kind = scipy.sparse.csr_matrix if by_rows else scipy.sparse.csc_matrix
+    return kind((values, inner, starts), shape=shape)

@@ -1,0 +1,118 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Finds positions and faces in arrays and in meshes of other packages."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any, Callable, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, Integers, floats, integers, number
+from .errors import ArrayError, InputError, MollificationWarning, NumericalError
+
+Result = TypeVar("Result")
+
+SLACKS = (1e-8, 1e-6)
+
+
+def _packed_faces(faces: Any) -> Any:
+    """Return rows of corners, also of pyvista's list 3, i, j, k, 3, ..."""
+    array = np.asarray(faces)
+    if array.ndim != 1 or array.size % 4 != 0 or array.dtype.kind not in "iu":
+        return faces
+    rows = array.reshape(-1, 4)
+    if (rows[:, 0] != 3).any():
+        raise ArrayError("the mesh has faces that are not triangles")
+    return rows[:, 1:]
+
+
+def _cells(cells: Any) -> Any:
+    """Return the triangles of meshio's list of blocks of cells."""
+    blocks = [(getattr(b, "type", None) or b[0], getattr(b, "data", None)) for b in cells]
+    triangles = [b if b is not None else c[1] for (kind, b), c in zip(blocks, cells)
+                 if kind == "triangle"]
+    others = {kind for kind, _ in blocks if kind not in ("triangle", "vertex", "line")}
+    if others:
+        raise ArrayError(f"the mesh has cells of type {', '.join(sorted(others))}; only triangles "
+                         "are taken")
+    return np.concatenate(triangles) if triangles else np.zeros((0, 3), int)
+
+
+def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
+    """Return positions and faces of an object of another package: one with `vertices` and `faces`
+    (as trimesh has), `points` and `cells` (meshio), or `points` and `faces` (pyvista)."""
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return mesh.vertices, mesh.faces
+    if hasattr(mesh, "points") and hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
+        return mesh.points, _cells(mesh.cells)
+    if hasattr(mesh, "points") and hasattr(mesh, "faces"):
+        return mesh.points, _packed_faces(mesh.faces)
+    raise ArrayError("F is missing, and V is no mesh: it has neither vertices and faces nor points "
+                     "and cells")
+
+
+def arrays(V: Any, F: ArrayLike | None) -> tuple[Floats, Integers]:
+    """Return checked arrays (n, 3) and (m, 3)."""
+    if F is None:
+        V, F = vertices_and_faces(V)
+    points = floats(V, (None, 3), "V")
+    return points, _faces(F, len(points))
+
+
+def _faces(F: Any, size: int | None) -> Integers:
+    try:
+        return integers(F, (None, 3), "F", size, "vertices")
+    except InputError as error:
+        if error.row is not None:
+            error.face = error.row
+        raise
+
+
+def surface(
+    V: Any, F: ArrayLike | None, lengths: ArrayLike | None = None, mollify: float | str = 0.0
+) -> _core.Surface:
+    """Return the surface of arrays, or of lengths alone if V is None."""
+    if lengths is None:
+        points, faces = arrays(V, F)
+        return _core.Surface.of_points(points, faces, mollify != 0 and mollify != "auto")
+    if V is not None:
+        raise ArrayError("give either V or lengths, and None for the other")
+    faces = _faces(F, None)
+    return _core.Surface.of_lengths(floats(lengths, (len(faces), 3), "lengths"), faces)
+
+
+def mollification(mollify: float | str) -> float | None:
+    """Return the slack, or None if it is to be found."""
+    return None if isinstance(mollify, str) and mollify == "auto" else number(mollify, "mollify", 0)
+
+
+def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
+    """Return what `compute(slack)` returns; with "auto", for the least of some slacks for which it
+    raises no NumericalError."""
+    slack = mollification(mollify)
+    if slack is not None:
+        return compute(slack)
+    try:
+        return compute(0.0)
+    except NumericalError as error:
+        first = error
+    for slack in SLACKS:
+        try:
+            result = compute(slack)
+        except NumericalError:
+            continue
+        warnings.warn(f"computed with mollify={slack}: {first}", MollificationWarning, stacklevel=3)
+        return result
+    raise first
+
+
+def check_progress(progress: Any) -> Any:
+    if progress is not None and not callable(progress):
+        raise ArrayError("progress must be a function of a stage and a number of steps, or None")
+    return progress

@@ -1,0 +1,451 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Geodesic distances, shortest paths, and the exponential and logarithmic map."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import Floats, Integers, floats, integers, number, points_on
+from ._meshes import attempt, check_progress, surface
+from .errors import ArrayError, InputError, UnderflowError
+from .triangulation import Progress, SurfacePoints, Triangulation, triangulation_of
+
+_NO_VERTICES = np.zeros(0, np.int64)
+_NO_POINTS = (np.zeros(0, np.int64), np.zeros((0, 3)))
+
+
+def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats]:
+    """Return vertices, and faces with coordinates: sources are the one or the other."""
+    if isinstance(sources, tuple):
+        faces, coordinates = points_on(sources, len(T.input_F), "sources")
+        result = _NO_VERTICES, faces, coordinates
+    else:
+        vertices = integers(np.atleast_1d(np.asarray(sources)), (None,), "sources",
+                            T._core.number_of_input_vertices(), "vertices")
+        result = vertices, *_NO_POINTS
+    if len(result[0]) + len(result[1]) == 0:
+        raise InputError("there are no sources")
+    return result
+
+
+def _method(method: str) -> str:
+    if method not in ("auto", "exact", "heat"):
+        raise InputError(f"method is {method!r}; it must be 'auto', 'exact' or 'heat'")
+    return method
+
+
+class Distances(NamedTuple):
+    """Distances and how they were found.
+
+    Attributes
+    ----------
+    values : (n,) float array
+        The distance of each vertex, in the unit of V; infinite where no source can reach it.
+    method : str
+        "exact" or "heat".
+    relative_error : dict or None
+        Of heat, an estimate: "mean", "ninety_percent" (nine of ten vertices have no greater one)
+        and "greatest", from exact distances of "vertices" vertices near the sources.
+    """
+
+    values: Floats
+    method: str
+    relative_error: dict[str, float] | None
+
+
+def distance(
+    V: Any,
+    F: ArrayLike | None = None,
+    sources: Any = None,
+    method: str = "auto",
+    *,
+    time_step_factor: float | None = None,
+    lengths: ArrayLike | None = None,
+    mollify: float | str = "auto",
+    full: bool = False,
+    progress: Progress | None = None,
+) -> Any:
+    """Return the geodesic distance of each vertex from the nearest source.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `laplacian()`.
+    sources : int, (k,) integers, or pair of (k,) integers and (k, 3) floats
+        A vertex, vertices, or points as faces and barycentric coordinates.
+    method : "auto", "exact" or "heat"
+        "exact" gives the lengths of shortest paths, up to rounding. "heat" is faster on large
+        meshes and has errors of some percent. "auto" is exact if that is expected to take less
+        than two seconds.
+    time_step_factor : float
+        The time for which heat flows, in squared mean edge lengths. Makes "auto" to "heat".
+    full : bool
+        Whether the method and an estimate of the error are returned, too.
+
+    Returns
+    -------
+    (n,) float array, or Distances if `full`
+        In the unit of V; infinite where no source can reach a vertex.
+
+    Examples
+    --------
+    Around a corner of a cube:
+
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.cube()
+    >>> d = intrinsic.distance(V, F, 0)
+    >>> float(d.max() ** 2)  # to the opposite corner of the unit cube
+    5.0
+    """
+    if sources is None:
+        raise ArrayError("sources are missing; give vertices, or points as faces and coordinates")
+    kind = _method(method)
+    factor = _time_step_factor(time_step_factor)
+    if factor is not None and kind == "auto":
+        kind = "heat"
+    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+    with T._lock:
+        values, about = _core.distances(T._core, *_sources(sources, T), kind, factor)
+    values = values[: T._core.number_of_input_vertices()]
+    return Distances(values, about["method"], about.get("relative_error")) if full else values
+
+
+def _time_step_factor(factor: float | None) -> float | None:
+    return None if factor is None else number(factor, "time_step_factor", np.nextafter(0, 1))
+
+
+class DistanceSolver:
+    """Distances from many sets of sources on one surface, after one factorization.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `laplacian()`.
+    method : "heat" or "exact"
+        "heat" factorizes two matrices now, and solves with them for each set of sources. "exact"
+        searches for each set from the beginning.
+    time_step_factor : float
+        The time for which heat flows, in squared mean edge lengths.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(3)
+    >>> solver = intrinsic.DistanceSolver(V, F)
+    >>> d = solver.distance(0)
+    >>> bool(abs(d.max() - 3.1416) < 0.1)
+    True
+    """
+
+    def __init__(
+        self,
+        V: Any,
+        F: ArrayLike | None = None,
+        method: str = "heat",
+        *,
+        time_step_factor: float = 1.0,
+        lengths: ArrayLike | None = None,
+        mollify: float | str = "auto",
+        progress: Progress | None = None,
+    ) -> None:
+        if _method(method) == "auto":
+            raise InputError("method must be 'heat' or 'exact'")
+        factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
+        self._on = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+        self._heat: _core.Heat | None = None
+        if method == "heat":
+            with self._on._lock:
+                self._heat = _core.Heat(self._on._core, factor)
+
+    def distance(self, sources: Any) -> Floats:
+        """Return the distance (n,) of each vertex from the nearest source, as `distance()`."""
+        T = self._on
+        with T._lock:
+            given = _sources(sources, T)
+            n = T._core.number_of_input_vertices()
+            if self._heat is not None:
+                return self._heat.distances(T._core, *given)[:n]
+            return _core.Paths(T._core, *given).distances_of_vertices()
+
+
+@dataclass(frozen=True)
+class Path:
+    """A line on a surface.
+
+    Attributes
+    ----------
+    length : float
+        In the unit of V; infinite if there is no path.
+    faces : (p,) int array
+        A face in which each point lies: the ends, and where the path meets edges and vertices.
+    barycentric : (p, 3) float array
+        The barycentric coordinates of the points, in the order of the corners of the face.
+    points : (p, 3) float array or None
+        Their positions; None if the surface has none.
+    is_complete : bool
+        Whether the line has reached its end: one that is followed may meet the boundary before.
+    """
+
+    length: float
+    faces: Integers
+    barycentric: Floats
+    points: Floats | None
+    is_complete: bool = True
+
+
+def _path(T: Triangulation, length: float, faces: Integers, coordinates: Floats,
+          is_complete: bool = True) -> Path:
+    has_points = T._surface is not None and T._surface.has_positions()
+    points = T.positions((faces, coordinates)) if has_points and len(faces) > 0 else None
+    return Path(length, faces, coordinates, points, is_complete)
+
+
+def _input_of(V: Any, F: ArrayLike | None, lengths: ArrayLike | None,
+              mollify: float | str) -> Triangulation:
+    """Return a triangulation whose input is the surface; it need not be Delaunay."""
+    if isinstance(V, Triangulation):
+        return triangulation_of(V, F, lengths, mollify)
+    return Triangulation(V, F, lengths=lengths, mollify=mollify)
+
+
+def vertex_point(F: ArrayLike, vertex: int) -> SurfacePoints:
+    """Return a vertex as a point of a surface: a face (1,) and coordinates (1, 3)."""
+    faces = integers(F, (None, 3), "F", None, "vertices")
+    found = np.argwhere(faces == vertex)
+    if len(found) == 0:
+        raise InputError(f"vertex {vertex} has no face")
+    coordinates = np.zeros((1, 3))
+    coordinates[0, found[0, 1]] = 1
+    return found[:1, 0], coordinates
+
+
+def _one_point(point: Any, T: Triangulation, name: str) -> SurfacePoints:
+    if isinstance(point, tuple):
+        faces, coordinates = points_on(point, len(T.input_F), name)
+        if len(faces) != 1:
+            raise ArrayError(f"{name} has {len(faces)} points; it must be one")
+        return faces, coordinates
+    vertex = integers(np.atleast_1d(np.asarray(point)), (1,), name,
+                      T._core.number_of_input_vertices(), "vertices")
+    return vertex_point(T.input_F, int(vertex[0]))
+
+
+def path(
+    V: Any, F: ArrayLike | None = None, source: Any = None, target: Any = None, *,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+) -> Path:
+    """Return the shortest path between two points, exact up to rounding.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    source, target : int, or pair of an integer and 3 floats
+        A vertex, or a point as a face and its barycentric coordinates.
+
+    Returns
+    -------
+    Path
+        Its length is infinite, and it has no points, if there is none.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.cube()
+    >>> p = intrinsic.path(V, F, 0, 7)
+    >>> round(p.length ** 2, 12), p.points[0].tolist(), p.points[-1].tolist()
+    (5.0, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
+    """
+    T = _input_of(V, F, lengths, mollify)
+    ends = [_one_point(p, T, name) for p, name in ((source, "source"), (target, "target"))]
+    with T._lock:
+        found = _core.shortest_path(T._core, np.concatenate([e[0] for e in ends]),
+                                    np.concatenate([e[1] for e in ends]))
+    return _path(T, *found)
+
+
+def signed_distance(
+    V: Any, F: ArrayLike | None = None, curve: Any = None, *,
+    time_step_factor: float | None = None, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Floats:
+    """Return the distance of each vertex from a curve, negative on the left of it, by heat.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `laplacian()`.
+    curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
+        The points of a polyline, or of several ones: vertices, or faces and barycentric
+        coordinates. Two points that follow each other must be in a common face.
+    time_step_factor : float
+        The time for which heat flows, in squared mean edge lengths; at first 4 if not given, and
+        more if normals do not reach all faces.
+
+    Returns
+    -------
+    (n,) float array
+        In the unit of V; infinite on a component without a part of the curve.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.torus(24, 12)
+    >>> meridian = [*range(12), 0]
+    >>> d = intrinsic.signed_distance(V, F, meridian)
+    >>> bool(abs(d[:12]).max() < 0.1), bool(d.min() < 0 < d.max())
+    (True, True)
+    """
+    factor = _time_step_factor(time_step_factor)
+    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+    faces, coordinates, starts = _curve(curve, T)
+    with T._lock:
+        def compute(time: float) -> Floats:
+            values = _core.signed_distances(T._core, faces, coordinates, starts, time)
+            return values[: T._core.number_of_input_vertices()]
+
+        if factor is not None:
+            return compute(factor)
+        factor = 4.0
+        while True:
+            try:
+                return compute(factor)
+            except UnderflowError:
+                if factor > 1e12:
+                    raise
+                factor *= 16
+
+
+def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
+    if curve is None:
+        raise ArrayError("curve is missing; give vertices, or points as faces and coordinates")
+    parts = curve if _is_list_of_curves(curve) else [curve]
+    found = [_polyline(part, T) for part in parts]
+    starts = np.cumsum([0] + [len(faces) for faces, _ in found])
+    if len(found) == 0 or starts[-1] < 2:
+        raise InputError("a curve has two points or more")
+    return (np.concatenate([f for f, _ in found]), np.concatenate([b for _, b in found]),
+            starts.astype(np.int64))
+
+
+def _is_list_of_curves(curve: Any) -> bool:
+    return isinstance(curve, list) and len(curve) > 0 and not np.isscalar(curve[0]) and (
+        np.ndim(curve[0] if not isinstance(curve[0], tuple) else curve[0][0]) > 0)
+
+
+def _polyline(part: Any, T: Triangulation) -> SurfacePoints:
+    if isinstance(part, tuple):
+        return points_on(part, len(T.input_F), "curve")
+    corners = T.input_F
+    vertices = integers(part, (None,), "curve", T._core.number_of_input_vertices(), "vertices")
+    first = np.full(T._core.number_of_input_vertices(), -1)
+    first[corners.ravel()[::-1]] = np.arange(corners.size)[::-1]
+    place = first[vertices]
+    if (place < 0).any():
+        raise InputError(f"vertex {vertices[np.argmax(place < 0)]} of curve has no face")
+    return (place // 3).astype(np.int64), np.eye(3)[place % 3]
+
+
+@dataclass(frozen=True)
+class LogMap:
+    """The logarithmic map at a vertex.
+
+    Attributes
+    ----------
+    vectors : (n,) complex array
+        For each vertex, the tangent vector with the first direction of the shortest path and its
+        length, in the unit of V. Angles are scaled to a full turn at the source, and start at the
+        first edge there. Infinite without a path.
+    is_straight : (n,) bool array
+        Whether the shortest path is straight, so that `exp_map()` leads to the vertex.
+    """
+
+    vectors: NDArray[np.complex128]
+    is_straight: NDArray[np.bool_]
+
+
+def log_map(
+    V: Any, F: ArrayLike | None = None, source: Any = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto",
+) -> LogMap:
+    """Return the logarithmic map at a vertex, from exact shortest paths.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    source : int
+        The vertex.
+
+    Returns
+    -------
+    LogMap
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(2)
+    >>> log = intrinsic.log_map(V, F, 0)
+    >>> d = intrinsic.distance(V, F, 0, "exact")
+    >>> bool(abs(abs(log.vectors) - d).max() < 1e-12)
+    True
+    """
+    T = _input_of(V, F, lengths, mollify)
+    vertex = _vertex(source, T)
+    with T._lock:
+        vectors, statuses = _core.logarithms(T._core, vertex)
+    return LogMap(vectors, statuses == 0)
+
+
+def exp_map(
+    V: Any, F: ArrayLike | None = None, source: Any = None, vector: complex = 0, *,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+) -> Path:
+    """Follow the straightest line from a vertex.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    source : int
+        The vertex.
+    vector : complex
+        The direction and the length, as those of `log_map()`.
+
+    Returns
+    -------
+    Path
+        It is not complete if it meets the boundary.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(2)
+    >>> log = intrinsic.log_map(V, F, 0)
+    >>> line = intrinsic.exp_map(V, F, 0, log.vectors[50])
+    >>> bool(abs(line.points[-1] - V[50]).max() < 1e-9)
+    True
+    """
+    T = _input_of(V, F, lengths, mollify)
+    vertex = _vertex(source, T)
+    direction = complex(vector)
+    if not np.isfinite(direction):
+        raise InputError(f"vector is {direction}; it must be finite")
+    with T._lock:
+        found = _core.exponential(T._core, vertex, direction)
+    return _path(T, *found)
+
+
+def _vertex(vertex: Any, T: Triangulation) -> int:
+    if vertex is None:
+        raise ArrayError("source is missing; give a vertex")
+    return int(integers(np.atleast_1d(np.asarray(vertex)), (1,), "source",
+                        T._core.number_of_input_vertices(), "vertices")[0])

@@ -1,0 +1,85 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The exceptions of the package.
+
+All are derived from `IntrinsicError`. Where an element of the input is to blame, an attribute has
+its index, counted from zero; otherwise the attribute is None.
+"""
+
+from __future__ import annotations
+
+
+class IntrinsicError(Exception):
+    """Is raised if something cannot be computed.
+
+    Attributes
+    ----------
+    edge : tuple of int or None
+        The two vertices of the edge that is to blame.
+    vertex : int or None
+        The vertex that is to blame.
+    face : int or None
+        The face that is to blame, a row of F.
+    row : int or None
+        The row of an array that is to blame.
+    """
+
+    edge: tuple[int, int] | None = None
+    vertex: int | None = None
+    face: int | None = None
+    row: int | None = None
+
+
+class InputError(IntrinsicError, ValueError):
+    """Is raised if arrays are not those of a surface, or if a parameter has no meaning."""
+
+
+class ArrayError(InputError, TypeError):
+    """Is raised if an array has the wrong type or shape."""
+
+
+class NotAManifoldError(InputError):
+    """Is raised if an edge has more than two faces, or a vertex more than one fan of faces, or if
+    the two faces of an edge are not oriented alike."""
+
+
+class NegativeCurvatureError(InputError):
+    """Is raised if a vertex has more than 360 degrees and the surface can be no convex
+    polyhedron."""
+
+
+class NumericalError(IntrinsicError, ArithmeticError):
+    """Is raised if rounding leaves no result."""
+
+
+class UnderflowError(NumericalError):
+    """Is raised if heat does not reach all of a surface; a greater time step factor helps."""
+
+
+class MapError(NumericalError):
+    """Is raised if a map does not have what is promised.
+
+    Attributes
+    ----------
+    status : str
+        The name of the status, as "not_converged".
+    map : object
+        The map as far as it has been found; None if it cannot be laid out.
+    """
+
+    status: str = ""
+    map: object = None
+
+
+class LimitError(IntrinsicError):
+    """Is raised if numbers of crossings or flips are beyond a limit."""
+
+
+class MissingProgramError(IntrinsicError, OSError):
+    """Is raised if the program `intrinsic`, which writes pages, is not found."""
+
+
+class MollificationWarning(UserWarning):
+    """Is given if edges have been lengthened, relative to their mean, to find a result."""

@@ -1,0 +1,478 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Discrete conformal maps to the plane, the sphere and the hyperbolic plane."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, Integers, floats, integers, number, points_on, sparse
+from ._meshes import attempt, check_progress, surface
+from .errors import InputError, MapError
+from .triangulation import Progress, _fan
+
+
+@dataclass(frozen=True)
+class MapSubdivision:
+    """The pieces of the input on each of which a map is projective.
+
+    Attributes
+    ----------
+    V : (k, 3) float array or None
+        Positions on the input; the first n are those of its vertices. None without positions.
+    corners : (c,) int array
+        The vertices of all pieces, one convex polygon after the other, counterclockwise.
+    starts : (p + 1,) int array
+        Where in `corners` each polygon starts.
+    input_face : (p,) int array
+        The face of the input of which each polygon is a part.
+    from_input : (k, n) sparse matrix
+        Takes a function at the vertices of the input to all vertices, linear on its faces.
+    corner_image : (c,) int array
+        The row of `image` at each corner.
+    image : (i, 2) or (i, 3) float array
+        Positions in the plane, the Poincare disk or on the sphere. A vertex on a cut has several.
+    homogeneous : (i, 3) or (i, 4) float array
+        The same, in homogeneous coordinates, which are linear on each polygon.
+    """
+
+    V: Floats | None
+    corners: Integers
+    starts: Integers
+    input_face: Integers
+    from_input: Any
+    corner_image: Integers
+    image: Floats
+    homogeneous: Floats
+
+    @property
+    def F(self) -> Integers:
+        """The polygons cut into triangles, (t, 3)."""
+        return self.corners[_fan(self.starts)[0]]
+
+    @property
+    def FT(self) -> Integers:
+        """The rows of `image` at the corners of `F`, (t, 3): indices of texture coordinates."""
+        return self.corner_image[_fan(self.starts)[0]]
+
+    @property
+    def uv(self) -> Floats:
+        """The image of each corner of `F`, (t, 3, 2) or (t, 3, 3): texture coordinates."""
+        return self.image[self.FT]
+
+    @property
+    def cut_vertices(self) -> Integers:
+        """The vertices that have several images."""
+        pairs = np.unique(np.stack([self.corners, self.corner_image], axis=1), axis=0)
+        vertices, counts = np.unique(pairs[:, 0], return_counts=True)
+        return vertices[counts > 1]
+
+
+class ConformalMap:
+    """A discrete conformal map of a surface.
+
+    It can be called with points of the surface, faces (k,) and barycentric coordinates (k, 3), and
+    returns their images.
+    """
+
+    def __init__(self, on: _core.Surface, core: Any) -> None:
+        self._surface = on
+        self._core = core
+
+    @property
+    def status(self) -> str:
+        """"success", or what the map does not have of what is promised."""
+        return str(self._core.status())
+
+    @property
+    def promises(self) -> dict[str, tuple[float, float]]:
+        """What a success has: for each name, the error that was measured and its bound."""
+        return dict(self._core.promises())
+
+    @property
+    def log_scale(self) -> Floats:
+        """The logarithm of the scale factor at each vertex, (n,)."""
+        scales: Floats = self._core.log_scales()
+        return scales
+
+    @property
+    def iterations(self) -> int:
+        """The number of steps of all minimizations."""
+        return int(self._core.iterations())
+
+    @property
+    def max_curvature_error(self) -> float:
+        """The greatest difference of a curvature from what was prescribed, in radians."""
+        return float(self._core.max_curvature_error())
+
+    @property
+    def crowded_faces(self) -> Integers:
+        """The faces whose images are too small for numbers of type float64."""
+        faces: Integers = self._core.crowded_faces()
+        return faces
+
+    @functools.cached_property
+    def subdivision(self) -> MapSubdivision:
+        """The pieces on which the map is projective, with their images."""
+        d = self._core.subdivision()
+        is_sphere = "sphere" in d
+        return MapSubdivision(
+            d.get("points"), d["corners"], d["starts"], d["input_face"],
+            sparse(d["from_input"], by_rows=True),
+            d["corners"] if is_sphere else d["corner_texture"],
+            d["sphere" if is_sphere else "texture"],
+            d["homogeneous" if is_sphere else "homogeneous_texture"])
+
+    def __call__(self, faces: ArrayLike, barycentric: ArrayLike) -> Floats:
+        """Return the images (k, 2) or (k, 3) of points: faces and barycentric coordinates, in the
+        order of the corners of each face."""
+        given = points_on((faces, barycentric), self._surface.number_of_faces(), "points")
+        images: Floats = self._core.images(*given)
+        return images
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.status}>"
+
+
+class FlatMap(ConformalMap):
+    """A map to the plane. Texture coordinates are `map.subdivision.uv`.
+
+    The subdivision has them at the corners of its faces. Faces of the input are cut where edges of
+    the flat triangulation cross them.
+    """
+
+    @property
+    def cones(self) -> Integers:
+        """The vertices at which cones were placed."""
+        cones: Integers = self._core.cones()
+        return cones
+
+
+class SphereMap(ConformalMap):
+    """A map to the unit sphere, or of a disk to a hemisphere.
+
+    Attributes
+    ----------
+    positions : (n, 3) float array
+        The image of each vertex.
+    is_disk : bool
+        Whether the surface is a disk, and its image a hemisphere.
+    """
+
+    @property
+    def positions(self) -> Floats:
+        """The image of each vertex, (n, 3), on the unit sphere."""
+        positions: Floats = self._core.positions()
+        return positions
+
+    @property
+    def is_disk(self) -> bool:
+        """Whether the surface is a disk, and its image a hemisphere."""
+        return bool(self._core.is_disk())
+
+
+class HyperbolicMap(ConformalMap):
+    """A map to the hyperbolic plane, as the Poincare disk; a boundary becomes geodesics."""
+
+    @property
+    def area(self) -> float:
+        """The area of the hyperbolic surface."""
+        return float(self._core.area())
+
+    @property
+    def radius(self) -> float:
+        """The greatest hyperbolic distance of a point from the center of the disk."""
+        return float(self._core.radius())
+
+
+_KINDS = {"PlanarMap": FlatMap, "SphericalMap": SphereMap, "HyperbolicMap": HyperbolicMap}
+
+
+def _bound(on: _core.Surface, core: Any) -> Any:
+    return _KINDS[type(core).__name__](on, core)
+
+
+def _checked(result: ConformalMap) -> Any:
+    if result.status == "success":
+        return result
+    missed = [f"{name} {error:g} (at most {bound:g})"
+              for name, (error, bound) in result.promises.items() if not error <= bound]
+    text = result._core.message() + "".join(f"; {m}" for m in missed)
+    error = MapError(f"{text}; {result._core.advice()}")
+    error.status = result.status
+    error.map = result if result._core.is_laid_out() else None
+    raise error
+
+
+def _vertex_values(values: Any, n: int, name: str) -> tuple[Integers, Floats]:
+    """Return vertices and values, of a mapping or of an array with one value for each vertex."""
+    if isinstance(values, Mapping):
+        vertices = integers(list(values.keys()), (None,), f"the vertices of {name}", n, "vertices")
+        return vertices, floats(list(values.values()), (len(vertices),), f"the values of {name}")
+    return np.arange(n), floats(values, (n,), name)
+
+
+_SHAPES = ("disk", "rectangle")
+_BOUNDARIES = ("free", "straight", "scale", "curvature", *_SHAPES)
+_LAYOUTS = ("least-squares", "spectral", "incremental")
+
+
+def _boundary_vertices(on: _core.Surface) -> Integers:
+    F = on.faces()
+    sides = np.sort(np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
+    ends, counts = np.unique(sides, axis=0, return_counts=True)
+    return np.unique(ends[counts == 1])
+
+
+def _conditions(
+    on: _core.Surface, cones: Any, boundary: str, values: Any
+) -> tuple[Integers, Floats]:
+    """Return for each vertex whether a logarithmic scale factor is prescribed instead of a
+    curvature, and the value."""
+    n = on.number_of_vertices()
+    has_log_scale, prescribed = np.zeros(n, np.int64), np.zeros(n)
+    border = _boundary_vertices(on)
+    if len(border) == 0 and boundary in ("straight", "scale", "curvature"):
+        raise InputError(f"boundary is {boundary!r}, and the surface has no boundary")
+    if not isinstance(cones, str):
+        vertices, defects = _vertex_values(cones, n, "cones")
+        is_wrong = np.isin(vertices, border) & (defects != 0)
+        if is_wrong.any():
+            error = InputError(f"cones has a value at vertex {vertices[np.argmax(is_wrong)]}, "
+                               "which is on the boundary")
+            error.vertex = int(vertices[np.argmax(is_wrong)])
+            raise error
+        prescribed[vertices] = defects
+    if boundary == "free":
+        has_log_scale[border] = 1
+    if boundary in ("scale", "curvature"):
+        vertices, wanted = _vertex_values(values, n, "boundary_values")
+        chosen = np.isin(vertices, border)
+        if isinstance(values, Mapping) and not chosen.all():
+            error = InputError(f"boundary_values has vertex {vertices[np.argmin(chosen)]}, which "
+                               "is not on the boundary")
+            error.vertex = int(vertices[np.argmin(chosen)])
+            raise error
+        prescribed[vertices[chosen]] = wanted[chosen]
+        has_log_scale[vertices[chosen]] = boundary == "scale"
+    return has_log_scale, prescribed
+
+
+def flatten(
+    V: Any,
+    F: ArrayLike | None = None,
+    *,
+    cones: Any = None,
+    boundary: str = "free",
+    boundary_values: Any = None,
+    max_log_scale: float | None = None,
+    layout: str = "least-squares",
+    keep_triangulation: bool = False,
+    exact: bool = False,
+    lengths: ArrayLike | None = None,
+    mollify: float | str = "auto",
+    no_overlap: bool = False,
+    unit_square: bool = False,
+    progress: Progress | None = None,
+) -> FlatMap:
+    """Map a surface to the plane, discretely conformally.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    cones : "greedy", "none", mapping or (n,) floats
+        "greedy" places cones inside until scale factors are within `max_log_scale`; the default,
+        except for disks and rectangles. A mapping from vertices to angle defects, or an array with
+        that of each vertex, in radians, prescribes them.
+    boundary : str
+        "free" does not scale the boundary; "straight" makes all exterior angles zero; "scale" and
+        "curvature" prescribe logarithms of scale factors, or exterior angles in radians;
+        "disk" and "rectangle" make these shapes of each component.
+    boundary_values : mapping or (n,) floats
+        Of "scale" and "curvature": values at vertices on the boundary.
+    max_log_scale : float
+        The bound of absolute logarithmic scale factors for greedy cones; 5 if not given.
+    layout : "least-squares", "spectral" or "incremental"
+        How the flat faces are laid out.
+    keep_triangulation : bool
+        Whether edges are not flipped. Then there are maps of some surfaces only.
+    exact : bool
+        Whether the flips to the intrinsic Delaunay triangulation are decided exactly.
+    no_overlap, unit_square : bool
+        Whether the image is cut where it overlaps, and scaled to the unit square.
+    progress : callable
+        Is called with a stage, "cones", "optimize", "layout", "trace" or "subdivide", and a number
+        of steps.
+
+    Returns
+    -------
+    FlatMap
+
+    Raises
+    ------
+    MapError
+        If the map does not have what is promised; the error has its `status`, and the `map`.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.grid(4, 4)
+    >>> map = intrinsic.flatten(V, F, boundary="disk")
+    >>> uv = map.subdivision.image
+    >>> radius = 0.5 ** 0.5 / 1.7724538509 * 2 ** 0.5  # of a disk with the area of the square
+    >>> bool((abs(uv - uv.max(axis=0) / 2) < radius * 1.01).all())
+    True
+    >>> map([0], [[1, 0, 0]]).shape
+    (1, 2)
+    """
+    if boundary not in _BOUNDARIES:
+        raise InputError(f"boundary is {boundary!r}; it must be one of {', '.join(_BOUNDARIES)}")
+    if layout not in _LAYOUTS:
+        raise InputError(f"layout is {layout!r}; it must be one of {', '.join(_LAYOUTS)}")
+    if (boundary_values is not None) != (boundary in ("scale", "curvature")):
+        raise InputError("boundary_values are for the boundaries 'scale' and 'curvature'")
+    if cones is None:
+        cones = "greedy" if max_log_scale is not None or boundary not in _SHAPES else "none"
+    if isinstance(cones, str) and cones not in ("greedy", "none"):
+        raise InputError(f"cones is {cones!r}; it must be 'greedy', 'none' or have values")
+    bound = 5.0 if max_log_scale is None else number(
+        max_log_scale, "max_log_scale", np.nextafter(0, 1))
+    check_progress(progress)
+    on = surface(V, F, lengths, mollify)
+    kind, values = _conditions(on, cones, boundary, boundary_values)
+
+    def compute(slack: float) -> FlatMap:
+        core = _core.flatten(on, cones if isinstance(cones, str) else "none", bound, boundary,
+                             layout, bool(keep_triangulation), bool(exact), slack, kind, values,
+                             progress)
+        result: FlatMap = _checked(FlatMap(on, core))
+        return result
+
+    result = attempt(mollify, compute)
+    if no_overlap:
+        result._core.cut_overlaps()
+    if unit_square:
+        result._core.fit_into_unit_square()
+    return result
+
+
+def to_sphere(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> SphereMap:
+    """Map a sphere to the unit sphere, or a disk to a hemisphere, discretely conformally.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `flatten()`.
+
+    Returns
+    -------
+    SphereMap
+        Its `positions` (n, 3) are the vertices of an inscribed convex polyhedron.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.cube()
+    >>> map = intrinsic.to_sphere(V, F)
+    >>> bool((abs((map.positions ** 2).sum(axis=1) - 1) < 1e-12).all())
+    True
+    """
+    check_progress(progress)
+    on = surface(V, F, lengths, mollify)
+    return attempt(mollify, lambda slack: _checked(
+        SphereMap(on, _core.to_sphere(on, slack, progress))))
+
+
+def to_hyperbolic(
+    V: Any, F: ArrayLike | None = None, *, cones: Any = None, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> HyperbolicMap:
+    """Map a surface to the hyperbolic plane, discretely conformally.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `flatten()`. Every component has genus two or more, or enough boundaries or cones.
+    cones : mapping or (n,) floats
+        Angle defects, in radians; zero if not given.
+
+    Returns
+    -------
+    HyperbolicMap
+    """
+    check_progress(progress)
+    on = surface(V, F, lengths, mollify)
+    curvatures = np.zeros(on.number_of_vertices())
+    if cones is not None:
+        vertices, defects = _vertex_values(cones, len(curvatures), "cones")
+        curvatures[vertices] = defects
+    return attempt(mollify, lambda slack: _checked(
+        HyperbolicMap(on, _core.to_hyperbolic(on, curvatures, slack, progress))))
+
+
+@dataclass(frozen=True)
+class Uniformization:
+    """The metric of constant curvature of a surface.
+
+    Attributes
+    ----------
+    type : str
+        "sphere", "disk", "torus", "annulus" or "hyperbolic".
+    map : SphereMap, FlatMap or HyperbolicMap
+        The map of a sphere or disk to the sphere, of a torus or annulus to the plane, and of all
+        others to the hyperbolic plane.
+    modulus : complex or None
+        That of a torus, or the imaginary unit times that of an annulus.
+    """
+
+    type: str
+    map: Any
+    modulus: complex | None
+
+
+def uniformize(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Uniformization:
+    """Give a connected surface the conformal metric of constant curvature that suits its topology.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `flatten()`.
+
+    Returns
+    -------
+    Uniformization
+
+    Examples
+    --------
+    A torus of revolution is a rectangle with sides glued:
+
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.torus(60, 30, radius=2, tube=1)
+    >>> result = intrinsic.uniformize(V, F)
+    >>> result.type, bool(abs(result.modulus - 1j * 3 ** 0.5) < 0.01)
+    ('torus', True)
+    """
+    check_progress(progress)
+    on = surface(V, F, lengths, mollify)
+
+    def compute(slack: float) -> Uniformization:
+        kind, core, modulus = _core.uniformize(on, slack, progress)
+        return Uniformization(kind, _checked(_bound(on, core)), modulus)
+
+    return attempt(mollify, compute)

@@ -1,0 +1,210 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Matrices of the intrinsic Delaunay triangulation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import count, sparse
+from ._meshes import arrays, attempt, check_progress, mollification
+from .errors import InputError
+from .triangulation import Progress, triangulation_of
+
+
+def laplacian(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Any:
+    """Return the cotangent Laplacian of the intrinsic Delaunay triangulation.
+
+    All entries off the diagonal are not positive, up to rounding, so that a maximum principle
+    holds.
+
+    Parameters
+    ----------
+    V : (n, 3) array of floats, or a mesh object, or a Triangulation
+        Positions. A Triangulation is taken as it is, and has no F.
+    F : (m, 3) array of integers
+        The corners of each face, from 0.
+    lengths : (m, 3) array of floats
+        Instead of V: the length of the side opposite to each corner.
+    mollify : float or "auto"
+        As of `Triangulation`.
+    progress : callable
+        As of `Triangulation.delaunay()`.
+
+    Returns
+    -------
+    (n, n) sparse matrix
+        Symmetric and positive semidefinite, without unit. It takes a function to its integrated
+        Laplacian, with the sign of -div grad.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(2)
+    >>> L = intrinsic.laplacian(V, F)
+    >>> L.shape
+    (162, 162)
+    >>> bool(abs(L.sum(axis=1)).max() < 1e-12)
+    True
+    """
+    return _matrix("laplacian", V, F, lengths, mollify, progress)
+
+
+def mass(
+    V: Any, F: ArrayLike | None = None, *, lumped: bool = True, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Any:
+    """Return the mass matrix of the intrinsic Delaunay triangulation.
+
+    Parameters
+    ----------
+    lumped : bool
+        Whether the matrix is diagonal, with a third of the area of its faces at each vertex;
+        otherwise it has the integrals of products of hat functions.
+    V, F, lengths, mollify, progress
+        As of `laplacian()`.
+
+    Returns
+    -------
+    (n, n) sparse matrix
+        In squares of the unit of V. The sum of its entries is the area.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(2)
+    >>> M = intrinsic.mass(V, F)
+    >>> round(float(M.sum()), 3)  # that of the unit sphere is 12.566
+    12.206
+    """
+    return _matrix("lumped_mass" if lumped else "mass", V, F, lengths, mollify, progress)
+
+
+def gradient(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Any:
+    """Return the gradients of a function in the faces of the intrinsic Delaunay triangulation.
+
+    Returns
+    -------
+    (2 m, n) sparse matrix
+        Rows 2 f and 2 f + 1 give the components in face f along its first side and to the left
+        of it, per unit of V. For the faces, make a `Triangulation` and give it as V.
+    """
+    return _matrix("gradient", V, F, lengths, mollify, progress)
+
+
+def divergence(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Any:
+    """Return the matrix that takes vectors in faces, as of `gradient()`, to integrated
+    divergences.
+
+    Returns
+    -------
+    (n, 2 m) sparse matrix
+        In the unit of V. The Laplacian is its negative product with the gradient.
+    """
+    return _matrix("divergence", V, F, lengths, mollify, progress)
+
+
+def connection_laplacian(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> Any:
+    """Return the connection Laplacian of the intrinsic Delaunay triangulation.
+
+    Returns
+    -------
+    (n, n) sparse matrix of complex numbers
+        Hermitian. Tangent vectors are complex numbers, with angles that are scaled to a full turn
+        at each vertex.
+    """
+    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+    with T._lock:
+        return sparse(_core.connection_laplacian(T._core))
+
+
+def _matrix(
+    name: str, V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: float | str,
+    progress: Progress | None,
+) -> Any:
+    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+    with T._lock:
+        return sparse(_core.operator_of(T._core, name))
+
+
+@dataclass(frozen=True)
+class SoupOperators:
+    """Matrices of triangles that need not be a surface.
+
+    Attributes
+    ----------
+    laplacian : (n, n) sparse matrix
+        As of `laplacian()`.
+    mass : (n, n) sparse matrix
+        The diagonal one.
+    """
+
+    laplacian: Any
+    mass: Any
+
+
+def soup_operators(
+    V: Any, F: ArrayLike | None = None, *, neighbors: int = 30, mollify: float | str = "auto",
+    progress: Progress | None = None,
+) -> SoupOperators:
+    """Return the Laplacian and the mass matrix of any triangles, or of points alone.
+
+    Edges may have three faces or more, and vertices several fans of any orientation: the matrices
+    are those of the tufted cover.
+
+    Parameters
+    ----------
+    V : (n, 3) array of floats, or a mesh object
+        Positions.
+    F : (m, 3) array of integers
+        The corners of each face. With no rows, points are triangulated with their neighbors.
+    neighbors : int
+        How many neighbors of each point, at least 3.
+    mollify, progress
+        As of `laplacian()`.
+
+    Returns
+    -------
+    SoupOperators
+
+    Examples
+    --------
+    Three faces at one edge:
+
+    >>> import intrinsic
+    >>> V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]]
+    >>> operators = intrinsic.soup_operators(V, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    >>> float(operators.mass.sum())
+    1.5
+    """
+    points, faces = arrays(V, F)
+    least = count(neighbors, "neighbors", 3)
+    repeated = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
+    if repeated.any():
+        error = InputError(f"row {int(np.argmax(repeated))} of F names a vertex twice")
+        error.face = error.row = int(np.argmax(repeated))
+        raise error
+    mollification(mollify)
+    check_progress(progress)
+    soup = attempt(mollify, lambda slack: _core.Soup(points, faces, least, slack, progress))
+    return SoupOperators(sparse(soup.operator_of("laplacian")),
+                         sparse(soup.operator_of("lumped_mass")))

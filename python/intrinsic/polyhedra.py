@@ -1,0 +1,109 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The convex polyhedron that has a given surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, Integers, number
+from ._meshes import surface
+from .errors import NumericalError
+from .triangulation import Triangulation
+
+_GREATEST_EDGE_ERROR = 1e-9  # relative to its length
+
+
+@dataclass(frozen=True)
+class ConvexPolyhedron:
+    """A convex polyhedron, or a polygon with two sides.
+
+    Attributes
+    ----------
+    V : (n, 3) float array
+        The positions of the vertices, in the order and the unit of the input.
+    F : (m, 3) int array
+        The triangles of the polyhedron.
+    flat_vertices : (k,) int array
+        Vertices without curvature, which are on faces and edges.
+    is_flat : bool
+        Whether it is a polygon with two sides.
+    max_edge_error : float
+        The greatest difference of the length of an edge on the surface and in space, relative to
+        it.
+    triangulation : Triangulation
+        The intrinsic triangulation of the input whose faces are those of the polyhedron.
+    """
+
+    V: Floats
+    F: Integers
+    flat_vertices: Integers
+    is_flat: bool
+    max_edge_error: float
+    triangulation: Triangulation
+
+    @property
+    def vertices(self) -> Floats:
+        """The same as `V`, for other packages."""
+        return self.V
+
+    @property
+    def faces(self) -> Integers:
+        """The same as `F`, for other packages."""
+        return self.F
+
+
+def convex_polyhedron(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    flatness: float | None = None,
+) -> ConvexPolyhedron:
+    """Return the convex polyhedron that has the surface of a mesh, which need not be convex.
+
+    By Alexandrov's theorem there is exactly one if the surface is a sphere and no vertex has more
+    than 360 degrees.
+
+    Parameters
+    ----------
+    V, F, lengths
+        As of `laplacian()`.
+    flatness : float
+        The curvature, in radians, up to which a vertex counts as flat; what the rounding of
+        lengths can come to if not given.
+
+    Returns
+    -------
+    ConvexPolyhedron
+
+    Raises
+    ------
+    NegativeCurvatureError
+        If a vertex has more than 360 degrees; the error has the `vertex`.
+
+    Examples
+    --------
+    A pyramid on a cube, pushed inwards, is the pyramid outwards:
+
+    >>> import intrinsic
+    >>> V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0.2]]
+    >>> F = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+    >>> p = intrinsic.convex_polyhedron(V, F)
+    >>> p.F.shape, p.is_flat
+    ((4, 3), False)
+    """
+    tolerance = None if flatness is None else number(flatness, "flatness", 0)
+    on = surface(V, F, lengths)
+    d = _core.convex_polyhedron(on, tolerance)
+    if not d["max_edge_error"] <= _GREATEST_EDGE_ERROR:
+        raise NumericalError(
+            f"an edge of the polyhedron has a relative error of {d['max_edge_error']:g}")
+    if not d["is_convex"]:
+        raise NumericalError(
+            f"by rounding, {d['concave_edges']} edges of the polyhedron are not convex")
+    return ConvexPolyhedron(d["points"], d["faces"], d["flat_vertices"], d["is_flat"],
+                            d["max_edge_error"], Triangulation._of_core(on, d["triangulation"]))

@@ -1,0 +1,579 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Intrinsic triangulations: flips, refinement, and the exact correspondence with the input."""
+
+from __future__ import annotations
+
+import functools
+import os
+import threading
+from dataclasses import dataclass
+from typing import Any, Callable, Iterator, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, Integers, count, floats, integers, number, points_on, sparse
+from ._meshes import attempt, check_progress, surface
+from .errors import ArrayError, InputError
+
+Progress = Callable[[str, int], Any]
+SurfacePoints = tuple[Integers, Floats]
+Method = TypeVar("Method", bound=Callable[..., Any])
+
+
+def _locked(method: Method) -> Method:
+    """Let other threads wait while one is in a method: the lock of the interpreter is released."""
+
+    @functools.wraps(method)
+    def call(self: Any, *args: Any, **kwargs: Any) -> Any:
+        with self._lock:
+            return method(self, *args, **kwargs)
+
+    return call  # type: ignore[return-value]
+
+
+def _fan(starts: Integers) -> tuple[Integers, Integers]:
+    """Return the corners of the triangles of a fan in each polygon, as places in the list of all
+    corners, and the polygon of each."""
+    sizes = np.diff(starts)
+    polygon = np.repeat(np.arange(len(sizes)), sizes - 2)
+    first = np.cumsum(sizes - 2) - (sizes - 2)
+    k = np.arange(len(polygon)) - first[polygon]
+    base = starts[polygon]
+    return np.stack([base, base + k + 1, base + k + 2], axis=1), polygon
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Polylines on a triangulation, one for each edge of another one.
+
+    Attributes
+    ----------
+    starts : (k + 1,) int array
+        Points `starts[i]` to `starts[i + 1] - 1` are those of curve `i`.
+    faces : (p,) int array
+        The face in which each point lies.
+    barycentric : (p, 3) float array
+        Its barycentric coordinates, in the order of the corners of the face.
+    along : (p,) float array
+        Its place on the edge, from 0 to 1.
+    points : (p, 3) float array or None
+        Its position, in the units of V; None if the surface has no positions.
+    """
+
+    starts: Integers
+    faces: Integers
+    barycentric: Floats
+    along: Floats
+    points: Floats | None
+
+    def __len__(self) -> int:
+        return len(self.starts) - 1
+
+    def __getitem__(self, i: int) -> SurfacePoints:
+        part = slice(*self._range(i))
+        return self.faces[part], self.barycentric[part]
+
+    def __iter__(self) -> Iterator[SurfacePoints]:
+        return (self[i] for i in range(len(self)))
+
+    def polyline(self, i: int) -> Floats:
+        """Return the positions (p, 3) of the points of curve `i`."""
+        if self.points is None:
+            raise InputError("the surface has no positions")
+        return self.points[slice(*self._range(i))]
+
+    def _range(self, i: int) -> tuple[int, int]:
+        if not -len(self) <= i < len(self):
+            raise IndexError(i)
+        i %= len(self)
+        return int(self.starts[i]), int(self.starts[i + 1])
+
+
+@dataclass(frozen=True)
+class CommonSubdivision:
+    """The polygons into which the edges of both triangulations cut the surface.
+
+    Attributes
+    ----------
+    V : (k, 3) float array or None
+        Positions; the first are those of the triangulation's vertices. None without positions.
+    corners : (c,) int array
+        The vertices of all polygons, one polygon after the other, counterclockwise.
+    starts : (p + 1,) int array
+        Where in `corners` each polygon starts.
+    input_face, intrinsic_face : (p,) int arrays
+        The faces of which each polygon is a part.
+    from_input : (k, n) sparse matrix
+        Takes a function at the vertices of the input to all vertices, linear on input faces.
+    from_intrinsic : (k, n2) sparse matrix
+        Takes a function at the vertices of the intrinsic triangulation to all vertices.
+    """
+
+    V: Floats | None
+    corners: Integers
+    starts: Integers
+    input_face: Integers
+    intrinsic_face: Integers
+    from_input: Any
+    from_intrinsic: Any
+
+    @property
+    def F(self) -> Integers:
+        """The polygons cut into triangles, (t, 3)."""
+        return self.corners[_fan(self.starts)[0]]
+
+    @property
+    def polygon(self) -> Integers:
+        """The polygon of which each triangle of `F` is a part, (t,)."""
+        return _fan(self.starts)[1]
+
+
+@dataclass(frozen=True)
+class Refinement:
+    """What a refinement has done.
+
+    Attributes
+    ----------
+    status : str
+        "bounds_met" or, if some faces had to violate a bound, why.
+    insertions, removals, flips : int
+        Numbers of operations.
+    remaining_faces : (r,) int array
+        Faces that violate a bound.
+    excused_faces : int
+        How many of these are excused by a narrow vertex.
+    is_exact : bool
+        Whether decisions were exact.
+    """
+
+    status: str
+    insertions: int
+    removals: int
+    flips: int
+    remaining_faces: Integers
+    excused_faces: int
+    is_exact: bool
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What exact arithmetic has found about a triangulation.
+
+    Attributes
+    ----------
+    is_delaunay : bool
+        Whether it certainly is geodesic and Delaunay.
+    is_geodesic : bool
+        Whether its edges certainly are straight and its faces do not overlap.
+    undecided : int
+        Number of edges and vertices about which something remains undecided.
+    ties : int array
+        Edges of four cocircular points.
+    non_delaunay_edges, non_straight_edges, folded_vertices : int arrays
+        The elements that violate the conditions.
+    decisions : dict
+        Numbers of decisions "lengths", "floating_point", "multiprecision" and "exact".
+    """
+
+    is_delaunay: bool
+    is_geodesic: bool
+    undecided: int
+    ties: Integers
+    non_delaunay_edges: Integers
+    non_straight_edges: Integers
+    folded_vertices: Integers
+    decisions: dict[str, int]
+
+
+class Triangulation:
+    """An intrinsic triangulation of a surface, with the exact correspondence to the input.
+
+    At first it is the input. Flips and refinement change it, and never the surface: the vertices
+    of the input keep their indices, and inserted vertices follow them.
+
+    Parameters
+    ----------
+    V : (n, 3) array of floats, or a mesh object, or None
+        Positions, in any unit; an object with vertices and faces, or points and cells, and no F;
+        None with `lengths`.
+    F : (m, 3) array of integers
+        The corners of each face, from 0, counterclockwise.
+    exact : bool
+        Whether `delaunay()` and `refine()` decide exactly which edges are Delaunay.
+    lengths : (m, 3) array of floats
+        Instead of V: the length of the side opposite to each corner.
+    mollify : float or "auto"
+        Lengthens all edges until triangle inequalities have this slack, relative to the mean edge
+        length. "auto" does that only if the triangulation cannot be made otherwise.
+
+    Raises
+    ------
+    NotAManifoldError
+        If an edge or a vertex is not manifold; the error has its `edge` or `vertex`.
+    InputError
+        If the arrays are not those of a surface in another way.
+
+    Examples
+    --------
+    Two faces at the long diagonal of a kite:
+
+    >>> import intrinsic
+    >>> V = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]]
+    >>> T = intrinsic.Triangulation(V, [[0, 1, 2], [1, 0, 3]])
+    >>> T.is_delaunay()
+    False
+    >>> T.delaunay()
+    1
+    >>> T.E[T.crossings > 0]
+    array([[3, 2]])
+    >>> float(T.lengths[T.crossings > 0][0])
+    2.0
+    """
+
+    def __init__(
+        self,
+        V: Any,
+        F: ArrayLike | None = None,
+        exact: bool = False,
+        *,
+        lengths: ArrayLike | None = None,
+        mollify: float | str = 0.0,
+    ) -> None:
+        self._set(surface(V, F, lengths, mollify), None, bool(exact))
+        self._core = attempt(mollify, lambda slack: _core.Triangulation(self._surface, slack))
+
+    def _set(self, on: _core.Surface | None, core: Any, exact: bool) -> None:
+        self._surface = on
+        self._core = core
+        self._exact = exact
+        self._is_changing = False
+        self._lock = threading.RLock()
+
+    @classmethod
+    def _of_core(cls, on: _core.Surface | None, core: _core.Triangulation) -> "Triangulation":
+        result = cls.__new__(cls)
+        result._set(on, core, False)
+        return result
+
+    # ---- Changes ----
+
+    def _change(self, change: Callable[[], Any]) -> Any:
+        if self._is_changing:
+            raise InputError("progress must not change the triangulation that it is told about")
+        self._is_changing = True
+        try:
+            return change()
+        finally:
+            self._is_changing = False
+
+    @_locked
+    def delaunay(self, exact: bool | None = None, *, progress: Progress | None = None) -> int:
+        """Flip edges until the triangulation is intrinsic Delaunay.
+
+        Parameters
+        ----------
+        exact : bool
+            Whether all decisions are exact; that of the constructor if not given.
+        progress : callable
+            Is called with "flip" and the number of flips, some times a second. An exception that
+            it raises stops the flips; so does Control-C. The triangulation is valid then.
+
+        Returns
+        -------
+        int
+            The number of flips.
+        """
+        is_exact = self._exact if exact is None else bool(exact)
+        check_progress(progress)
+        flips: int = self._change(lambda: self._core.make_delaunay(is_exact, progress))
+        return flips
+
+    @_locked
+    def refine(
+        self,
+        min_angle: float = 25.0,
+        max_circumradius: float = np.inf,
+        *,
+        simplicial: bool = False,
+        max_insertions: int | None = None,
+        exact: bool | None = None,
+        progress: Progress | None = None,
+    ) -> Refinement:
+        """Insert vertices until all faces obey bounds, and keep the triangulation Delaunay.
+
+        Parameters
+        ----------
+        min_angle : float
+            The least angle, in degrees, from 0 to 60. Beyond 30 the refinement may not end
+            before `max_insertions`.
+        max_circumradius : float
+            The greatest circumradius, in the unit of V.
+        simplicial : bool
+            Whether there shall be no loops, and one edge at most between two vertices.
+        max_insertions : int
+            The number of vertices that may be inserted; depends on the bounds if not given.
+        exact : bool
+            Whether decisions are exact from the beginning; that of the constructor if not given.
+        progress : callable
+            As of `delaunay()`, with "refine".
+
+        Returns
+        -------
+        Refinement
+
+        Examples
+        --------
+        >>> import intrinsic
+        >>> T = intrinsic.Triangulation([[0, 0, 0], [9, 0, 0], [9, 1, 0], [0, 1, 0]],
+        ...                             [[0, 1, 2], [0, 2, 3]])
+        >>> T.refine(25).status
+        'bounds_met'
+        >>> T.n_vertices > 4
+        True
+        """
+        angle = number(min_angle, "min_angle", 0, 60)
+        radius = np.inf if max_circumradius == np.inf else number(
+            max_circumradius, "max_circumradius", np.nextafter(0, 1))
+        limit = None if max_insertions is None else count(max_insertions, "max_insertions", 0)
+        is_exact = self._exact if exact is None else bool(exact)
+        check_progress(progress)
+        done = self._change(lambda: self._core.refine(
+            angle, radius, bool(simplicial), limit, is_exact, progress))
+        return Refinement(**done)
+
+    # ---- Elements ----
+
+    @_locked
+    def is_delaunay(self) -> bool:
+        """Return whether all edges are Delaunay, up to rounding."""
+        return self._core.is_delaunay()
+
+    @property
+    @_locked
+    def F(self) -> Integers:
+        """The corners of each face, (m2, 3). Corners may be equal: loops are ordinary edges."""
+        return self._core.faces(False)
+
+    @property
+    @_locked
+    def E(self) -> Integers:
+        """The ends of each edge, (e, 2). Several edges may have the same ends."""
+        return self._core.edges(False)
+
+    @property
+    @_locked
+    def face_edges(self) -> Integers:
+        """The edge from each corner of a face to the next one, (m2, 3)."""
+        return self._core.face_edges(False)
+
+    @property
+    @_locked
+    def lengths(self) -> Floats:
+        """The length of each edge, (e,), in the unit of V."""
+        return self._core.lengths(False)
+
+    @property
+    @_locked
+    def face_lengths(self) -> Floats:
+        """The length of the side opposite to each corner of a face, (m2, 3)."""
+        return self.lengths[self.face_edges[:, [1, 2, 0]]]
+
+    @property
+    @_locked
+    def crossings(self) -> Integers:
+        """How many edges of the input each edge crosses, (e,); -1 for edges of the input."""
+        return self._core.normal_coordinates()
+
+    @property
+    @_locked
+    def n_vertices(self) -> int:
+        """The number of vertices, the inserted ones too."""
+        return self._core.number_of_vertices()
+
+    @property
+    @_locked
+    def inserted(self) -> SurfacePoints:
+        """Where the inserted vertices are on the input: faces (i,) and coordinates (i, 3)."""
+        return self._core.inserted_vertices()
+
+    @property
+    @_locked
+    def input_F(self) -> Integers:
+        """The faces of the input, (m, 3)."""
+        return self._core.faces(True)
+
+    @property
+    @_locked
+    def input_E(self) -> Integers:
+        """The edges of the input, (e1, 2)."""
+        return self._core.edges(True)
+
+    @property
+    @_locked
+    def V(self) -> Floats:
+        """The positions of all vertices, the inserted ones too, (n2, 3)."""
+        return np.concatenate([self._positions(), self.positions(self.inserted)])
+
+    def _positions(self) -> Floats:
+        if self._surface is None or not self._surface.has_positions():
+            raise InputError("the surface has no positions")
+        return self._surface.positions()
+
+    def positions(self, points: tuple[ArrayLike, ArrayLike]) -> Floats:
+        """Return the positions (k, 3) of points of the input, faces and barycentric
+        coordinates."""
+        faces, coordinates = points_on(points, len(self.input_F), "points")
+        corners = self._positions()[self.input_F[faces]]
+        return np.einsum("kc,kcx->kx", coordinates, corners)
+
+    # ---- The correspondence ----
+
+    @_locked
+    def trace(self, edges: ArrayLike | None = None, *, of: str = "intrinsic") -> Curves:
+        """Trace edges of one triangulation over the other.
+
+        Parameters
+        ----------
+        edges : (k,) array of integers
+            Which edges; all if not given.
+        of : "intrinsic" or "input"
+            The triangulation of the edges: rows of `E`, or of `input_E`.
+
+        Returns
+        -------
+        Curves
+            Points of the input for "intrinsic", with positions; points of the intrinsic
+            triangulation for "input", without.
+
+        Examples
+        --------
+        >>> import intrinsic
+        >>> V = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]]
+        >>> T = intrinsic.Triangulation(V, [[0, 1, 2], [1, 0, 3]])
+        >>> _ = T.delaunay()
+        >>> T.trace(T.crossings > 0).polyline(0)
+        array([[ 2., -1.,  0.],
+               [ 2.,  0.,  0.],
+               [ 2.,  1.,  0.]])
+        """
+        is_input = _is_input(of, "of")
+        n = len(self._core.edges(is_input))
+        chosen: Any = np.arange(n) if edges is None else np.asarray(edges)
+        if chosen.dtype == bool:
+            if chosen.shape != (n,):
+                raise ArrayError(f"edges has the shape {chosen.shape}; a mask must be ({n},)")
+            chosen = np.flatnonzero(chosen)
+        rows = integers(chosen, (None,), "edges", n, "edges")
+        starts, faces, coordinates, along = self._core.trace(is_input, rows)
+        has_points = not is_input and self._surface is not None and self._surface.has_positions()
+        points = self.positions((faces, coordinates)) if has_points else None
+        return Curves(starts, faces, coordinates, along, points)
+
+    @_locked
+    def common_subdivision(self) -> CommonSubdivision:
+        """Return the polygons into which the edges of both triangulations cut the surface."""
+        d = self._core.common_subdivision()
+        return CommonSubdivision(
+            d.get("points"), d["corners"], d["starts"], d["input_face"], d["intrinsic_face"],
+            sparse(d["from_input"], by_rows=True), sparse(d["from_intrinsic"], by_rows=True))
+
+    @_locked
+    def transfer(self, what: Any, *, to: str = "intrinsic") -> Any:
+        """Take points, or a function, from one triangulation to the other.
+
+        Parameters
+        ----------
+        what : pair of (k,) integers and (k, 3) floats, or (n,) floats
+            Points as faces and barycentric coordinates, or the values of a function at the
+            vertices.
+        to : "intrinsic" or "input"
+            The triangulation on which the result is.
+
+        Returns
+        -------
+        pair of (k,) ints and (k, 3) floats, or (n2,) floats
+            The same points there; or the function that is linear on the faces there and closest
+            to the given one in the L2 norm. Its integral is the same.
+        """
+        from_input = not _is_input(to, "to")
+        if isinstance(what, tuple):
+            faces, coordinates = points_on(what, len(self._core.faces(from_input)), "points")
+            return self._core.points_across(from_input, faces, coordinates)
+        size = self._core.number_of_input_vertices() if from_input else self.n_vertices
+        return self._core.function_across(from_input, floats(what, (size,), "the function"))
+
+    @_locked
+    def certify(self) -> Certificate:
+        """Prove in exact arithmetic that the triangulation is geodesic and Delaunay.
+
+        Returns
+        -------
+        Certificate
+
+        Examples
+        --------
+        >>> import intrinsic
+        >>> V = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+        >>> T = intrinsic.Triangulation(V, [[0, 1, 2], [0, 2, 3]], exact=True)
+        >>> _ = T.delaunay()
+        >>> c = T.certify()
+        >>> c.is_delaunay, len(c.ties)
+        (True, 1)
+        """
+        return Certificate(**self._core.certify())
+
+    # ---- Files ----
+
+    @_locked
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write both triangulations and their correspondence to a text file, in the format of
+        the program's --save."""
+        with open(path, "w", encoding="ascii", newline="\n") as file:
+            file.write(self._core.to_text())
+
+    @classmethod
+    def load(
+        cls, path: str | os.PathLike[str], V: Any = None, F: ArrayLike | None = None
+    ) -> "Triangulation":
+        """Read what `save()` has written. With the V and F that it was made of, results have
+        positions."""
+        with open(path, encoding="ascii") as file:
+            text = file.read()
+        on = None if V is None else surface(V, F)
+        result = cls._of_core(on, _core.Triangulation.from_text(text, on))
+        if on is not None and not np.array_equal(result.input_F, on.faces()):
+            raise InputError("the file is of another mesh: its faces differ from F")
+        return result
+
+    def __repr__(self) -> str:
+        return f"<Triangulation: {self.n_vertices} vertices, {len(self.F)} faces>"
+
+
+def _is_input(side: str, name: str) -> bool:
+    if side not in ("input", "intrinsic"):
+        raise InputError(f"{name} is {side!r}; it must be 'input' or 'intrinsic'")
+    return side == "input"
+
+
+def triangulation_of(
+    V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: float | str,
+    progress: Progress | None = None,
+) -> Triangulation:
+    """Return V itself if it is a triangulation, or the intrinsic Delaunay triangulation."""
+    if isinstance(V, Triangulation):
+        if F is not None or lengths is not None:
+            raise ArrayError("a Triangulation has faces and lengths; leave F and lengths out")
+        return V
+    on = surface(V, F, lengths, mollify)
+
+    def made(slack: float) -> Triangulation:
+        result = Triangulation._of_core(on, _core.Triangulation(on, slack))
+        result.delaunay(progress=progress)
+        return result
+
+    return attempt(mollify, made)

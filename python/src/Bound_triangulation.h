@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PYTHON_BOUND_TRIANGULATION_H
+#define INTRINSIC_PYTHON_BOUND_TRIANGULATION_H
+
+#include "Surface.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+// An intrinsic triangulation as Python has it: with the surface that it was made of, and the
+// correspondence of both, which is found when it is first asked for.
+class Bound_triangulation
+{
+public:
+  Bound_triangulation(std::shared_ptr<Surface> surface, Triangulation triangulation)
+    : m_surface(std::move(surface)), m_triangulation(std::move(triangulation))
+  {}
+
+  Bound_triangulation(const Bound_triangulation&) = delete;
+  Bound_triangulation& operator=(const Bound_triangulation&) = delete;
+
+  // Null if the triangulation was read from a file.
+  const std::shared_ptr<Surface>& surface() const { return m_surface; }
+  bool has_positions() const { return m_surface && m_surface->has_positions(); }
+  const Triangulation& triangulation() const { return m_triangulation; }
+
+  // Calls `change(triangulation)`.
+  template <class Change>
+  auto changed(const Change& change)
+  {
+    m_correspondence.reset();
+    return change(m_triangulation);
+  }
+
+  const IT::Correspondence<>& correspondence() const
+  {
+    if(!m_correspondence)
+      m_correspondence.emplace(m_triangulation);
+    return *m_correspondence;
+  }
+
+private:
+  std::shared_ptr<Surface> m_surface;
+  Triangulation m_triangulation;
+  mutable std::optional<IT::Correspondence<>> m_correspondence;
+};
+
+#endif // INTRINSIC_PYTHON_BOUND_TRIANGULATION_H

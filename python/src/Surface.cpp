@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Surface.h"
+
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace {
+
+using IT::Defect_kind;
+using IT::Input_diagnosis;
+
+std::vector<std::size_t> known(std::initializer_list<std::size_t> indices)
+{
+  std::vector<std::size_t> result;
+  for(const std::size_t i : indices)
+    if(i != Input_diagnosis::none)
+      result.push_back(i);
+  return result;
+}
+
+Element_error::Elements elements_of(const Input_diagnosis::Occurrence& place,
+                                    IT::Defect_element element)
+{
+  const auto [v, w] = place.vertices;
+  Element_error::Elements result;
+  if(element == IT::Defect_element::EDGE)
+    result.emplace_back("edge", known({v, w}));
+  if(element == IT::Defect_element::VERTEX)
+    result.emplace_back("vertex", known({v}));
+  if(place.face != Input_diagnosis::none)
+    result.emplace_back("face", known({place.face}));
+  return result;
+}
+
+bool is_about_manifolds(Defect_kind kind)
+{
+  return kind == Defect_kind::NON_MANIFOLD_EDGE || kind == Defect_kind::NON_MANIFOLD_VERTEX ||
+         kind == Defect_kind::INCONSISTENT_ORIENTATION;
+}
+
+// Throws the first fatal defect, unless `is_ignored(kind)`.
+template <class Predicate>
+void check(const Input_diagnosis& diagnosis, const Predicate& is_ignored)
+{
+  for(const IT::Defect_description& d : IT::defect_descriptions)
+    if(d.is_fatal && diagnosis.count(d.kind) > 0 && !is_ignored(d.kind))
+      throw Element_error(is_about_manifolds(d.kind) ? "NotAManifoldError" : "InputError",
+                          diagnosis.message(d.kind) + " - " + d.sentence,
+                          elements_of(diagnosis.occurrences(d.kind).front(), d.element));
+}
+
+bool is_of_lengths(Defect_kind kind)
+{
+  return kind == Defect_kind::ZERO_LENGTH_EDGE || kind == Defect_kind::INVALID_LENGTH ||
+         kind == Defect_kind::LENGTH_OUT_OF_RANGE ||
+         kind == Defect_kind::TRIANGLE_INEQUALITY_VIOLATED;
+}
+
+void add_faces(const Index_array& faces, Polygon_soup& soup)
+{
+  const std::int64_t* const corner = faces.data();
+  const auto corners = static_cast<std::size_t>(faces.size());
+  soup.polygons.reserve(corners / 3, corners);
+  for(std::size_t i = 0; i < corners; i += 3) {
+    for(std::size_t c = i; c < i + 3; ++c)
+      soup.polygons.add_corner(static_cast<std::size_t>(corner[c])); // none, if negative
+    soup.polygons.close();
+  }
+}
+
+// The length of the side opposite to the corner at which the side before `h` starts.
+class Side_lengths
+{
+public:
+  Side_lengths(const Number_array& lengths, const Mesh& mesh) : m_lengths(lengths), m_mesh(mesh) {}
+
+  double operator()(Mesh::Halfedge_index h) const
+  {
+    const std::size_t corner = (IT::side_number(h, m_mesh) + 2) % 3;
+    return m_lengths.data()[3 * m_mesh.face(h).idx() + corner];
+  }
+
+private:
+  const Number_array& m_lengths;
+  const Mesh& m_mesh;
+};
+
+double edge_length(Mesh::Edge_index e, const Mesh& mesh, const Side_lengths& length)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+  if(mesh.is_border(h) || mesh.is_border(o))
+    return length(mesh.is_border(h) ? o : h);
+  if(length(h) != length(o)) {
+    std::ostringstream text;
+    text << "the faces " << mesh.face(h).idx() << " and " << mesh.face(o).idx()
+         << " give different lengths to their common edge: " << length(h) << " and " << length(o);
+    throw Element_error(
+      "InputError", text.str(),
+      {{"edge", {mesh.source(h).idx(), mesh.target(h).idx()}}, {"face", {mesh.face(h).idx()}}});
+  }
+  return length(h);
+}
+
+[[noreturn]] void refuse_point(std::size_t row, const std::string& what)
+{
+  throw Element_error("InputError", "row " + std::to_string(row) + " of the points: " + what,
+                      {{"row", {row}}});
+}
+
+} // namespace
+
+Surface surface_of_points(const Number_array& points, const Index_array& faces,
+                          bool are_zero_lengths_allowed)
+{
+  return released([&] {
+    Polygon_soup soup;
+    soup.points.reserve(static_cast<std::size_t>(points.size()) / 3);
+    for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
+      soup.points.emplace_back(p[0], p[1], p[2]);
+    add_faces(faces, soup);
+    check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {
+      return are_zero_lengths_allowed && kind == Defect_kind::ZERO_LENGTH_EDGE;
+    });
+    return Surface{mesh_of(soup), {}};
+  });
+}
+
+Surface surface_of_lengths(const Number_array& lengths, const Index_array& faces)
+{
+  return released([&] {
+    Polygon_soup soup;
+    const std::int64_t* const end = faces.data() + faces.size();
+    const std::int64_t last = faces.size() == 0 ? -1 : *std::max_element(faces.data(), end);
+    soup.points.resize(static_cast<std::size_t>(last + 1), Point(0, 0, 0));
+    add_faces(faces, soup);
+    check(IT::diagnose_polygon_soup(soup.points, soup.polygons), is_of_lengths);
+    Surface result{mesh_of(soup), {}};
+    const Mesh& mesh = result.mesh;
+    const Side_lengths length(lengths, mesh);
+    for(const Mesh::Edge_index e : mesh.edges())
+      result.length.push_back(edge_length(e, mesh, length));
+    check(IT::diagnose(mesh, IT::parameters::edge_length_map(boost::make_iterator_property_map(
+                               result.length.begin(), get(boost::edge_index, mesh)))),
+          [](Defect_kind) { return false; });
+    return result;
+  });
+}
+
+Triangulation triangulation_of(const Surface& surface, double mollification)
+{
+  return with_lengths(surface, IT::parameters::mollification(mollification),
+                      [&](const auto& np) { return Triangulation(surface.mesh, np); });
+}
+
+std::vector<Location> locations_of(const Index_array& faces, const Number_array& coordinates,
+                                   std::size_t number_of_faces)
+{
+  constexpr double greatest_error = 1e-6; // of a sum of coordinates
+  const auto n = static_cast<std::size_t>(faces.size());
+  std::vector<Location> result;
+  result.reserve(n);
+  for(std::size_t i = 0; i < n; ++i) {
+    const std::int64_t f = faces.data()[i];
+    const double* const b = coordinates.data() + 3 * i;
+    if(f < 0 || f >= static_cast<std::int64_t>(number_of_faces))
+      refuse_point(i, "there is no face " + std::to_string(f) + "; the faces are 0 to " +
+                        std::to_string(std::ptrdiff_t(number_of_faces) - 1));
+    const double sum = b[0] + b[1] + b[2];
+    if(!(b[0] >= 0 && b[1] >= 0 && b[2] >= 0) || !(std::abs(sum - 1) <= greatest_error))
+      refuse_point(i, "barycentric coordinates are not negative and sum up to one");
+    result.push_back({IT::Face_index(static_cast<Mesh::size_type>(f)),
+                      {b[0] / sum, b[1] / sum, b[2] / sum}});
+  }
+  return result;
+}
+
+py::tuple arrays_of(const std::vector<Location>& points)
+{
+  std::vector<std::int64_t> faces;
+  std::vector<std::array<double, 3>> coordinates;
+  for(const Location& p : points) {
+    faces.push_back(p.first.is_valid() ? std::int64_t(p.first.idx()) : -1);
+    coordinates.push_back(p.second);
+  }
+  return py::make_tuple(array_of(std::move(faces)), array_of(std::move(coordinates)));
+}

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PYTHON_SURFACE_H
+#define INTRINSIC_PYTHON_SURFACE_H
+
+#include "arrays.h"
+#include "reading/Polygon_soup.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+using Triangulation = IT::Intrinsic_triangulation<>;
+using Location = IT::Face_location<double>;
+
+// An exception of `intrinsic.errors`, by its name, with the indices of elements as attributes.
+class Element_error : public std::runtime_error
+{
+public:
+  typedef std::vector<std::pair<std::string, std::vector<std::size_t>>> Elements;
+
+  Element_error(std::string type, const std::string& message, Elements elements)
+    : std::runtime_error(message), m_type(std::move(type)), m_elements(std::move(elements))
+  {}
+
+  const std::string& type() const { return m_type; }
+  const Elements& elements() const { return m_elements; }
+
+private:
+  std::string m_type;
+  Elements m_elements;
+};
+
+// A mesh of arrays: vertices and faces keep their indices, and faces their first corners.
+struct Surface
+{
+  Mesh mesh;
+  std::vector<double> length; // of the edges; empty if positions have them
+
+  bool has_positions() const { return length.empty(); }
+};
+
+// Makes a surface of positions (n, 3) and corners (m, 3).
+// Throws Element_error that names an element if the arrays are not those of a surface; with
+// `are_zero_lengths_allowed`, edges may have the length zero.
+Surface surface_of_points(const Number_array& points, const Index_array& faces,
+                          bool are_zero_lengths_allowed);
+
+// Makes a surface of lengths (m, 3) of the sides opposite to the corners (m, 3).
+// Throws Element_error as `surface_of_points()`, and if the two faces of an edge disagree.
+Surface surface_of_lengths(const Number_array& lengths, const Index_array& faces);
+
+// Calls `use(parameters)` with the named parameters that have the lengths of the surface.
+template <class Parameters, class Use>
+auto with_lengths(const Surface& surface, const Parameters& np, const Use& use)
+{
+  if(surface.has_positions())
+    return use(np);
+  return use(np.edge_length_map(boost::make_iterator_property_map(
+    surface.length.begin(), get(boost::edge_index, surface.mesh))));
+}
+
+Triangulation triangulation_of(const Surface& surface, double mollification);
+
+// Points on a surface: faces (k) and barycentric coordinates (k, 3), in the order of corners.
+// Throws Element_error if they are not on a surface with so many faces. Sums are made one.
+std::vector<Location> locations_of(const Index_array& faces, const Number_array& coordinates,
+                                   std::size_t number_of_faces);
+
+// Returns faces and barycentric coordinates.
+py::tuple arrays_of(const std::vector<Location>& points);
+
+// Returns the corners of the faces of a triangulation, in the order of barycentric coordinates.
+template <class P>
+std::vector<std::array<std::int64_t, 3>> corners_of(const CGAL::Surface_mesh<P>& mesh)
+{
+  std::vector<std::array<std::int64_t, 3>> result;
+  result.reserve(mesh.number_of_faces());
+  for(const IT::Face_index f : mesh.faces()) {
+    const auto h = IT::sides(f, mesh);
+    result.push_back({std::int64_t(mesh.source(h[0]).idx()), std::int64_t(mesh.source(h[1]).idx()),
+                      std::int64_t(mesh.source(h[2]).idx())});
+  }
+  return result;
+}
+
+#endif // INTRINSIC_PYTHON_SURFACE_H

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PYTHON_BINDINGS_H
+#define INTRINSIC_PYTHON_BINDINGS_H
+
+#include <pybind11/pybind11.h>
+
+// Each adds what its file binds to the module.
+void bind_surface(pybind11::module_& module);
+void bind_triangulation(pybind11::module_& module);
+void bind_operators(pybind11::module_& module);
+void bind_distances(pybind11::module_& module);
+void bind_maps(pybind11::module_& module);
+void bind_simplification(pybind11::module_& module);
+void bind_polyhedron(pybind11::module_& module);
+
+#endif // INTRINSIC_PYTHON_BINDINGS_H

@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Bound_triangulation.h"
+#include "Watch.h"
+#include "bindings.h"
+
+#include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <pybind11/complex.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <complex>
+#include <optional>
+
+namespace {
+
+// Sources on the input: vertices and points.
+struct Sources
+{
+  std::vector<IT::Vertex_index> vertices;
+  std::vector<Location> points;
+};
+
+IT::Vertex_index checked_vertex(std::int64_t number, const Triangulation& triangulation)
+{
+  const std::int64_t n = triangulation.input_mesh().number_of_vertices();
+  if(number < 0 || number >= n)
+    throw Element_error("InputError",
+                        "there is no vertex " + std::to_string(number) +
+                          "; the vertices are 0 to " + std::to_string(n - 1),
+                        {});
+  return IT::Vertex_index(static_cast<Mesh::size_type>(number));
+}
+
+Sources sources_of(const Index_array& vertices, const Index_array& faces,
+                   const Number_array& coordinates, const Triangulation& triangulation)
+{
+  Sources result;
+  for(const std::int64_t v : vector_of(vertices))
+    result.vertices.push_back(checked_vertex(v, triangulation));
+  result.points = locations_of(faces, coordinates, triangulation.input_mesh().number_of_faces());
+  return result;
+}
+
+// On the intrinsic triangulation.
+IT::Distance_sources<Triangulation> sources_across(const Bound_triangulation& self,
+                                                   const Sources& sources)
+{
+  IT::Distance_sources<Triangulation> result(self.triangulation());
+  result.add(sources.vertices);
+  for(const Location& p : sources.points)
+    result.add(IT::point_across(self.correspondence(), IT::Side::input, p));
+  return result;
+}
+
+// Of all vertices, the inserted ones too. None if the surface has no positions.
+std::vector<Point> vertex_positions(const Bound_triangulation& self)
+{
+  std::vector<Point> result;
+  if(!self.has_positions())
+    return result;
+  const Mesh& mesh = self.surface()->mesh;
+  result.assign(mesh.points().begin(), mesh.points().end());
+  for(const auto& place : self.triangulation().inserted_vertices()) {
+    const Location p = IT::face_location(place, self.triangulation().input_mesh());
+    const Mesh::Halfedge_index h = mesh.halfedge(p.first);
+    result.push_back(CGAL::barycenter(mesh.point(mesh.source(h)), p.second[0],
+                                      mesh.point(mesh.target(h)), p.second[1],
+                                      mesh.point(mesh.target(mesh.next(h))), p.second[2]));
+  }
+  return result;
+}
+
+IT::Distance_method method_named(const std::string& name)
+{
+  return name == "exact"  ? IT::Distance_method::exact
+         : name == "heat" ? IT::Distance_method::heat
+                          : IT::Distance_method::automatic;
+}
+
+template <class Parameters>
+IT::Geodesic_distances<double> measured(const Bound_triangulation& self,
+                                        const IT::Distance_sources<Triangulation>& sources,
+                                        std::optional<double> time_step_factor,
+                                        const Parameters& np)
+{
+  if(time_step_factor)
+    return IT::geodesic_distances(self.triangulation(), sources,
+                                  np.time_step_factor(*time_step_factor));
+  return IT::geodesic_distances(self.triangulation(), sources, np);
+}
+
+py::dict description_of(const IT::Geodesic_distances<double>& distances)
+{
+  py::dict result;
+  const bool is_exact = distances.method == IT::Distance_method::exact;
+  result["method"] = is_exact ? "exact" : "heat";
+  if(is_exact)
+    return result;
+  result["time_step_factor"] = distances.time_step_factor;
+  result["raised_vertices"] = distances.number_of_raised_vertices;
+  if(const auto& error = distances.error)
+    result["relative_error"] = py::dict(
+      py::arg("vertices") = error->number_of_vertices, py::arg("mean") = error->mean,
+      py::arg("ninety_percent") = error->ninety_percent, py::arg("greatest") = error->greatest);
+  return result;
+}
+
+py::tuple distances(const Bound_triangulation& self, const Index_array& vertices,
+                    const Index_array& faces, const Number_array& coordinates,
+                    const std::string& method, std::optional<double> time_step_factor)
+{
+  IT::Geodesic_distances<double> result = released([&] {
+    const auto sources =
+      sources_across(self, sources_of(vertices, faces, coordinates, self.triangulation()));
+    const auto np = IT::parameters::distance_method(method_named(method));
+    const std::vector<Point> points = vertex_positions(self);
+    if(points.empty())
+      return measured(self, sources, time_step_factor, np);
+    const auto point = boost::make_function_property_map<IT::Vertex_index>(
+      [&](IT::Vertex_index v) { return points[v.idx()]; });
+    return measured(self, sources, time_step_factor, np.vertex_point_map(point));
+  });
+  const py::dict description = description_of(result);
+  return py::make_tuple(array_of(std::move(result.distance)), description);
+}
+
+// ---- A factorization for many sources ----
+
+class Bound_heat
+{
+public:
+  Bound_heat(const Bound_triangulation& triangulation, double time_step_factor)
+    : m_heat(triangulation.triangulation().intrinsic(),
+             IT::parameters::time_step_factor(time_step_factor))
+  {}
+
+  py::array distances(const Bound_triangulation& on, const Index_array& vertices,
+                      const Index_array& faces, const Number_array& coordinates) const
+  {
+    return array_of(released([&] {
+      const auto values = m_heat.distances(
+        sources_across(on, sources_of(vertices, faces, coordinates, on.triangulation())));
+      return std::vector<double>(values.begin(), values.end());
+    }));
+  }
+
+private:
+  IT::Heat_distance<double> m_heat;
+};
+
+// ---- Windows for many points ----
+
+// The shortest paths from some sources to all points.
+class Bound_paths
+{
+  typedef std::decay_t<decltype(std::declval<const Triangulation&>().input())> Input;
+
+public:
+  Bound_paths(const Bound_triangulation& self, const Sources& sources)
+    : m_input(self.triangulation().input()), m_paths(m_input)
+  {
+    for(const IT::Vertex_index v : sources.vertices)
+      m_paths.add_source(v);
+    for(const Location& p : sources.points)
+      m_paths.add_source(p);
+    m_paths.run();
+  }
+
+  std::vector<double> distances(const std::vector<Location>& points) const
+  {
+    std::vector<double> result;
+    for(const Location& p : points)
+      result.push_back(m_paths.distance(p));
+    return result;
+  }
+
+  std::vector<double> distances_of_vertices() const
+  {
+    std::vector<double> result;
+    for(const IT::Vertex_index v : m_input.mesh().vertices())
+      result.push_back(m_paths.distance(v));
+    return result;
+  }
+
+  IT::Surface_path<double> path(const Location& p) const { return m_paths.path(p); }
+  std::size_t number_of_faces() const { return m_input.mesh().number_of_faces(); }
+  const IT::Delta_complex& mesh() const { return m_input.mesh(); }
+
+private:
+  Input m_input;
+  IT::Shortest_paths<Input> m_paths;
+};
+
+py::tuple arrays_of(const IT::Surface_path<double>& path, const IT::Delta_complex& mesh)
+{
+  std::vector<Location> places;
+  for(const auto& place : path.places)
+    places.push_back(IT::face_location(place, mesh));
+  const py::tuple arrays = ::arrays_of(places);
+  return py::make_tuple(path.length, arrays[0], arrays[1]);
+}
+
+py::tuple shortest_path(const Bound_triangulation& self, const Index_array& faces,
+                        const Number_array& coordinates)
+{
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  const auto path = released([&] {
+    const auto ends = locations_of(faces, coordinates, mesh.number_of_faces());
+    return IT::shortest_path(self.triangulation().input(), ends.at(0), ends.at(1));
+  });
+  return arrays_of(path, mesh);
+}
+
+// ---- Signed distances ----
+
+// A curve through points of the input, at which segments meet.
+IT::Surface_curve<double> curve_through(const Bound_triangulation& self,
+                                        const std::vector<Location>& points)
+{
+  return IT::curve_through(self.triangulation().input(), points);
+}
+
+py::array signed_distances(const Bound_triangulation& self, const Index_array& faces,
+                           const Number_array& coordinates, const Index_array& starts,
+                           double time_step_factor)
+{
+  return array_of(released([&] {
+    const auto points =
+      locations_of(faces, coordinates, self.triangulation().input_mesh().number_of_faces());
+    IT::Surface_curve<double> curve;
+    for(std::size_t i = 0; i + 1 < std::size_t(starts.size()); ++i) {
+      const auto part = curve_through(
+        self, {points.begin() + starts.data()[i], points.begin() + starts.data()[i + 1]});
+      curve.insert(curve.end(), part.begin(), part.end());
+    }
+    curve = IT::curve_across(self.correspondence(), IT::Side::input, curve);
+    const auto values = IT::with_resolved_areas(self.triangulation(), [&](const auto& surface) {
+      typedef IT::Length_of<std::decay_t<decltype(surface)>> FT;
+      return IT::rounded_values(
+        IT::signed_heat_distance(surface, IT::converted_curve<FT>(curve),
+                                 IT::parameters::time_step_factor(time_step_factor)));
+    });
+    return std::vector<double>(values.begin(), values.end());
+  }));
+}
+
+// ---- Tangent spaces ----
+
+py::tuple logarithms(const Bound_triangulation& self, std::int64_t source)
+{
+  std::vector<std::complex<double>> vectors;
+  std::vector<std::int64_t> statuses;
+  released([&] {
+    const IT::Vertex_index v = checked_vertex(source, self.triangulation());
+    if(self.triangulation().input_mesh().is_isolated(v))
+      throw Element_error("InputError", "vertex " + std::to_string(source) + " has no face",
+                          {{"vertex", {std::size_t(source)}}});
+    for(const auto& logarithm : IT::logarithmic_map(self.triangulation().input(), v)) {
+      vectors.push_back(logarithm.vector);
+      statuses.push_back(static_cast<std::int64_t>(logarithm.status));
+    }
+  });
+  return py::make_tuple(array_of(std::move(vectors)), array_of(std::move(statuses)));
+}
+
+// The geodesic with a first direction: its length, the points that it crosses, and how it ended.
+template <class Source>
+py::tuple geodesic_from(const Bound_triangulation& self, const Source& source,
+                        const Location& start, std::complex<double> vector)
+{
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  std::vector<Location> places{start};
+  const auto end = released([&] {
+    const auto add = [&](const IT::Edge_point<double>& p) {
+      places.push_back(IT::face_location(IT::edge_location(p), mesh));
+    };
+    return IT::trace_geodesic(self.triangulation().input(), source, vector, IT::At_boundary::stop,
+                              boost::make_function_output_iterator(add));
+  });
+  places.push_back(end.end);
+  const py::tuple arrays = ::arrays_of(places);
+  return py::make_tuple(end.length, arrays[0], arrays[1],
+                        end.status == IT::Geodesic_status::reached);
+}
+
+py::tuple exponential(const Bound_triangulation& self, std::int64_t source,
+                      std::complex<double> vector)
+{
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  const IT::Vertex_index v = checked_vertex(source, self.triangulation());
+  if(mesh.is_isolated(v))
+    throw Element_error("InputError", "vertex " + std::to_string(source) + " has no face",
+                        {{"vertex", {std::size_t(source)}}});
+  const Location start = IT::face_location(
+    IT::Edge_location<double>{IT::first_outgoing_halfedge(v, mesh), {1, 0}}, mesh);
+  return geodesic_from(self, v, start, vector);
+}
+
+} // namespace
+
+void bind_distances(py::module_& module)
+{
+  module.def("distances", &distances);
+  module.def("shortest_path", &shortest_path);
+  module.def("signed_distances", &signed_distances);
+  module.def("logarithms", &logarithms);
+  module.def("exponential", &exponential);
+  py::class_<Bound_heat>(module, "Heat")
+    .def(py::init([](const Bound_triangulation& on, double time_step_factor) {
+      return released([&] { return std::make_unique<Bound_heat>(on, time_step_factor); });
+    }))
+    .def("distances", &Bound_heat::distances);
+  py::class_<Bound_paths>(module, "Paths")
+    .def(py::init([](const Bound_triangulation& on, const Index_array& vertices,
+                     const Index_array& faces, const Number_array& coordinates) {
+           return released([&] {
+             return std::make_unique<Bound_paths>(
+               on, sources_of(vertices, faces, coordinates, on.triangulation()));
+           });
+         }),
+         py::keep_alive<1, 2>())
+    .def("distances_of_vertices",
+         [](const Bound_paths& self) {
+           return array_of(released([&] { return self.distances_of_vertices(); }));
+         })
+    .def("distances",
+         [](const Bound_paths& self, const Index_array& faces, const Number_array& coordinates) {
+           return array_of(released([&] {
+             return self.distances(locations_of(faces, coordinates, self.number_of_faces()));
+           }));
+         })
+    .def("path", [](const Bound_paths& self, const Index_array& faces,
+                    const Number_array& coordinates) {
+      const auto path = released([&] {
+        return self.path(locations_of(faces, coordinates, self.number_of_faces()).at(0));
+      });
+      return arrays_of(path, self.mesh());
+    });
+}

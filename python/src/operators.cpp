@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Bound_triangulation.h"
+#include "Watch.h"
+#include "bindings.h"
+
+#include <CGAL/Intrinsic_triangulations/Precise_surface.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
+#include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/local_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/tufted_cover.h>
+
+#include <functional>
+#include <type_traits>
+
+namespace {
+
+typedef Eigen::SparseMatrix<double> Matrix;
+
+// The names are those of the functions of the Python layer.
+template <class Surface>
+Matrix matrix_of(const std::string& name, const Surface& surface)
+{
+  if(name == "laplacian")
+    return IT::rounded_values(IT::cotan_laplacian(surface));
+  if(name == "mass")
+    return IT::rounded_values(IT::mass_matrix(surface));
+  if(name == "lumped_mass")
+    return IT::rounded_values(IT::lumped_mass_matrix(surface));
+  if(name == "gradient")
+    return IT::rounded_values(IT::gradient_matrix(surface));
+  return IT::rounded_values(IT::divergence_matrix(surface));
+}
+
+py::tuple operator_of(const Bound_triangulation& self, const std::string& name)
+{
+  return sparse_arrays(released([&] {
+    return IT::with_resolved_areas(
+      self.triangulation(), [&](const auto& surface) { return matrix_of(name, surface); });
+  }));
+}
+
+py::tuple connection_laplacian(const Bound_triangulation& self)
+{
+  return sparse_arrays(released([&] {
+    return IT::with_resolved_areas(self.triangulation(), [&](const auto& surface) {
+      const IT::Tangent_frames<IT::Length_of<std::decay_t<decltype(surface)>>> frames(surface);
+      return IT::rounded_values(IT::connection_laplacian(surface, frames));
+    });
+  }));
+}
+
+// Triangles that need not be a surface, with the Delaunay triangulation of their tufted cover.
+class Bound_soup
+{
+public:
+  // Without faces, points are triangulated with so many neighbors.
+  Bound_soup(const Number_array& points, const Index_array& faces, std::size_t neighbors,
+             double mollification, Watch& watch)
+  {
+    Polygon_soup soup;
+    for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
+      soup.points.emplace_back(p[0], p[1], p[2]);
+    m_share = faces.size() == 0 ? 1. / 6 : 1. / 2;
+    if(faces.size() == 0)
+      for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
+        soup.polygons.push_back(triangle);
+    for(std::size_t i = 0; i < std::size_t(faces.size()); i += 3)
+      soup.polygons.push_back(std::array<std::size_t, 3>{std::size_t(faces.data()[i]),
+                                                         std::size_t(faces.data()[i + 1]),
+                                                         std::size_t(faces.data()[i + 2])});
+    m_cover.emplace(IT::tufted_cover(soup.points, soup.polygons));
+    m_triangulation =
+      Triangulation(m_cover->mesh(), IT::parameters::mollification(mollification));
+    IT::make_Delaunay(m_triangulation, IT::parameters::exact_decisions(false).visitor(std::ref(watch)));
+  }
+
+  template <class Use>
+  auto with_surface(const Use& use) const
+  {
+    return IT::with_resolved_areas(m_triangulation, [&](const auto& surface) {
+      typedef IT::Length_of<std::decay_t<decltype(surface)>> FT;
+      return use(IT::Tufted_surface<FT>(*m_cover, surface, m_share));
+    });
+  }
+
+private:
+  std::optional<IT::Tufted_cover<Point>> m_cover;
+  Triangulation m_triangulation;
+  double m_share;
+};
+
+} // namespace
+
+void bind_operators(py::module_& module)
+{
+  module.def("operator_of", &operator_of);
+  module.def("connection_laplacian", &connection_laplacian);
+  py::class_<Bound_soup>(module, "Soup")
+    .def(py::init([](const Number_array& points, const Index_array& faces, std::size_t neighbors,
+                     double mollification, const py::object& progress) {
+      Watch watch(progress, "flip");
+      return released([&] {
+        return std::make_unique<Bound_soup>(points, faces, neighbors, mollification, watch);
+      });
+    }))
+    .def("operator_of", [](const Bound_soup& self, const std::string& name) {
+      return sparse_arrays(released([&] {
+        return self.with_surface([&](const auto& surface) { return matrix_of(name, surface); });
+      }));
+    });
+}

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Surface.h"
+#include "Watch.h"
+#include "bindings.h"
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <limits>
+
+namespace IS = CGAL::Intrinsic_simplification;
+
+namespace {
+
+typedef std::shared_ptr<Surface> Shared_surface;
+
+// A coarse surface with the map to the input, which refers to the other members.
+class Bound_simplification
+{
+public:
+  Bound_simplification(Shared_surface surface, double mollification)
+    : m_surface(std::move(surface)),
+      m_evolving(triangulation_of(*m_surface, mollification)),
+      m_fine(m_evolving)
+  {}
+
+  Bound_simplification(const Bound_simplification&) = delete;
+  Bound_simplification& operator=(const Bound_simplification&) = delete;
+
+  void run(std::size_t number_of_vertices, double maximum_cost, Watch& watch)
+  {
+    IS::Transport_cost cost = IS::default_cost(m_evolving);
+    m_result = IS::simplify(m_evolving, cost, IS::parameters::number_of_vertices(number_of_vertices)
+                                                .maximum_cost(maximum_cost)
+                                                .visitor(std::ref(watch)));
+    m_coarse.emplace(m_evolving);
+    m_map.emplace(m_evolving, m_fine, *m_coarse);
+  }
+
+  const Surface& surface() const { return *m_surface; }
+  const IS::Evolving_surface& evolving() const { return m_evolving; }
+  const IS::Simplification_result& result() const { return m_result; }
+  const IS::Surface_level& fine() const { return m_fine; }
+  const IS::Surface_level& coarse() const { return *m_coarse; }
+  const IS::Surface_map& map() const { return *m_map; }
+
+private:
+  Shared_surface m_surface;
+  IS::Evolving_surface m_evolving;
+  IS::Surface_level m_fine;
+  IS::Simplification_result m_result;
+  std::optional<IS::Surface_level> m_coarse;
+  std::optional<IS::Surface_map> m_map;
+};
+
+py::array coarse_lengths(const Bound_simplification& self)
+{
+  std::vector<double> result;
+  for(const IT::Edge_index e : self.coarse().mesh().edges())
+    result.push_back(self.coarse().length_map()[e]);
+  return array_of(std::move(result));
+}
+
+py::array coarse_face_edges(const Bound_simplification& self)
+{
+  const IS::Delta_complex& mesh = self.coarse().mesh();
+  std::vector<std::array<std::int64_t, 3>> result;
+  for(const IT::Face_index f : mesh.faces()) {
+    const auto h = IT::sides(f, mesh);
+    result.push_back({std::int64_t(mesh.edge(h[0]).idx()), std::int64_t(mesh.edge(h[1]).idx()),
+                      std::int64_t(mesh.edge(h[2]).idx())});
+  }
+  return array_of(std::move(result));
+}
+
+py::array coarse_vertices(const Bound_simplification& self)
+{
+  std::vector<std::int64_t> result;
+  for(const IT::Vertex_index v : self.coarse().mesh().vertices())
+    result.push_back(self.coarse().surface_vertex(v).idx());
+  return array_of(std::move(result));
+}
+
+py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const Index_array& faces,
+                 const Number_array& coordinates)
+{
+  return arrays_of(released([&] {
+    const IS::Surface_level& from = to_coarse ? self.fine() : self.coarse();
+    const auto points = locations_of(faces, coordinates, from.mesh().number_of_faces());
+    return to_coarse ? self.map().to_coarse(points) : self.map().to_fine(points);
+  }));
+}
+
+// The coarse triangulation in space: positions, corners, the vertices of the input that they are,
+// -1 for inserted ones, and how far both surfaces are apart.
+py::tuple mesh_in_space(const Bound_simplification& self)
+{
+  Mesh mesh;
+  std::vector<std::int64_t> parents;
+  const auto quality = released([&] {
+    const auto fine_vertex =
+      mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
+    const auto result = IS::coarse_mesh(
+      self.evolving(), self.fine(), mesh,
+      IS::parameters::input_point_map(self.surface().mesh.points()).parent_vertex_map(fine_vertex));
+    for(const Mesh::Vertex_index v : mesh.vertices())
+      parents.push_back(fine_vertex[v].is_valid() ? std::int64_t(fine_vertex[v].idx()) : -1);
+    return result;
+  });
+  std::vector<std::array<double, 3>> points;
+  for(const Point& p : mesh.points())
+    points.push_back({p.x(), p.y(), p.z()});
+  return py::make_tuple(
+    array_of(std::move(points)), array_of(corners_of(mesh)), array_of(std::move(parents)),
+    py::dict(py::arg("distance_to_coarse") = quality.distance_to_coarse,
+             py::arg("distance_to_fine") = quality.distance_to_fine,
+             py::arg("inserted_vertices") = quality.inserted_vertices,
+             py::arg("flipped_faces") = quality.flipped_faces,
+             py::arg("degenerate_faces") = quality.degenerate_faces,
+             py::arg("self_intersections") = quality.self_intersections));
+}
+
+std::unique_ptr<Bound_simplification> simplified(const Shared_surface& surface,
+                                                 std::size_t number_of_vertices,
+                                                 double maximum_cost, double mollification,
+                                                 const py::object& progress)
+{
+  Watch watch(progress, "simplify");
+  return released([&] {
+    auto result = std::make_unique<Bound_simplification>(surface, mollification);
+    result->run(number_of_vertices, maximum_cost, watch);
+    return result;
+  });
+}
+
+} // namespace
+
+void bind_simplification(py::module_& module)
+{
+  typedef Bound_simplification Bound;
+  py::class_<Bound>(module, "Simplification")
+    .def(py::init(&simplified))
+    .def("removed", [](const Bound& self) { return self.result().removed; })
+    .def("greatest_cost", [](const Bound& self) { return self.result().greatest_cost; })
+    .def("faces", [](const Bound& self) { return array_of(corners_of(self.coarse().mesh())); })
+    .def("face_edges", &coarse_face_edges)
+    .def("lengths", &coarse_lengths)
+    .def("vertices", &coarse_vertices)
+    .def("mapped", &points_mapped)
+    .def("prolongation",
+         [](const Bound& self) {
+           return sparse_arrays(released([&] { return IS::prolongation_matrix(self.map()); }));
+         })
+    .def("coarse_mesh", &mesh_in_space);
+}

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Surface.h"
+#include "bindings.h"
+#include "reading/Soup_repair.h"
+#include "reading/close_points.h"
+
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+
+#include <pybind11/stl.h>
+
+namespace {
+
+std::vector<std::array<double, 3>> rows_of(const std::vector<Point>& points)
+{
+  std::vector<std::array<double, 3>> result;
+  result.reserve(points.size());
+  for(const Point& p : points)
+    result.push_back({p.x(), p.y(), p.z()});
+  return result;
+}
+
+// Checked by the Python layer: finite, and indices in range.
+Polygon_soup soup_of(const Number_array& points, const Index_array& faces)
+{
+  Polygon_soup result;
+  for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
+    result.points.emplace_back(p[0], p[1], p[2]);
+  for(std::size_t i = 0; i < std::size_t(faces.size()); i += 3) {
+    for(std::size_t c = i; c < i + 3; ++c)
+      result.polygons.add_corner(static_cast<std::size_t>(faces.data()[c]));
+    result.polygons.close();
+  }
+  return result;
+}
+
+py::tuple repaired(const Number_array& points, const Index_array& faces, double weld_distance)
+{
+  Repair_report report;
+  const Polygon_soup soup = released([&] {
+    Polygon_soup result = soup_of(points, faces);
+    report = repair(result, weld_distance);
+    return result;
+  });
+  std::vector<std::array<std::int64_t, 3>> corners;
+  for(const Polygons::Polygon p : soup.polygons)
+    if(p.size() == 3)
+      corners.push_back({p[0], p[1], p[2]});
+  return py::make_tuple(array_of(rows_of(soup.points)), array_of(std::move(corners)),
+                        report);
+}
+
+py::list defects_of(const IT::Input_diagnosis& diagnosis)
+{
+  py::list result;
+  for(const IT::Defect_description& d : IT::defect_descriptions)
+    if(diagnosis.count(d.kind) > 0 && d.kind != IT::Defect_kind::SEVERAL_COMPONENTS)
+      result.append(py::dict(py::arg("kind") = d.name, py::arg("is_fatal") = d.is_fatal,
+                             py::arg("count") = diagnosis.count(d.kind),
+                             py::arg("message") = diagnosis.message(d.kind)));
+  return result;
+}
+
+py::dict diagnosed(const Number_array& points, const Index_array& faces)
+{
+  Cracks found;
+  const IT::Input_diagnosis diagnosis = released([&] {
+    const Polygon_soup soup = soup_of(points, faces);
+    IT::Input_diagnosis result = IT::diagnose_polygon_soup(soup.points, soup.polygons);
+    if(result.is_valid())
+      found = cracks(mesh_of(soup));
+    return result;
+  });
+  const IT::Input_diagnosis::Statistics& s = diagnosis.statistics();
+  return py::dict(
+    py::arg("vertices") = s.vertices, py::arg("edges") = s.edges, py::arg("faces") = s.faces,
+    py::arg("euler_characteristic") = s.euler_characteristic,
+    py::arg("boundary_loops") = s.boundary_loops, py::arg("components") = s.components,
+    py::arg("min_angle_degrees") = s.min_angle, py::arg("min_edge_length") = s.min_edge_length,
+    py::arg("max_edge_length") = s.max_edge_length, py::arg("is_valid") = diagnosis.is_valid(),
+    py::arg("defects") = defects_of(diagnosis), py::arg("coincident_points") = found.coincident,
+    py::arg("close_points") = found.close);
+}
+
+} // namespace
+
+void bind_surface(py::module_& module)
+{
+  py::class_<Surface, std::shared_ptr<Surface>>(module, "Surface")
+    .def_static("of_points",
+                [](const Number_array& points, const Index_array& faces, bool allows_zero) {
+                  return std::make_shared<Surface>(surface_of_points(points, faces, allows_zero));
+                })
+    .def_static("of_lengths",
+                [](const Number_array& lengths, const Index_array& faces) {
+                  return std::make_shared<Surface>(surface_of_lengths(lengths, faces));
+                })
+    .def("has_positions", &Surface::has_positions)
+    .def("positions",
+         [](const Surface& s) {
+           const auto& points = s.mesh.points();
+           return array_of(rows_of({points.begin(), points.end()}));
+         })
+    .def("faces", [](const Surface& s) { return array_of(corners_of(s.mesh)); })
+    .def("number_of_vertices", [](const Surface& s) { return s.mesh.number_of_vertices(); })
+    .def("number_of_faces", [](const Surface& s) { return s.mesh.number_of_faces(); });
+  module.def("repair", &repaired);
+  module.def("diagnose", &diagnosed);
+}

@@ -1,0 +1,376 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Bound_triangulation.h"
+#include "Watch.h"
+#include "bindings.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/function_transfer.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+#include <CGAL/Intrinsic_triangulations/trace_edge.h>
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <sstream>
+
+namespace {
+
+typedef std::shared_ptr<Surface> Shared_surface;
+typedef IT::Common_subdivision<Triangulation::Traits, Point> Subdivision;
+
+IT::Side side_of(bool is_input) { return is_input ? IT::Side::input : IT::Side::intrinsic; }
+
+// ---- Changes ----
+
+std::size_t make_Delaunay(Bound_triangulation& self, bool is_exact, const py::object& progress)
+{
+  Watch watch(progress, "flip");
+  return released([&] {
+    return self.changed([&](Triangulation& triangulation) {
+      return IT::make_Delaunay(
+        triangulation, IT::parameters::exact_decisions(is_exact).visitor(std::ref(watch)));
+    });
+  });
+}
+
+py::dict dictionary_of(const IT::Refinement_result& result)
+{
+  std::vector<std::int64_t> faces;
+  for(const IT::Remaining_face& remaining : result.remaining)
+    faces.push_back(remaining.face.idx());
+  py::dict dictionary;
+  dictionary["status"] = IT::to_string(result.status);
+  dictionary["flips"] = result.flips;
+  dictionary["insertions"] = result.insertions;
+  dictionary["removals"] = result.removals;
+  dictionary["is_exact"] = result.is_exact;
+  dictionary["remaining_faces"] = array_of(std::move(faces));
+  dictionary["excused_faces"] =
+    std::count_if(result.remaining.begin(), result.remaining.end(), IT::is_excused);
+  return dictionary;
+}
+
+py::dict refine(Bound_triangulation& self, double minimum_angle, double maximum_circumradius,
+                bool is_simplicial, std::optional<std::size_t> maximum_number_of_insertions,
+                bool is_exact, const py::object& progress)
+{
+  Watch watch(progress, "refine");
+  return dictionary_of(released([&] {
+    return self.changed([&](Triangulation& triangulation) {
+      const std::size_t limit =
+        maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
+          triangulation.input_mesh().number_of_faces(), minimum_angle, maximum_circumradius));
+      return IT::refine(triangulation, IT::parameters::minimum_angle(minimum_angle)
+                                         .maximum_circumradius(maximum_circumradius)
+                                         .simplicial(is_simplicial)
+                                         .maximum_number_of_insertions(limit)
+                                         .exact_decisions(is_exact)
+                                         .visitor(std::ref(watch)));
+    });
+  }));
+}
+
+// ---- Elements ----
+
+py::array face_edges(const Bound_triangulation& self, bool is_input)
+{
+  const IT::Delta_complex& mesh =
+    is_input ? self.triangulation().input_mesh() : self.triangulation().mesh();
+  std::vector<std::array<std::int64_t, 3>> result;
+  for(const IT::Face_index f : mesh.faces()) {
+    const auto h = IT::sides(f, mesh);
+    result.push_back({std::int64_t(mesh.edge(h[0]).idx()), std::int64_t(mesh.edge(h[1]).idx()),
+                      std::int64_t(mesh.edge(h[2]).idx())});
+  }
+  return array_of(std::move(result));
+}
+
+py::array edges(const Bound_triangulation& self, bool is_input)
+{
+  const IT::Delta_complex& mesh =
+    is_input ? self.triangulation().input_mesh() : self.triangulation().mesh();
+  std::vector<std::array<std::int64_t, 2>> result;
+  for(const IT::Edge_index e : mesh.edges()) {
+    const IT::Halfedge_index h = IT::first_halfedge(e);
+    result.push_back({std::int64_t(mesh.source(h).idx()), std::int64_t(mesh.target(h).idx())});
+  }
+  return array_of(std::move(result));
+}
+
+py::array lengths(const Bound_triangulation& self, bool is_input)
+{
+  const Triangulation& triangulation = self.triangulation();
+  std::vector<double> result;
+  const auto surface = is_input ? triangulation.input() : triangulation.intrinsic();
+  for(const IT::Edge_index e : surface.mesh().edges())
+    result.push_back(surface.length_map()[e]);
+  return array_of(std::move(result));
+}
+
+// The number of edges of the input that cross each edge; -1 for edges of the input.
+py::array normal_coordinates(const Bound_triangulation& self)
+{
+  std::vector<std::int64_t> result;
+  for(const IT::Edge_index e : self.triangulation().mesh().edges())
+    result.push_back(self.triangulation().coordinates().normal_coordinate(e));
+  return array_of(std::move(result));
+}
+
+py::tuple inserted_vertices(const Bound_triangulation& self)
+{
+  std::vector<Location> result;
+  for(const auto& place : self.triangulation().inserted_vertices())
+    result.push_back(IT::face_location(place, self.triangulation().input_mesh()));
+  return arrays_of(result);
+}
+
+// ---- The correspondence ----
+
+// The place of a point of a trace, for ends that are inserted vertices inside faces, too.
+Location location_on_input(const IT::Edge_point<double>& p, IT::Vertex_index v,
+                           const Triangulation& triangulation)
+{
+  return p.halfedge.is_valid()
+           ? IT::face_location(IT::edge_location(p), triangulation.input_mesh())
+           : IT::face_location(triangulation.inserted_vertex(v), triangulation.input_mesh());
+}
+
+// Polylines, one for each edge: where each starts, and the points on both triangulations.
+py::tuple trace(const Bound_triangulation& self, bool is_input, const Index_array& edge_numbers)
+{
+  const IT::Side side = side_of(is_input);
+  std::vector<std::int64_t> starts{0};
+  std::vector<Location> on_other;
+  std::vector<double> along;
+  released([&] {
+    const auto& correspondence = self.correspondence();
+    const Triangulation& triangulation = self.triangulation();
+    const IT::Delta_complex& mesh = correspondence.mesh(side);
+    for(const std::int64_t number : vector_of(edge_numbers)) {
+      if(number < 0 || number >= std::int64_t(mesh.number_of_edges()))
+        throw Element_error("InputError", "there is no edge " + std::to_string(number), {});
+      const IT::Halfedge_index h =
+        IT::first_halfedge(IT::Edge_index(static_cast<Mesh::size_type>(number)));
+      const auto points = IT::trace_edge(side, h, correspondence);
+      for(std::size_t i = 0; i < points.size(); ++i) {
+        const auto& p = points[i];
+        const IT::Vertex_index v = i == 0 ? mesh.source(h) : mesh.target(h);
+        along.push_back(is_input ? p.on_input.t : p.on_intrinsic.t);
+        on_other.push_back(is_input ? IT::face_location(IT::edge_location(p.on_intrinsic),
+                                                        triangulation.mesh())
+                                    : location_on_input(p.on_input, v, triangulation));
+      }
+      starts.push_back(std::int64_t(on_other.size()));
+    }
+  });
+  const py::tuple places = arrays_of(on_other);
+  return py::make_tuple(array_of(std::move(starts)), places[0], places[1],
+                        array_of(std::move(along)));
+}
+
+py::tuple points_across(const Bound_triangulation& self, bool from_input, const Index_array& faces,
+                        const Number_array& coordinates)
+{
+  std::vector<Location> points;
+  released([&] {
+    const auto& correspondence = self.correspondence();
+    const IT::Side side = side_of(from_input);
+    points = locations_of(faces, coordinates, correspondence.mesh(side).number_of_faces());
+    for(Location& p : points)
+      p = IT::point_across(correspondence, side, p);
+  });
+  return arrays_of(points);
+}
+
+py::array function_across(const Bound_triangulation& self, bool from_input,
+                          const Number_array& values)
+{
+  return array_of(released([&] {
+    const Eigen::VectorXd there = IT::transfer_function<Triangulation::Traits>(
+      self.correspondence(), side_of(from_input),
+      Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()));
+    return std::vector<double>(there.begin(), there.end());
+  }));
+}
+
+// The values at the vertices of the triangulation of a function that is linear on the input.
+Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of_weights(const Subdivision& subdivision,
+                                                               IT::Side side)
+{
+  const auto collect = [&](std::size_t row, auto& entries) {
+    const auto w = subdivision.weights(side, IT::Vertex_index(Mesh::size_type(row)));
+    for(std::size_t c = 0; c < w.size; ++c)
+      if(w.weight[c] != 0)
+        entries.emplace_back(int(w.vertex[c].idx()), w.weight[c]);
+  };
+  return IT::assembled<Eigen::SparseMatrix<double, Eigen::RowMajor>>(
+    subdivision.mesh().number_of_vertices(), subdivision.mesh(side).number_of_vertices(), collect);
+}
+
+struct Polygon_arrays
+{
+  std::vector<std::int64_t> corners, starts{0}, input_face, intrinsic_face;
+};
+
+// Faces with two sides have no area and are left out.
+Polygon_arrays polygons_of(const Subdivision& subdivision)
+{
+  Polygon_arrays result;
+  const auto& mesh = subdivision.mesh();
+  for(const IT::Face_index f : mesh.faces()) {
+    if(mesh.degree(f) < 3)
+      continue;
+    for(const IT::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      result.corners.push_back(mesh.source(h).idx());
+    result.starts.push_back(std::int64_t(result.corners.size()));
+    result.input_face.push_back(subdivision.parent_face(IT::Side::input, f).idx());
+    result.intrinsic_face.push_back(subdivision.parent_face(IT::Side::intrinsic, f).idx());
+  }
+  return result;
+}
+
+// Positions are empty if the surface has none.
+std::vector<std::array<double, 3>> positions_of(Subdivision& subdivision, const Surface* surface)
+{
+  std::vector<std::array<double, 3>> result;
+  if(surface == nullptr)
+    return result;
+  auto& mesh = subdivision.mesh();
+  IT::interpolate(IT::Side::input, subdivision, surface->mesh.points(), mesh.points());
+  result.reserve(mesh.number_of_vertices());
+  for(const Point& p : mesh.points())
+    result.push_back({p.x(), p.y(), p.z()});
+  return result;
+}
+
+py::dict common_subdivision(const Bound_triangulation& self)
+{
+  Polygon_arrays polygons;
+  std::vector<std::array<double, 3>> positions;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> from_input, from_intrinsic;
+  released([&] {
+    Subdivision subdivision(self.correspondence());
+    positions = positions_of(subdivision, self.has_positions() ? self.surface().get() : nullptr);
+    polygons = polygons_of(subdivision);
+    from_input = matrix_of_weights(subdivision, IT::Side::input);
+    from_intrinsic = matrix_of_weights(subdivision, IT::Side::intrinsic);
+  });
+  py::dict result;
+  if(self.has_positions())
+    result["points"] = array_of(std::move(positions));
+  result["corners"] = array_of(std::move(polygons.corners));
+  result["starts"] = array_of(std::move(polygons.starts));
+  result["input_face"] = array_of(std::move(polygons.input_face));
+  result["intrinsic_face"] = array_of(std::move(polygons.intrinsic_face));
+  result["from_input"] = sparse_arrays(from_input);
+  result["from_intrinsic"] = sparse_arrays(from_intrinsic);
+  return result;
+}
+
+// ---- Certificates and files ----
+
+template <class Index>
+py::array indices_of(const std::vector<Index>& elements)
+{
+  std::vector<std::int64_t> result;
+  for(const Index i : elements)
+    result.push_back(i.idx());
+  return array_of(std::move(result));
+}
+
+py::dict certify(const Bound_triangulation& self)
+{
+  const IT::Delaunay_certificate certificate =
+    released([&] { return IT::certify_Delaunay(self.triangulation()); });
+  py::dict result;
+  result["is_delaunay"] = certificate.is_Delaunay();
+  result["is_geodesic"] = certificate.is_geodesic();
+  result["undecided"] = certificate.undecided();
+  result["ties"] = indices_of(certificate.ties);
+  result["non_delaunay_edges"] = indices_of(certificate.non_Delaunay_edges);
+  result["non_straight_edges"] = indices_of(certificate.non_straight_edges);
+  result["folded_vertices"] = indices_of(certificate.folded_vertices);
+  result["decisions"] =
+    py::dict(py::arg("lengths") = certificate.decided_by_lengths,
+             py::arg("floating_point") = certificate.decided_in_floating_point,
+             py::arg("multiprecision") = certificate.decided_in_multiprecision,
+             py::arg("exact") = certificate.decided_exactly);
+  return result;
+}
+
+std::string text_of(const Bound_triangulation& self)
+{
+  return released([&] {
+    std::ostringstream text;
+    IT::write_intrinsic_triangulation(text, self.triangulation());
+    return text.str();
+  });
+}
+
+std::unique_ptr<Bound_triangulation> triangulation_from_text(const std::string& text,
+                                                             const Shared_surface& surface)
+{
+  return released([&] {
+    std::istringstream stream(text);
+    return std::make_unique<Bound_triangulation>(surface,
+                                                 IT::read_intrinsic_triangulation<>(stream));
+  });
+}
+
+std::unique_ptr<Bound_triangulation> make_triangulation(const Shared_surface& surface,
+                                                        double mollification)
+{
+  return released([&] {
+    return std::make_unique<Bound_triangulation>(surface,
+                                                 triangulation_of(*surface, mollification));
+  });
+}
+
+} // namespace
+
+void bind_triangulation(py::module_& module)
+{
+  py::class_<Bound_triangulation>(module, "Triangulation")
+    .def(py::init(&make_triangulation))
+    .def_static("from_text", &triangulation_from_text)
+    .def("make_delaunay", &make_Delaunay)
+    .def("refine", &refine)
+    .def("is_delaunay",
+         [](const Bound_triangulation& self) {
+           return released([&] { return IT::is_Delaunay(self.triangulation()); });
+         })
+    .def("faces",
+         [](const Bound_triangulation& self, bool is_input) {
+           return array_of(is_input ? corners_of(self.triangulation().input_mesh())
+                                    : corners_of(self.triangulation().mesh()));
+         })
+    .def("face_edges", &face_edges)
+    .def("edges", &edges)
+    .def("lengths", &lengths)
+    .def("normal_coordinates", &normal_coordinates)
+    .def("inserted_vertices", &inserted_vertices)
+    .def("number_of_vertices",
+         [](const Bound_triangulation& self) {
+           return self.triangulation().mesh().number_of_vertices();
+         })
+    .def("number_of_input_vertices",
+         [](const Bound_triangulation& self) {
+           return self.triangulation().input_mesh().number_of_vertices();
+         })
+    .def("trace", &trace)
+    .def("points_across", &points_across)
+    .def("function_across", &function_across)
+    .def("common_subdivision", &common_subdivision)
+    .def("certify", &certify)
+    .def("to_text", &text_of);
+}
