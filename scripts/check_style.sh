@@ -13,7 +13,7 @@ clang-format --version | grep -q "version $version\." || {
   echo "check_style: needs clang-format $version"
   exit 77
 }
-sources=(include src demo test examples benchmark)
+sources=(include src demo python test examples benchmark)
 find "${sources[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
 if LC_ALL=C.UTF-8 grep -rnE --include='*.h' --include='*.cpp' '^.{101}' "${sources[@]}"; then

@@ -116,7 +116,7 @@ def read_vtp(path):
 
 def read_obj(path):
     mesh, points, texture = Mesh(), [], []
-    for line in open(path):
+    for line in Path(path).read_text().splitlines():
         words = line.split("#")[0].split() or [""]
         if words[0] in ("v", "vt"):
             (points if words[0] == "v" else texture).append([float(w) for w in words[1:]])
@@ -131,7 +131,7 @@ def read_obj(path):
 
 
 def read_off(path):
-    words = iter(open(path).read().split()[1:])
+    words = iter(Path(path).read_text().split()[1:])
     vertices, faces, _ = (int(next(words)) for _ in range(3))
     points = numpy.array([[float(next(words)) for _ in range(3)] for _ in range(vertices)])
     corners = [numpy.array([int(next(words)) for _ in range(int(next(words)))]) for _ in range(faces)]

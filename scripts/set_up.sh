@@ -17,7 +17,7 @@ packages=(
 # Chromium is for the tests of pages.
 test_packages=(
   clang clang-format ccache doxygen libjs-mathjax libceres-dev libgtest-dev libopenmesh-dev
-  python3-scipy chromium fonts-dejavu-core)
+  pybind11-dev python3-dev python3-meshio python3-scipy mypy chromium fonts-dejavu-core)
 data_archive=/usr/share/doc/libcgal-dev/data.tar.gz
 data_dir=build/cgal_data
 log=$PWD/build/set_up.log

@@ -24,12 +24,12 @@ def _array(values: ArrayLike, name: str) -> NDArray[Any]:
         raise ArrayError(f"{name} is None; give an array")
     if getattr(values, "format", None) is not None and hasattr(values, "todense"):
         raise ArrayError(f"{name} is a sparse matrix; give an array")
+    if isinstance(values, np.ma.MaskedArray):
+        raise ArrayError(f"{name} is a masked array; give a plain one")
     try:
         array = np.asarray(values)
     except (ValueError, TypeError) as error:
         raise ArrayError(f"{name} is not an array of numbers: {error}") from None
-    if isinstance(array, np.ma.MaskedArray) or array.dtype.names is not None:
-        raise ArrayError(f"{name} has masks or fields; give a plain array")
     return array
 
 
@@ -113,7 +113,7 @@ def count(value: Any, name: str, least: int) -> int:
 
 
 def points_on(
-    points: tuple[ArrayLike, ArrayLike], number_of_faces: int, name: str
+    points: tuple[Any, ...], number_of_faces: int, name: str
 ) -> tuple[Integers, Floats]:
     """Return faces (k,) and barycentric coordinates (k, 3) of points; one point may be (3,)."""
     try:

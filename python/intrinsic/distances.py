@@ -102,7 +102,7 @@ def distance(
     >>> import intrinsic
     >>> V, F = intrinsic.shapes.cube()
     >>> d = intrinsic.distance(V, F, 0)
-    >>> float(d.max() ** 2)  # to the opposite corner of the unit cube
+    >>> round(float(d.max() ** 2), 12)  # to the opposite corner of the unit cube
     5.0
     """
     if sources is None:

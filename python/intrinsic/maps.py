@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -74,7 +74,8 @@ class MapSubdivision:
         """The vertices that have several images."""
         pairs = np.unique(np.stack([self.corners, self.corner_image], axis=1), axis=0)
         vertices, counts = np.unique(pairs[:, 0], return_counts=True)
-        return vertices[counts > 1]
+        result: Integers = vertices[counts > 1]
+        return result
 
 
 class ConformalMap:
@@ -194,6 +195,8 @@ class HyperbolicMap(ConformalMap):
         return float(self._core.radius())
 
 
+AnyMap = TypeVar("AnyMap", bound=ConformalMap)
+
 _KINDS = {"PlanarMap": FlatMap, "SphericalMap": SphereMap, "HyperbolicMap": HyperbolicMap}
 
 
@@ -201,7 +204,7 @@ def _bound(on: _core.Surface, core: Any) -> Any:
     return _KINDS[type(core).__name__](on, core)
 
 
-def _checked(result: ConformalMap) -> Any:
+def _checked(result: AnyMap) -> AnyMap:
     if result.status == "success":
         return result
     missed = [f"{name} {error:g} (at most {bound:g})"
@@ -230,7 +233,8 @@ def _boundary_vertices(on: _core.Surface) -> Integers:
     F = on.faces()
     sides = np.sort(np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
     ends, counts = np.unique(sides, axis=0, return_counts=True)
-    return np.unique(ends[counts == 1])
+    vertices: Integers = np.unique(ends[counts == 1])
+    return vertices
 
 
 def _conditions(
@@ -355,8 +359,7 @@ def flatten(
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", bound, boundary,
                              layout, bool(keep_triangulation), bool(exact), slack, kind, values,
                              progress)
-        result: FlatMap = _checked(FlatMap(on, core))
-        return result
+        return _checked(FlatMap(on, core))
 
     result = attempt(mollify, compute)
     if no_overlap:

@@ -85,7 +85,7 @@ def mass(
     >>> V, F = intrinsic.shapes.icosphere(2)
     >>> M = intrinsic.mass(V, F)
     >>> round(float(M.sum()), 3)  # that of the unit sphere is 12.566
-    12.206
+    12.329
     """
     return _matrix("lumped_mass" if lumped else "mass", V, F, lengths, mollify, progress)
 

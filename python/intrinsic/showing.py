@@ -94,7 +94,7 @@ def show(
     with tempfile.TemporaryDirectory() as folder:
         mesh, written = Path(folder, "mesh.ply"), Path(folder, "page.html")
         mesh.write_bytes(_ply(points, faces, values))
-        done = subprocess.run([program(), "view", str(mesh), "--view", str(written)],
+        done = subprocess.run([program(), "view", str(mesh), "-o", str(written)],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise IntrinsicError(f"the page cannot be written: {done.stderr.strip()}")

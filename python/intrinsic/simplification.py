@@ -83,7 +83,8 @@ class Simplification:
     @property
     def face_lengths(self) -> Floats:
         """The length of the side opposite to each corner, (t, 3), as `lengths` of functions."""
-        return self.lengths[self.face_edges[:, [1, 2, 0]]]
+        result: Floats = self.lengths[self.face_edges[:, [1, 2, 0]]]
+        return result
 
     @property
     def removed(self) -> int:

@@ -231,7 +231,7 @@ class Triangulation:
     1
     >>> T.E[T.crossings > 0]
     array([[3, 2]])
-    >>> float(T.lengths[T.crossings > 0][0])
+    >>> round(float(T.lengths[T.crossings > 0][0]), 12)
     2.0
     """
 
@@ -244,10 +244,10 @@ class Triangulation:
         lengths: ArrayLike | None = None,
         mollify: float | str = 0.0,
     ) -> None:
-        self._set(surface(V, F, lengths, mollify), None, bool(exact))
-        self._core = attempt(mollify, lambda slack: _core.Triangulation(self._surface, slack))
+        on = surface(V, F, lengths, mollify)
+        self._set(on, attempt(mollify, lambda slack: _core.Triangulation(on, slack)), bool(exact))
 
-    def _set(self, on: _core.Surface | None, core: Any, exact: bool) -> None:
+    def _set(self, on: _core.Surface | None, core: _core.Triangulation, exact: bool) -> None:
         self._surface = on
         self._core = core
         self._exact = exact
@@ -381,7 +381,8 @@ class Triangulation:
     @_locked
     def face_lengths(self) -> Floats:
         """The length of the side opposite to each corner of a face, (m2, 3)."""
-        return self.lengths[self.face_edges[:, [1, 2, 0]]]
+        result: Floats = self.lengths[self.face_edges[:, [1, 2, 0]]]
+        return result
 
     @property
     @_locked
@@ -429,7 +430,8 @@ class Triangulation:
         coordinates."""
         faces, coordinates = points_on(points, len(self.input_F), "points")
         corners = self._positions()[self.input_F[faces]]
-        return np.einsum("kc,kcx->kx", coordinates, corners)
+        result: Floats = np.einsum("kc,kcx->kx", coordinates, corners)
+        return result
 
     # ---- The correspondence ----
 

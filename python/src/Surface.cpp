@@ -176,8 +176,8 @@ std::vector<Location> locations_of(const Index_array& faces, const Number_array&
     const double sum = b[0] + b[1] + b[2];
     if(!(b[0] >= 0 && b[1] >= 0 && b[2] >= 0) || !(std::abs(sum - 1) <= greatest_error))
       refuse_point(i, "barycentric coordinates are not negative and sum up to one");
-    result.push_back({IT::Face_index(static_cast<Mesh::size_type>(f)),
-                      {b[0] / sum, b[1] / sum, b[2] / sum}});
+    result.push_back(
+      {IT::Face_index(static_cast<Mesh::size_type>(f)), {b[0] / sum, b[1] / sum, b[2] / sum}});
   }
   return result;
 }

@@ -24,7 +24,8 @@ using Index_array = py::array_t<std::int64_t, py::array::c_style>;
 
 // Returns an array that owns the values of a vector: nothing is copied.
 template <class Row>
-py::array owning_array(std::vector<Row> values, std::vector<py::ssize_t> shape, const py::dtype& type)
+py::array owning_array(std::vector<Row> values, std::vector<py::ssize_t> shape,
+                       const py::dtype& type)
 {
   auto* const owned = new std::vector<Row>(std::move(values));
   const py::capsule owner(owned, [](void* p) { delete static_cast<std::vector<Row>*>(p); });

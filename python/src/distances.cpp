@@ -94,10 +94,9 @@ IT::Distance_method method_named(const std::string& name)
 }
 
 template <class Parameters>
-IT::Geodesic_distances<double> measured(const Bound_triangulation& self,
-                                        const IT::Distance_sources<Triangulation>& sources,
-                                        std::optional<double> time_step_factor,
-                                        const Parameters& np)
+IT::Geodesic_distances<double>
+measured(const Bound_triangulation& self, const IT::Distance_sources<Triangulation>& sources,
+         std::optional<double> time_step_factor, const Parameters& np)
 {
   if(time_step_factor)
     return IT::geodesic_distances(self.triangulation(), sources,
@@ -207,12 +206,12 @@ private:
   IT::Shortest_paths<Input> m_paths;
 };
 
-py::tuple arrays_of(const IT::Surface_path<double>& path, const IT::Delta_complex& mesh)
+py::tuple path_arrays(const IT::Surface_path<double>& path, const IT::Delta_complex& mesh)
 {
   std::vector<Location> places;
   for(const auto& place : path.places)
     places.push_back(IT::face_location(place, mesh));
-  const py::tuple arrays = ::arrays_of(places);
+  const py::tuple arrays = arrays_of(places);
   return py::make_tuple(path.length, arrays[0], arrays[1]);
 }
 
@@ -224,7 +223,7 @@ py::tuple shortest_path(const Bound_triangulation& self, const Index_array& face
     const auto ends = locations_of(faces, coordinates, mesh.number_of_faces());
     return IT::shortest_path(self.triangulation().input(), ends.at(0), ends.at(1));
   });
-  return arrays_of(path, mesh);
+  return path_arrays(path, mesh);
 }
 
 // ---- Signed distances ----
@@ -294,7 +293,7 @@ py::tuple geodesic_from(const Bound_triangulation& self, const Source& source,
                               boost::make_function_output_iterator(add));
   });
   places.push_back(end.end);
-  const py::tuple arrays = ::arrays_of(places);
+  const py::tuple arrays = arrays_of(places);
   return py::make_tuple(end.length, arrays[0], arrays[1],
                         end.status == IT::Geodesic_status::reached);
 }
@@ -345,11 +344,11 @@ void bind_distances(py::module_& module)
              return self.distances(locations_of(faces, coordinates, self.number_of_faces()));
            }));
          })
-    .def("path", [](const Bound_paths& self, const Index_array& faces,
-                    const Number_array& coordinates) {
-      const auto path = released([&] {
-        return self.path(locations_of(faces, coordinates, self.number_of_faces()).at(0));
-      });
-      return arrays_of(path, self.mesh());
-    });
+    .def("path",
+         [](const Bound_paths& self, const Index_array& faces, const Number_array& coordinates) {
+           const auto path = released([&] {
+             return self.path(locations_of(faces, coordinates, self.number_of_faces()).at(0));
+           });
+           return path_arrays(path, self.mesh());
+         });
 }

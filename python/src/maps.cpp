@@ -111,15 +111,14 @@ std::unique_ptr<Bound_planar_map> flattened(const Shared_surface& surface,
   });
 }
 
-std::unique_ptr<Bound_spherical_map> mapped_to_sphere(const Shared_surface& surface,
-                                                      double mollification,
-                                                      const py::object& progress)
+std::unique_ptr<Bound_spherical_map>
+mapped_to_sphere(const Shared_surface& surface, double mollification, const py::object& progress)
 {
   Watch watch(progress, "build");
   return released([&] {
-    auto map = with_lengths(
-      *surface, DCM::parameters::mollification(mollification).visitor(std::ref(watch)),
-      [&](const auto& np) { return DCM::map_to_sphere(surface->mesh, np); });
+    auto map =
+      with_lengths(*surface, DCM::parameters::mollification(mollification).visitor(std::ref(watch)),
+                   [&](const auto& np) { return DCM::map_to_sphere(surface->mesh, np); });
     return std::make_unique<Bound_spherical_map>(
       Bound_spherical_map{surface, std::move(map), watch.iterations()});
   });
@@ -137,12 +136,12 @@ std::unique_ptr<Bound_hyperbolic_map> mapped_to_hyperbolic(const Shared_surface&
       conditions.push_back(DCM::Vertex_condition::curvature(c));
     const auto condition = boost::make_iterator_property_map(
       conditions.begin(), get(boost::vertex_index, surface->mesh));
-    auto map = with_lengths(
-      *surface,
-      DCM::parameters::mollification(mollification)
-        .vertex_condition_map(condition)
-        .visitor(std::ref(watch)),
-      [&](const auto& np) { return DCM::uniformize_hyperbolic(surface->mesh, np); });
+    auto map =
+      with_lengths(*surface,
+                   DCM::parameters::mollification(mollification)
+                     .vertex_condition_map(condition)
+                     .visitor(std::ref(watch)),
+                   [&](const auto& np) { return DCM::uniformize_hyperbolic(surface->mesh, np); });
     return std::make_unique<Bound_hyperbolic_map>(
       Bound_hyperbolic_map{surface, std::move(map), watch.iterations()});
   });
@@ -321,8 +320,8 @@ py::class_<Bound_map<Map>> bind_map(py::module_& module, const char* name)
 template <class Map>
 py::object bound(const Shared_surface& surface, Map map, std::size_t iterations)
 {
-  return py::cast(std::make_unique<Bound_map<Map>>(
-    Bound_map<Map>{surface, std::move(map), iterations}));
+  return py::cast(
+    std::make_unique<Bound_map<Map>>(Bound_map<Map>{surface, std::move(map), iterations}));
 }
 
 // The type of the surface, the map, and the modulus or None.
@@ -331,9 +330,9 @@ py::tuple uniformized(const Shared_surface& surface, double mollification,
 {
   Watch watch(progress, "build");
   DCM::Uniformization result = released([&] {
-    return with_lengths(
-      *surface, DCM::parameters::mollification(mollification).visitor(std::ref(watch)),
-      [&](const auto& np) { return DCM::uniformize(surface->mesh, np); });
+    return with_lengths(*surface,
+                        DCM::parameters::mollification(mollification).visitor(std::ref(watch)),
+                        [&](const auto& np) { return DCM::uniformize(surface->mesh, np); });
   });
   py::object map = std::visit(
     [&](auto& any) { return bound(surface, std::move(any), watch.iterations()); }, result.map);
@@ -347,10 +346,9 @@ void bind_maps(py::module_& module)
 {
   bind_map<DCM::Planar_conformal_map>(module, "PlanarMap")
     .def("cones", [](const Bound_planar_map& self) { return indices_of(self.map.cones()); })
-    .def("cut_overlaps",
-         [](Bound_planar_map& self) {
-           return released([&] { return DCM::cut_overlaps(self.map); });
-         })
+    .def(
+      "cut_overlaps",
+      [](Bound_planar_map& self) { return released([&] { return DCM::cut_overlaps(self.map); }); })
     .def("fit_into_unit_square",
          [](Bound_planar_map& self) { return DCM::fit_into_unit_square(self.map); })
     .def("subdivision", &flat_subdivision<DCM::Planar_conformal_map>);
@@ -363,17 +361,16 @@ void bind_maps(py::module_& module)
     .def("area", [](const Bound_hyperbolic_map& self) { return self.map.area(); })
     .def("radius", [](const Bound_hyperbolic_map& self) { return self.map.radius(); })
     .def("subdivision", &flat_subdivision<DCM::Hyperbolic_conformal_map>);
-  module.def(
-    "flatten",
-    [](const Shared_surface& surface, const std::string& cones, double maximum_log_scale,
-       const std::string& boundary, const std::string& layout, bool keeps_triangulation,
-       bool is_exact, double mollification, const Index_array& has_log_scale,
-       const Number_array& values, const py::object& progress) {
-      return flattened(surface,
-                       {cones, boundary, layout, keeps_triangulation, is_exact, maximum_log_scale,
-                        mollification},
-                       has_log_scale, values, progress);
-    });
+  module.def("flatten",
+             [](const Shared_surface& surface, const std::string& cones, double maximum_log_scale,
+                const std::string& boundary, const std::string& layout, bool keeps_triangulation,
+                bool is_exact, double mollification, const Index_array& has_log_scale,
+                const Number_array& values, const py::object& progress) {
+               return flattened(surface,
+                                {cones, boundary, layout, keeps_triangulation, is_exact,
+                                 maximum_log_scale, mollification},
+                                has_log_scale, values, progress);
+             });
   module.def("to_sphere", &mapped_to_sphere);
   module.def("to_hyperbolic", &mapped_to_hyperbolic);
   module.def("uniformize", &uniformized);

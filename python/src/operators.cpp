@@ -40,8 +40,8 @@ Matrix matrix_of(const std::string& name, const Surface& surface)
 py::tuple operator_of(const Bound_triangulation& self, const std::string& name)
 {
   return sparse_arrays(released([&] {
-    return IT::with_resolved_areas(
-      self.triangulation(), [&](const auto& surface) { return matrix_of(name, surface); });
+    return IT::with_resolved_areas(self.triangulation(),
+                                   [&](const auto& surface) { return matrix_of(name, surface); });
   }));
 }
 
@@ -75,9 +75,9 @@ public:
                                                          std::size_t(faces.data()[i + 1]),
                                                          std::size_t(faces.data()[i + 2])});
     m_cover.emplace(IT::tufted_cover(soup.points, soup.polygons));
-    m_triangulation =
-      Triangulation(m_cover->mesh(), IT::parameters::mollification(mollification));
-    IT::make_Delaunay(m_triangulation, IT::parameters::exact_decisions(false).visitor(std::ref(watch)));
+    m_triangulation = Triangulation(m_cover->mesh(), IT::parameters::mollification(mollification));
+    IT::make_Delaunay(m_triangulation,
+                      IT::parameters::exact_decisions(false).visitor(std::ref(watch)));
   }
 
   template <class Use>

@@ -46,7 +46,4 @@ py::dict convex_polyhedron(const std::shared_ptr<Surface>& surface, std::optiona
 
 } // namespace
 
-void bind_polyhedron(py::module_& module)
-{
-  module.def("convex_polyhedron", &convex_polyhedron);
-}
+void bind_polyhedron(py::module_& module) { module.def("convex_polyhedron", &convex_polyhedron); }

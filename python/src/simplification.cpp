@@ -40,9 +40,10 @@ public:
   void run(std::size_t number_of_vertices, double maximum_cost, Watch& watch)
   {
     IS::Transport_cost cost = IS::default_cost(m_evolving);
-    m_result = IS::simplify(m_evolving, cost, IS::parameters::number_of_vertices(number_of_vertices)
-                                                .maximum_cost(maximum_cost)
-                                                .visitor(std::ref(watch)));
+    m_result = IS::simplify(m_evolving, cost,
+                            IS::parameters::number_of_vertices(number_of_vertices)
+                              .maximum_cost(maximum_cost)
+                              .visitor(std::ref(watch)));
     m_coarse.emplace(m_evolving);
     m_map.emplace(m_evolving, m_fine, *m_coarse);
   }
@@ -92,7 +93,7 @@ py::array coarse_vertices(const Bound_simplification& self)
 }
 
 py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const Index_array& faces,
-                 const Number_array& coordinates)
+                        const Number_array& coordinates)
 {
   return arrays_of(released([&] {
     const IS::Surface_level& from = to_coarse ? self.fine() : self.coarse();
@@ -120,14 +121,14 @@ py::tuple mesh_in_space(const Bound_simplification& self)
   std::vector<std::array<double, 3>> points;
   for(const Point& p : mesh.points())
     points.push_back({p.x(), p.y(), p.z()});
-  return py::make_tuple(
-    array_of(std::move(points)), array_of(corners_of(mesh)), array_of(std::move(parents)),
-    py::dict(py::arg("distance_to_coarse") = quality.distance_to_coarse,
-             py::arg("distance_to_fine") = quality.distance_to_fine,
-             py::arg("inserted_vertices") = quality.inserted_vertices,
-             py::arg("flipped_faces") = quality.flipped_faces,
-             py::arg("degenerate_faces") = quality.degenerate_faces,
-             py::arg("self_intersections") = quality.self_intersections));
+  return py::make_tuple(array_of(std::move(points)), array_of(corners_of(mesh)),
+                        array_of(std::move(parents)),
+                        py::dict(py::arg("distance_to_coarse") = quality.distance_to_coarse,
+                                 py::arg("distance_to_fine") = quality.distance_to_fine,
+                                 py::arg("inserted_vertices") = quality.inserted_vertices,
+                                 py::arg("flipped_faces") = quality.flipped_faces,
+                                 py::arg("degenerate_faces") = quality.degenerate_faces,
+                                 py::arg("self_intersections") = quality.self_intersections));
 }
 
 std::unique_ptr<Bound_simplification> simplified(const Shared_surface& surface,

@@ -48,8 +48,7 @@ py::tuple repaired(const Number_array& points, const Index_array& faces, double 
   for(const Polygons::Polygon p : soup.polygons)
     if(p.size() == 3)
       corners.push_back({p[0], p[1], p[2]});
-  return py::make_tuple(array_of(rows_of(soup.points)), array_of(std::move(corners)),
-                        report);
+  return py::make_tuple(array_of(rows_of(soup.points)), array_of(std::move(corners)), report);
 }
 
 py::list defects_of(const IT::Input_diagnosis& diagnosis)

@@ -37,8 +37,8 @@ std::size_t make_Delaunay(Bound_triangulation& self, bool is_exact, const py::ob
   Watch watch(progress, "flip");
   return released([&] {
     return self.changed([&](Triangulation& triangulation) {
-      return IT::make_Delaunay(
-        triangulation, IT::parameters::exact_decisions(is_exact).visitor(std::ref(watch)));
+      return IT::make_Delaunay(triangulation,
+                               IT::parameters::exact_decisions(is_exact).visitor(std::ref(watch)));
     });
   });
 }
@@ -166,9 +166,9 @@ py::tuple trace(const Bound_triangulation& self, bool is_input, const Index_arra
         const auto& p = points[i];
         const IT::Vertex_index v = i == 0 ? mesh.source(h) : mesh.target(h);
         along.push_back(is_input ? p.on_input.t : p.on_intrinsic.t);
-        on_other.push_back(is_input ? IT::face_location(IT::edge_location(p.on_intrinsic),
-                                                        triangulation.mesh())
-                                    : location_on_input(p.on_input, v, triangulation));
+        on_other.push_back(
+          is_input ? IT::face_location(IT::edge_location(p.on_intrinsic), triangulation.mesh())
+                   : location_on_input(p.on_input, v, triangulation));
       }
       starts.push_back(std::int64_t(on_other.size()));
     }
@@ -300,11 +300,10 @@ py::dict certify(const Bound_triangulation& self)
   result["non_delaunay_edges"] = indices_of(certificate.non_Delaunay_edges);
   result["non_straight_edges"] = indices_of(certificate.non_straight_edges);
   result["folded_vertices"] = indices_of(certificate.folded_vertices);
-  result["decisions"] =
-    py::dict(py::arg("lengths") = certificate.decided_by_lengths,
-             py::arg("floating_point") = certificate.decided_in_floating_point,
-             py::arg("multiprecision") = certificate.decided_in_multiprecision,
-             py::arg("exact") = certificate.decided_exactly);
+  result["decisions"] = py::dict(py::arg("lengths") = certificate.decided_by_lengths,
+                                 py::arg("floating_point") = certificate.decided_in_floating_point,
+                                 py::arg("multiprecision") = certificate.decided_in_multiprecision,
+                                 py::arg("exact") = certificate.decided_exactly);
   return result;
 }
 

@@ -1,0 +1,259 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What arrays are taken, and what is said about others: never a crash."""
+
+import unittest
+
+import numpy as np
+
+import intrinsic
+from intrinsic import ArrayError, InputError, IntrinsicError, NotAManifoldError
+
+V, F = intrinsic.shapes.icosphere(1)
+
+
+class TakenArrays(unittest.TestCase):
+    def setUp(self):
+        T = intrinsic.Triangulation(V, F)
+        T.delaunay()
+        self.lengths = T.lengths
+
+    def check(self, V, F):
+        T = intrinsic.Triangulation(V, F)
+        T.delaunay()
+        np.testing.assert_array_equal(T.lengths, self.lengths)
+        np.testing.assert_array_equal(T.input_F, np.asarray(F, int))
+
+    def test_integer_types(self):
+        for kind in "bBhHiIlLqQ":
+            self.check(V, F.astype(kind))
+        for kind in (">i4", ">i8", "<u2", ">u2"):
+            self.check(V, F.astype(kind))
+
+    def test_layouts(self):
+        self.check(np.asfortranarray(V), np.asfortranarray(F))
+        wide_V, wide_F = np.zeros((len(V), 7)), np.zeros((2 * len(F), 5), int)
+        wide_V[:, 1:6:2], wide_F[::2, 1:4] = V, F
+        self.check(wide_V[:, 1:6:2], wide_F[::2, 1:4])
+        self.check(V[::-1][::-1], F[::-1][::-1])
+
+    def test_read_only_and_byte_order(self):
+        fixed_V, fixed_F = V.copy(), F.copy()
+        fixed_V.flags.writeable = fixed_F.flags.writeable = False
+        self.check(fixed_V, fixed_F)
+        self.check(V.astype(">f8"), F.astype(">i4"))
+        self.check(np.frombuffer(V.tobytes()).reshape(-1, 3), F)
+
+    def test_lists_and_other_floats(self):
+        self.check(V.tolist(), F.tolist())
+        self.check(V.astype(np.longdouble), F)
+        T = intrinsic.Triangulation(V.astype(np.float32), F)
+        wide = intrinsic.Triangulation(V.astype(np.float32).astype(float), F)
+        np.testing.assert_array_equal(T.lengths, wide.lengths)
+
+    def test_inputs_are_left_alone(self):
+        before_V, before_F = V.copy(), F.copy()
+        intrinsic.flatten(V, F)
+        intrinsic.simplify(V, F, 10)
+        np.testing.assert_array_equal(V, before_V)
+        np.testing.assert_array_equal(F, before_F)
+
+    def test_later_changes_of_inputs_do_not_matter(self):
+        mine = V.copy()
+        T = intrinsic.Triangulation(mine, F)
+        mine[:] = np.nan
+        T.delaunay()
+        np.testing.assert_array_equal(T.lengths, self.lengths)
+
+    def test_results_live_longer_than_their_objects(self):
+        lengths = intrinsic.Triangulation(V, F).lengths
+        total = lengths.sum()
+        [intrinsic.Triangulation(V, F) for _ in range(20)]
+        self.assertEqual(lengths.sum(), total)
+
+
+class Elements(unittest.TestCase):
+    """Errors name the element."""
+
+    def error(self, V, F, kind=InputError, **lengths):
+        with self.assertRaises(kind) as caught:
+            intrinsic.Triangulation(V, F, **lengths)
+        return caught.exception
+
+    def test_nan(self):
+        bad = V.copy()
+        bad[17, 1] = np.nan
+        self.assertEqual(self.error(bad, F).row, 17)
+        bad[17, 1] = -np.inf
+        self.assertEqual(self.error(bad, F).row, 17)
+
+    def test_index(self):
+        for index in (len(V), -1, 2**31, 2**40, -(2**62)):
+            bad = F.copy()
+            bad[9, 2] = index
+            error = self.error(V, bad)
+            self.assertEqual(error.face, 9)
+            self.assertIn("row 9 of F", str(error))
+        bad = F.astype(np.uint64)
+        bad[3, 0] = 2**64 - 1
+        self.assertEqual(self.error(V, bad).face, 3)
+        bad = F.tolist()
+        bad[5][1] = 10**30
+        self.assertEqual(self.error(V, bad).face, 5)
+
+    def test_edge_with_three_faces(self):
+        bad_V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]]
+        error = self.error(bad_V, [[0, 1, 2], [1, 0, 3], [0, 1, 4]], NotAManifoldError)
+        self.assertEqual(sorted(error.edge), [0, 1])
+
+    def test_orientation(self):
+        error = self.error([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0]],
+                           [[0, 1, 2], [0, 1, 3]], NotAManifoldError)
+        self.assertEqual(sorted(error.edge), [0, 1])
+
+    def test_vertex_with_two_fans(self):
+        error = self.error([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]],
+                           [[0, 1, 2], [0, 3, 4]], NotAManifoldError)
+        self.assertEqual(error.vertex, 0)
+
+    def test_repeated_vertex(self):
+        self.assertEqual(self.error(V, [*F[:4].tolist(), [1, 1, 2]]).face, 4)
+
+    def test_equal_positions(self):
+        bad = V.copy()
+        bad[F[7, 0]] = bad[F[7, 1]]
+        self.assertEqual(set(self.error(bad, F).edge), {F[7, 0], F[7, 1]})
+
+    def test_lengths_of_one_edge_that_differ(self):
+        lengths = np.ones((2, 3))
+        lengths[1, 2] = 1.5
+        error = self.error(None, [[0, 1, 2], [1, 0, 3]], lengths=lengths)
+        self.assertEqual(sorted(error.edge), [0, 1])
+
+    def test_triangle_inequality(self):
+        error = self.error(None, [[0, 1, 2]], lengths=[[1, 1, 3]])
+        self.assertEqual(error.face, 0)
+        self.assertEqual(sorted(self.error(None, [[0, 1, 2]], lengths=[[1, 1, -1]]).edge), [0, 1])
+
+    def test_shapes_and_types(self):
+        for bad_V, bad_F in [(V[:, :2], F), (V.T, F), (V, F.T), (V, F[0]), (V, F[None]),
+                             (V.ravel(), F), (V, F.astype(float)), (V + 1j, F), (V.astype(str), F),
+                             (V, F.astype(bool)), (None, F), (V, "F"), ("V", F), (V, object()),
+                             (V, [[0, 1], [1, 2, 3]]), (3, 4), (V, {}), (np.ma.array(V), F)]:
+            error = self.error(bad_V, bad_F, ArrayError)
+            self.assertGreater(len(str(error)), 10)
+
+
+def mutations():
+    """Generate arrays that are wrong, or odd, in one or two ways."""
+    random = np.random.default_rng(43)
+
+    @np.errstate(all="ignore")
+    def positions(V):
+        kind = random.integers(0, 14)
+        i, k = random.integers(len(V)), random.integers(3)
+        if kind < 4:
+            V[i, k] = [np.nan, np.inf, -np.inf, 1e308][kind]
+        elif kind < 8:
+            V[i] = [V[0], 1e200, 1e-320, 0][kind - 4]
+        return {8: V[:0], 9: V[:i], 10: V[:, :k], 11: V.astype(np.float32) * np.float32(1e38),
+                12: V.astype("U8" if k else object), 13: V.astype(">f4")}.get(kind, V)
+
+    def faces(F):
+        kind = random.integers(0, 16)
+        i, k = random.integers(len(F)), random.integers(3)
+        if kind < 6:
+            F[i, k] = [-1, 10**6, 2**32, 2**63 - 1, F[i, (k + 1) % 3], 0][kind]
+        elif kind < 9:
+            F[i] = [F[0], F[i, ::-1], F[i, 0]][kind - 6]
+        return {9: F[:0], 10: F[:i], 11: F[:, :k], 12: F.astype(float), 13: np.vstack([F, F[i:]]),
+                14: F.astype(np.uint64) - np.uint64(1), 15: F.reshape(-1)[: 3 * i]}.get(kind, F)
+
+    for _ in range(500):
+        which = random.integers(3)
+        new_V = positions(V.copy()) if which != 0 else V
+        new_F = faces(F.copy()) if which != 1 else F
+        yield new_V, new_F
+
+
+class Malformed(unittest.TestCase):
+    def test_all_functions(self):
+        functions = [
+            lambda V, F: intrinsic.Triangulation(V, F).delaunay(),
+            intrinsic.laplacian,
+            lambda V, F: intrinsic.distance(V, F, 0),
+            lambda V, F: intrinsic.path(V, F, 0, 5),
+            lambda V, F: intrinsic.flatten(V, F),
+            lambda V, F: intrinsic.to_sphere(V, F),
+            lambda V, F: intrinsic.simplify(V, F, 5),
+            intrinsic.info,
+            intrinsic.repair,
+            intrinsic.soup_operators,
+            intrinsic.convex_polyhedron,
+        ]
+        refused = 0
+        for i, (V, F) in enumerate(mutations()):
+            function = functions[i % len(functions)]
+            try:
+                function(V, F)
+            except IntrinsicError as error:
+                refused += 1
+                self.assertGreater(len(str(error)), 10, f"input {i}")
+            except Exception as error:  # anything else is a bug
+                self.fail(f"input {i}: {type(error).__name__}: {error}")
+        self.assertGreater(refused, 250)
+
+    def test_parameters(self):
+        for call in [
+            lambda: intrinsic.distance(V, F),
+            lambda: intrinsic.distance(V, F, 42),
+            lambda: intrinsic.distance(V, F, -1),
+            lambda: intrinsic.distance(V, F, []),
+            lambda: intrinsic.distance(V, F, 0.5),
+            lambda: intrinsic.distance(V, F, 0, "fast"),
+            lambda: intrinsic.distance(V, F, ([0], [[0.5, 0.5, 0.5]])),
+            lambda: intrinsic.distance(V, F, ([80], [[1, 0, 0]])),
+            lambda: intrinsic.distance(V, F, ([0], [[2, -1, 0]])),
+            lambda: intrinsic.distance(V, F, ([0, 1], [[1, 0, 0]])),
+            lambda: intrinsic.distance(V, F, 0, time_step_factor=0),
+            lambda: intrinsic.distance(V, F, 0, mollify=-1),
+            lambda: intrinsic.distance(V, F, 0, mollify="some"),
+            lambda: intrinsic.path(V, F, 0),
+            lambda: intrinsic.path(V, F, 0, [1, 2]),
+            lambda: intrinsic.signed_distance(V, F, [0]),
+            lambda: intrinsic.signed_distance(V, F, []),
+            lambda: intrinsic.signed_distance(V, F, [0, 3]),
+            lambda: intrinsic.log_map(V, F, 100),
+            lambda: intrinsic.exp_map(V, F, 0, np.nan),
+            lambda: intrinsic.Triangulation(V, F).refine(-1),
+            lambda: intrinsic.Triangulation(V, F).refine(np.nan),
+            lambda: intrinsic.Triangulation(V, F).refine(25, max_insertions=-1),
+            lambda: intrinsic.Triangulation(V, F).trace([500]),
+            lambda: intrinsic.Triangulation(V, F).trace(of="output"),
+            lambda: intrinsic.Triangulation(V, F).transfer(np.zeros(3)),
+            lambda: intrinsic.Triangulation(V, F).delaunay(progress=3),
+            lambda: intrinsic.flatten(V, F, boundary="round"),
+            lambda: intrinsic.flatten(V, F, boundary="disk"),
+            lambda: intrinsic.flatten(V, F, boundary="straight"),
+            lambda: intrinsic.flatten(V, F, cones="many"),
+            lambda: intrinsic.flatten(V, F, cones={99: 1.0}),
+            lambda: intrinsic.flatten(V, F, cones={0: np.nan}),
+            lambda: intrinsic.flatten(V, F, cones={0: 1.0}),
+            lambda: intrinsic.simplify(V, F),
+            lambda: intrinsic.simplify(V, F, 0),
+            lambda: intrinsic.simplify(V, F, 2.5),
+            lambda: intrinsic.simplify(V, F, 5, ratio=0.5),
+            lambda: intrinsic.simplify(V, F, ratio=2),
+            lambda: intrinsic.soup_operators(V, np.zeros((0, 3), int), neighbors=1),
+            lambda: intrinsic.repair(V, F, weld=-1),
+            lambda: intrinsic.laplacian(V, F, lengths=np.ones((80, 3))),
+            lambda: intrinsic.laplacian(intrinsic.Triangulation(V, F), F),
+        ]:
+            with self.assertRaises(IntrinsicError):
+                call()
+
+
+if __name__ == "__main__":
+    unittest.main()

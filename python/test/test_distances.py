@@ -1,0 +1,145 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Distances and paths against closed forms and each other."""
+
+import unittest
+
+import numpy as np
+
+import intrinsic
+import support
+
+
+class Exact(unittest.TestCase):
+    def test_plane(self):
+        V, F = support.turned(*intrinsic.shapes.grid(7, 9))
+        V = support.noisy(V, [0.03, 0.03, 0])
+        # A convex hull is needed for straight lines: the border is not moved.
+        flat, faces = intrinsic.shapes.grid(7, 9)
+        inside = (flat[:, 0] % 1 != 0) & (flat[:, 1] % 1 != 0)
+        flat[inside] += 0.03 * np.random.default_rng(8).standard_normal((inside.sum(), 3)) * [1, 1, 0]
+        flat, faces = support.turned(flat, faces)
+        for source in (0, 40):
+            d = intrinsic.distance(flat, faces, source, "exact")
+            np.testing.assert_allclose(d, np.linalg.norm(flat - flat[source], axis=1), atol=1e-12)
+
+    def test_points_in_faces(self):
+        flat, faces = support.turned(*intrinsic.shapes.grid(5, 5))
+        random = np.random.default_rng(11)
+        where = random.integers(0, len(faces), 6), random.dirichlet([1, 1, 1], 6)
+        positions = np.einsum("kc,kcx->kx", where[1], flat[faces[where[0]]])
+        d = intrinsic.distance(flat, faces, where, "exact")
+        expected = np.linalg.norm(flat[:, None] - positions[None], axis=2).min(axis=1)
+        np.testing.assert_allclose(d, expected, atol=1e-12)
+
+    def test_cube(self):
+        V, F = support.turned(*intrinsic.shapes.cube())
+        source = int(np.argmin(V.sum(1)))
+        d2 = intrinsic.distance(V, F, source, "exact") ** 2
+        steps = V.sum(1).astype(int)  # how many coordinates differ
+        np.testing.assert_allclose(d2, np.array([0, 1, 2, 5])[steps], atol=1e-12)
+
+    def test_unreachable(self):
+        V, F = intrinsic.shapes.cube()
+        two = np.vstack([V, V + 3]), np.vstack([F, F + 8])
+        d = intrinsic.distance(*two, 0)
+        self.assertTrue(np.isfinite(d[:8]).all() and np.isinf(d[8:]).all())
+        p = intrinsic.path(*two, 0, 9)
+        self.assertTrue(np.isinf(p.length) and len(p.faces) == 0 and p.points is None)
+
+
+class Heat(unittest.TestCase):
+    def test_errors(self):
+        V, F = intrinsic.shapes.icosphere(4)
+        exact = intrinsic.distance(V, F, 5, "exact")
+        result = intrinsic.distance(V, F, 5, "heat", full=True)
+        self.assertEqual(result.method, "heat")
+        errors = abs(result.values - exact)[exact > 0] / exact[exact > 0]
+        self.assertLess(errors.mean(), 0.03)
+        self.assertLess(abs(result.relative_error["mean"] - errors.mean()), 0.02)
+        self.assertEqual(intrinsic.distance(V, F, 5, full=True).method, "exact")
+        self.assertEqual(intrinsic.distance(V, F, 5, time_step_factor=2, full=True).method, "heat")
+
+    def test_solver(self):
+        V, F = support.meshes()["noisy_sphere"]
+        solver = intrinsic.DistanceSolver(V, F)
+        for sources in (0, [3, 77], ([4, 9], [[0.2, 0.3, 0.5], [1, 0, 0]])):
+            once = intrinsic.distance(V, F, sources, "heat")
+            many = solver.distance(sources)
+            # The function raises values that are less than the distance in space.
+            self.assertTrue((many <= once * (1 + 1e-9)).all())
+            self.assertGreater(np.isclose(many, once, rtol=1e-9).mean(), 0.8)
+        exact = intrinsic.DistanceSolver(V, F, "exact")
+        np.testing.assert_allclose(exact.distance([1, 2]),
+                                   intrinsic.distance(V, F, [1, 2], "exact"), atol=1e-12)
+
+
+class Paths(unittest.TestCase):
+    def test_lengths(self):
+        random = np.random.default_rng(3)
+        for name, (V, F) in support.meshes().items():
+            d = intrinsic.distance(V, F, 0, "exact")
+            for target in random.integers(1, len(V), 5):
+                p = intrinsic.path(V, F, 0, int(target))
+                self.assertAlmostEqual(p.length, d[target], 9, name)
+                line = np.linalg.norm(np.diff(p.points, axis=0), axis=1).sum()
+                self.assertAlmostEqual(line, p.length, 9, name)
+                np.testing.assert_allclose(p.points[[0, -1]], V[[0, target]], atol=1e-12)
+                positions = np.einsum("kc,kcx->kx", p.barycentric, V[F[p.faces]])
+                np.testing.assert_allclose(positions, p.points, atol=1e-12)
+
+    def test_from_points(self):
+        flat, faces = support.turned(*intrinsic.shapes.grid(4, 4))
+        ends = (3, [0.2, 0.3, 0.5]), (17, [0.1, 0.1, 0.8])
+        p = intrinsic.path(flat, faces, *ends)
+        positions = [np.array(b) @ flat[faces[f]] for f, b in ends]
+        self.assertAlmostEqual(p.length, np.linalg.norm(positions[1] - positions[0]), 12)
+        np.testing.assert_allclose(p.points[[0, -1]], positions, atol=1e-12)
+
+
+class Tangents(unittest.TestCase):
+    def test_there_and_back(self):
+        for name, (V, F) in support.meshes().items():
+            if name in ("cube", "two_handles"):
+                continue  # lines hit vertices, and turn at rounding
+            source = len(V) // 3
+            log = intrinsic.log_map(V, F, source)
+            d = intrinsic.distance(V, F, source, "exact")
+            np.testing.assert_allclose(abs(log.vectors), d, atol=1e-9, err_msg=name)
+            for target in np.flatnonzero(log.is_straight & (d > 0))[:20]:
+                line = intrinsic.exp_map(V, F, source, log.vectors[target])
+                np.testing.assert_allclose(line.points[-1], V[target], atol=1e-6, err_msg=name)
+                np.testing.assert_allclose(line.points[0], V[source], atol=1e-12)
+
+    def test_boundary(self):
+        V, F = intrinsic.shapes.grid(2, 2)
+        line = intrinsic.exp_map(V, F, 4, 10)
+        self.assertFalse(line.is_complete)
+        self.assertAlmostEqual(line.length, np.linalg.norm(line.points[-1] - V[4]), 12)
+
+
+class Signed(unittest.TestCase):
+    def test_straight_line(self):
+        V, F = intrinsic.shapes.grid(20, 20)
+        middle = np.flatnonzero(V[:, 0] == 0.5)
+        up = middle[np.argsort(V[middle, 1])]
+        d = intrinsic.signed_distance(V, F, up)
+        np.testing.assert_allclose(d, V[:, 0] - 0.5, atol=0.03)
+        np.testing.assert_allclose(intrinsic.signed_distance(V, F, up[::-1]), -d, atol=1e-9)
+
+    def test_curves_of_points(self):
+        V, F = support.turned(*intrinsic.shapes.grid(10, 10))
+        middle = np.flatnonzero(V[:, 0] == 0.5)
+        up = middle[np.argsort(V[middle, 1])]
+        d = intrinsic.signed_distance(V, F, up)
+        found = [intrinsic.vertex_point(F, v) for v in up]
+        curve = np.concatenate([f for f, _ in found]), np.concatenate([b for _, b in found])
+        np.testing.assert_allclose(intrinsic.signed_distance(V, F, curve), d, atol=1e-9)
+        halves = [up[:6], up[5:]]
+        np.testing.assert_allclose(intrinsic.signed_distance(V, F, halves), d, atol=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()

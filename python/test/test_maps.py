@@ -1,0 +1,199 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Conformal maps against what is prescribed and closed forms."""
+
+import unittest
+
+import numpy as np
+
+import intrinsic
+import support
+
+
+def signed_areas(uv):
+    a, b, c = uv.transpose(1, 0, 2)
+    x, y = b - a, c - a
+    return (x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0]) / 2
+
+
+def angle_sums(uv, F, n):
+    result = np.zeros(n)
+    for k in range(3):
+        x, y = uv[:, (k + 1) % 3] - uv[:, k], uv[:, (k + 2) % 3] - uv[:, k]
+        cross = x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0]
+        np.add.at(result, F[:, k], np.arctan2(cross, (x * y).sum(1)))
+    return result
+
+
+class Flat(unittest.TestCase):
+    def test_orientation_and_pieces(self):
+        for name, (V, F) in support.meshes().items():
+            m = intrinsic.flatten(V, F)
+            self.assertEqual(m.status, "success", name)
+            S = m.subdivision
+            self.assertGreater(signed_areas(S.uv).min(), 0, name)
+            np.testing.assert_array_equal(S.V[: len(V)], V)
+            np.testing.assert_allclose(S.from_input @ V, S.V, atol=1e-12)
+            self.assertEqual(S.uv.shape, (len(S.F), 3, 2))
+            closed = name not in ("bumpy_grid", "strip")
+            self.assertEqual(len(S.cut_vertices) > 0, closed)
+
+    def test_angle_sums(self):
+        V, F = support.meshes()["noisy_sphere"]
+        m = intrinsic.flatten(V, F)
+        S = m.subdivision
+        sums = angle_sums(S.uv, S.F, len(S.V))
+        inside = np.setdiff1d(np.arange(len(S.V)), m.cones)
+        np.testing.assert_allclose(sums[inside], 2 * np.pi, atol=1e-6)
+        self.assertLess(len(m.cones), 20)
+        self.assertAlmostEqual((2 * np.pi - sums[m.cones]).sum(), 4 * np.pi, 6)
+
+    def test_prescribed_cones(self):
+        V, F = support.meshes()["ellipsoid"]
+        cones = {3: np.pi, 50: np.pi, 200: np.pi, 400: np.pi}
+        m = intrinsic.flatten(V, F, cones=cones)
+        S = m.subdivision
+        sums = angle_sums(S.uv, S.F, len(S.V))
+        np.testing.assert_allclose(sums[list(cones)], np.pi, atol=1e-6)
+        everywhere = np.zeros(len(V))
+        everywhere[list(cones)] = np.pi
+        again = intrinsic.flatten(V, F, cones=everywhere)
+        np.testing.assert_array_equal(again.subdivision.image, S.image)
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.flatten(V, F, cones={3: np.pi})  # Gauss-Bonnet
+
+    def test_plane_stays(self):
+        flat, faces = support.turned(*intrinsic.shapes.grid(4, 6))
+        m = intrinsic.flatten(flat, faces)
+        np.testing.assert_allclose(m.log_scale, 0, atol=1e-9)
+        uv = m.subdivision.image
+        self.assertAlmostEqual(np.ptp(uv[:, 0]) * np.ptp(uv[:, 1]), 1, 6)
+
+    def test_shapes_of_boundaries(self):
+        V, F = support.meshes()["bumpy_grid"]
+        n = 8
+        border = np.flatnonzero(((V[:, :2] == 0) | (V[:, :2] == 1)).any(1))
+        S = intrinsic.flatten(V, F, boundary="disk").subdivision
+        position = self.positions(S)
+        center = (position.min(0) + position.max(0)) / 2
+        radius = np.linalg.norm(position[border] - center, axis=1)
+        self.assertLess(np.ptp(radius) / radius.mean(), 0.02)
+        S = intrinsic.flatten(V, F, boundary="rectangle").subdivision
+        position = self.positions(S)
+        is_on_side = np.minimum(abs(position), abs(position - position.max(0))) < 1e-6
+        self.assertTrue(is_on_side[border].any(1).all())
+        self.assertEqual(is_on_side[border].all(1).sum(), 4)
+        turn = dict.fromkeys(border.tolist(), 2 * np.pi / (4 * n))
+        S = intrinsic.flatten(V, F, boundary="curvature", boundary_values=turn,
+                              cones="none").subdivision
+        np.testing.assert_allclose(angle_sums(S.uv, S.F, len(S.V))[border],
+                                   np.pi - 2 * np.pi / (4 * n), atol=1e-6)
+
+    @staticmethod
+    def positions(S):
+        position = np.zeros((len(S.V), 2))
+        position[S.corners] = S.image[S.corner_image]
+        return position
+
+    def test_points(self):
+        """The images of points of the subdivision, in the order of corners of F."""
+        V, F = support.meshes()["strip"]
+        m = intrinsic.flatten(V, F)
+        S = m.subdivision
+        images = {}
+        for corner, image in zip(S.corners, S.corner_image):
+            images.setdefault(int(corner), set()).add(int(image))
+        for k in range(3):
+            at_corners = m(np.arange(len(F)), np.eye(3)[np.full(len(F), k)])
+            for vertex, z in zip(F[:, k], at_corners):
+                nearest = min(np.abs(S.image[i] - z).max() for i in images[vertex])
+                self.assertLess(nearest, 1e-9)
+
+    def test_options(self):
+        V, F = support.meshes()["bumpy_grid"]
+        uv = intrinsic.flatten(V, F, unit_square=True).subdivision.image
+        self.assertLessEqual(uv.max(), 1)
+        self.assertGreaterEqual(uv.min(), 0)
+        for layout in ("spectral", "incremental"):
+            m = intrinsic.flatten(V, F, layout=layout)
+            self.assertGreater(signed_areas(m.subdivision.uv).min(), 0)
+        few = intrinsic.flatten(*support.meshes()["folded_sphere"], max_log_scale=1)
+        self.assertLessEqual(abs(few.log_scale).max(), 1)
+
+    def test_lengths_alone(self):
+        V, F = support.meshes()["bumpy_grid"]
+        lengths = intrinsic.Triangulation(V, F).face_lengths
+        m = intrinsic.flatten(None, F, lengths=lengths)
+        self.assertIsNone(m.subdivision.V)
+        np.testing.assert_allclose(m.log_scale, intrinsic.flatten(V, F).log_scale, atol=1e-9)
+
+    def test_failure(self):
+        # Without flips there are no such scale factors.
+        V, F = support.meshes()["noisy_sphere"]
+        cones = {0: 6.2, 1: 6.2, 2: 4 * np.pi - 12.4}
+        with self.assertRaises(intrinsic.MapError) as caught:
+            intrinsic.flatten(V * [5, 1, 1], F, cones=cones, keep_triangulation=True, mollify=0)
+        self.assertEqual(caught.exception.status, "triangle_inequality")
+        self.assertIsNone(caught.exception.map)
+        self.assertEqual(intrinsic.flatten(V * [5, 1, 1], F, cones=cones).status, "success")
+
+
+class Sphere(unittest.TestCase):
+    def test_round_spheres(self):
+        for name in ("cube", "sphere", "folded_sphere", "ellipsoid", "noisy_sphere"):
+            V, F = support.meshes()[name]
+            m = intrinsic.to_sphere(V, F)
+            self.assertEqual(m.status, "success")
+            np.testing.assert_allclose(np.linalg.norm(m.positions, axis=1), 1, rtol=1e-12)
+            a, b, c = m.subdivision.image[m.subdivision.FT].transpose(1, 0, 2)
+            self.assertGreater((np.cross(b - a, c - a) * a).sum(1).min(), -1e-12, name)
+            np.testing.assert_array_equal(m.subdivision.image[: len(V)], m.positions)
+            for k in range(3):
+                at = m(np.arange(len(F)), np.eye(3)[np.full(len(F), k)])
+                np.testing.assert_allclose(at, m.positions[F[:, k]], atol=1e-9)
+
+    def test_hemisphere(self):
+        V, F = support.meshes()["bumpy_grid"]
+        m = intrinsic.to_sphere(V, F)
+        border = np.flatnonzero(((V[:, :2] == 0) | (V[:, :2] == 1)).any(1))
+        self.assertTrue(m.is_disk)
+        np.testing.assert_allclose(m.positions[border, 2], 0, atol=1e-12)
+        self.assertGreater(np.delete(m.positions[:, 2], border).min(), 0)
+
+    def test_torus_is_refused(self):
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.to_sphere(*support.meshes()["torus"])
+
+
+class Uniform(unittest.TestCase):
+    def test_types(self):
+        expected = {"cube": "sphere", "bumpy_grid": "disk", "torus": "torus",
+                    "two_handles": "hyperbolic"}
+        for name, kind in expected.items():
+            result = intrinsic.uniformize(*support.meshes()[name])
+            self.assertEqual((result.type, result.map.status), (kind, "success"))
+            self.assertEqual(result.modulus is None, kind != "torus")
+
+    def test_hyperbolic_area(self):
+        m = intrinsic.to_hyperbolic(*support.meshes()["two_handles"])
+        self.assertAlmostEqual(m.area, 4 * np.pi, 6)  # 2 pi (2 genus - 2)
+        self.assertLess(np.linalg.norm(m.subdivision.image, axis=1).max(), 1)
+
+    def test_torus_from_lengths(self):
+        # A rectangle of 1 x 2 with its sides glued, in 3 x 4 squares of two faces.
+        n, m = 3, 4
+        _, F = intrinsic.shapes.torus(n, m)
+        across, up = 1 / n, 2 / m
+        long = np.hypot(across, up)
+        first = np.array([up, long, across])  # opposite to corners a, b, c
+        second = np.array([across, up, long])
+        lengths = np.repeat([first, second], n * m, axis=0)
+        result = intrinsic.uniformize(None, F, lengths=lengths)
+        self.assertEqual(result.type, "torus")
+        self.assertAlmostEqual(abs(result.modulus), 2, 9)
+
+
+if __name__ == "__main__":
+    unittest.main()

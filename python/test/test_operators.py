@@ -1,0 +1,94 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Matrices against formulas on the triangles that they are of."""
+
+import unittest
+
+import numpy as np
+
+import intrinsic
+import support
+from test_triangulation import angles, area_in_space, areas
+
+
+def cotan_laplacian(F, lengths, n):
+    L = np.zeros((n, n))
+    cotangent = 1 / np.tan(angles(lengths)) / 2
+    for k in range(3):  # the corner opposite to the side from k + 1 to k + 2
+        i, j = F[:, (k + 1) % 3], F[:, (k + 2) % 3]
+        for a, b, sign in ((i, j, -1), (j, i, -1), (i, i, 1), (j, j, 1)):
+            np.add.at(L, (a, b), sign * cotangent[:, k])
+    return L
+
+
+class Operators(unittest.TestCase):
+    def test_formulas(self):
+        for name, (V, F) in support.meshes().items():
+            T = intrinsic.Triangulation(V, F)
+            T.delaunay()
+            L = intrinsic.laplacian(V, F).toarray()
+            expected = cotan_laplacian(T.F, T.face_lengths, len(V))
+            np.testing.assert_allclose(L, expected, atol=1e-9 * abs(L).max(), err_msg=name)
+            self.assertLess((L - np.diag(np.diag(L))).max(), 1e-9 * abs(L).max())
+            M = intrinsic.mass(V, F)
+            self.assertAlmostEqual(M.sum() / area_in_space(V, F), 1, 12)
+            at_vertices = np.zeros(len(V))
+            np.add.at(at_vertices, T.F, areas(T.face_lengths)[:, None] / 3)
+            np.testing.assert_allclose(M.diagonal(), at_vertices, rtol=1e-9)
+            full = intrinsic.mass(V, F, lumped=False)
+            np.testing.assert_allclose(full.sum(axis=1).A1, M.diagonal(), rtol=1e-9)
+
+    def test_gradient_and_divergence(self):
+        V, F = support.meshes()["noisy_sphere"]
+        T = intrinsic.Triangulation(V, F)
+        T.delaunay()
+        G, D, L = intrinsic.gradient(T), intrinsic.divergence(T), intrinsic.laplacian(T)
+        np.testing.assert_allclose((D @ G).toarray(), -L.toarray(), atol=1e-9)
+        # The gradient of a function that is linear in the plane.
+        flat, faces = intrinsic.shapes.grid(3, 4)
+        f = 3 * flat[:, 0] - 2 * flat[:, 1]
+        lengths = np.hypot(*(intrinsic.gradient(intrinsic.Triangulation(flat, faces)) @ f)
+                           .reshape(-1, 2).T)
+        np.testing.assert_allclose(lengths, 13**0.5)
+
+    def test_eigenvalues_of_the_sphere(self):
+        from scipy.sparse.linalg import eigsh
+
+        V, F = intrinsic.shapes.icosphere(4)
+        values = eigsh(intrinsic.laplacian(V, F), 9, intrinsic.mass(V, F), sigma=-0.1,
+                       return_eigenvectors=False)
+        np.testing.assert_allclose(np.sort(values), [0, 2, 2, 2, 6, 6, 6, 6, 6], atol=0.05)
+
+    def test_connection_laplacian(self):
+        V, F = support.meshes()["torus"]
+        C = intrinsic.connection_laplacian(V, F)
+        self.assertEqual(abs(C - C.conj().T).max(), 0)
+        self.assertGreater(np.linalg.eigvalsh(C.toarray()).min(), -1e-9)
+
+    def test_lengths_alone(self):
+        V, F = support.meshes()["ellipsoid"]
+        lengths = intrinsic.Triangulation(V, F).face_lengths
+        L = intrinsic.laplacian(None, F, lengths=lengths)
+        self.assertEqual(abs(L - intrinsic.laplacian(V, F)).max(), 0)
+
+    def test_surfaces_are_soups(self):
+        V, F = support.meshes()["bumpy_grid"]
+        soup = intrinsic.soup_operators(V, F)
+        self.assertAlmostEqual(soup.mass.sum(), area_in_space(V, F), 9)
+        self.assertLess(abs(soup.laplacian.sum(axis=1)).max(), 1e-9)
+        closed_V, closed_F = support.meshes()["noisy_sphere"]
+        difference = intrinsic.soup_operators(closed_V, closed_F).laplacian - intrinsic.laplacian(
+            closed_V, closed_F)
+        self.assertLess(abs(difference).max(), 1e-9)
+
+    def test_points_without_faces(self):
+        V = intrinsic.shapes.icosphere(4)[0]
+        cloud = intrinsic.soup_operators(V, np.zeros((0, 3), int))
+        self.assertLess(abs(cloud.mass.sum() - 4 * np.pi), 0.3)
+        self.assertLess(abs(cloud.laplacian.sum(axis=1)).max(), 1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,186 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Results are those of the program, to the bit."""
+
+import unittest
+
+import numpy as np
+from numpy.testing import assert_array_equal
+
+import intrinsic
+import support
+from support import run_program
+
+
+def faces_of(corners, starts):
+    return [corners[a:b] for a, b in zip(starts, starts[1:])]
+
+
+def assert_faces_equal(ours, theirs):
+    for a, b in zip(ours, theirs, strict=True):
+        assert_array_equal(a, b)
+
+
+def assert_sparse_equal(ours, theirs):
+    """Files have no entries that are zero, or have them."""
+    assert_array_equal(ours.shape, theirs.shape)
+    assert (ours != theirs).nnz == 0
+
+
+@support.needs_program
+class Program(unittest.TestCase):
+    def each(self, *left_out):
+        for name, (V, F) in support.meshes().items():
+            if name not in left_out:
+                self.mesh = name  # in tracebacks
+                yield V, F
+
+    def test_delaunay(self):
+        for V, F in self.each():
+            stats, files, texts = run_program("delaunay", V, F, "--save", "FOLDER/T.save",
+                                              output="out.ply")
+            T = intrinsic.Triangulation(V, F)
+            self.assertEqual(T.delaunay(), stats["flips"])
+            S, mesh = T.common_subdivision(), files["out.ply"]
+            assert_array_equal(S.V, mesh.points)
+            assert_faces_equal(faces_of(S.corners, S.starts), mesh.faces)
+            assert_array_equal(S.input_face, mesh.face["input_face"])
+            assert_array_equal(S.intrinsic_face, mesh.face["intrinsic_face"])
+            self.assertEqual(T._core.to_text(), texts["T.save"])
+
+    def test_exact_refine(self):
+        for V, F in self.each():
+            stats, files, texts = run_program("refine", V, F, "--exact", "--min-angle", "20",
+                                              "--save", "FOLDER/T.save", output="out.ply")
+            T = intrinsic.Triangulation(V, F, exact=True)
+            flips = T.delaunay()
+            report = T.refine(20)
+            self.assertEqual(report.flips + flips, stats["flips"])
+            self.assertEqual(report.status, stats["status"])
+            self.assertEqual(T._core.to_text(), texts["T.save"])
+            certificate = T.certify()
+            self.assertEqual(certificate.is_delaunay, stats["certified"])
+            self.assertEqual(len(certificate.ties), stats["ties"])
+            self.assertEqual(certificate.decisions, stats["decisions"])
+
+    def test_operators(self):
+        for V, F in self.each():
+            _, files, _ = run_program("operators", V, F, "--prefix", "FOLDER/P")
+            ours = {"laplacian": intrinsic.laplacian(V, F),
+                    "mass": intrinsic.mass(V, F, lumped=False),
+                    "lumped_mass": intrinsic.mass(V, F),
+                    "gradient": intrinsic.gradient(V, F),
+                    "divergence": intrinsic.divergence(V, F),
+                    "connection_laplacian": intrinsic.connection_laplacian(V, F)}
+            for name, matrix in ours.items():
+                assert_sparse_equal(matrix, files[f"P_{name}.mtx"].tocsc())
+
+    def test_distance(self):
+        for V, F in self.each():
+            for options, given in [(["--method", "exact"], {"method": "exact"}),
+                                   (["--method", "heat"], {"method": "heat"}), ([], {}),
+                                   (["--time-step", "2"], {"time_step_factor": 2})]:
+                _, files, _ = run_program("distance", V, F, "--source", "3", "--source", "1", *options,
+                                          output="out.ply")
+                assert_array_equal(intrinsic.distance(V, F, [3, 1], **given),
+                                   files["out.ply"].vertex["distance"])
+            point = ([2], [[0.25, 0.25, 0.5]])
+            _, files, _ = run_program("distance", V, F, "--source", "2:0.25,0.25,0.5",
+                                      output="out.ply")
+            assert_array_equal(intrinsic.distance(V, F, point), files["out.ply"].vertex["distance"])
+
+    def test_path(self):
+        for V, F in self.each():
+            target = len(V) - 1
+            stats, _, _ = run_program("path", V, F, "--from", "0", "--to", f"{target}",
+                                      output="out.vtp")
+            p = intrinsic.path(V, F, 0, target)
+            self.assertEqual(p.length, stats["length"])
+            self.assertEqual(len(p.faces), len(stats["places"]))
+
+    def test_flatten(self):
+        for V, F in self.each():
+            self.compare_flat(V, F, intrinsic.flatten(V, F))
+
+    def test_boundaries(self):
+        for V, F in self.each("cube", "sphere", "folded_sphere", "ellipsoid", "noisy_sphere",
+                              "torus", "flat_torus", "two_handles"):
+            for boundary in ("straight", "disk", "rectangle"):
+                m = intrinsic.flatten(V, F, boundary=boundary)
+                self.compare_flat(V, F, m, "--boundary", boundary)
+
+    def compare_flat(self, V, F, m, *options):
+        stats, files, _ = run_program("flatten", V, F, *options, output="out.obj")
+        S, mesh = m.subdivision, files["out.obj"]
+        assert_array_equal(S.V, mesh.points)
+        assert_array_equal(S.image, mesh.texture)
+        assert_faces_equal(faces_of(S.corners, S.starts), mesh.faces)
+        assert_faces_equal(faces_of(S.corner_image, S.starts), mesh.texture_faces)
+        self.assertEqual(m.iterations, stats["iterations"])
+        self.assertEqual(m.log_scale.min(), stats["log_scale_min"])
+
+    def test_sphere(self):
+        for V, F in self.each("torus", "flat_torus", "two_handles"):
+            _, files, _ = run_program("sphere", V, F, output="out.ply")
+            mesh, m = files["out.ply"], intrinsic.to_sphere(V, F)
+            assert_array_equal(m.subdivision.image, mesh.points)
+            assert_array_equal(m.positions, mesh.points[: len(V)])
+            assert_faces_equal(faces_of(m.subdivision.corners, m.subdivision.starts), mesh.faces)
+
+    def test_uniformize(self):
+        for V, F in self.each():
+            result = intrinsic.uniformize(V, F)
+            kind = "ply" if result.type in ("sphere", "disk") else "obj"
+            stats, files, _ = run_program("uniformize", V, F, output=f"out.{kind}")
+            self.assertEqual(result.type, stats["surface_type"])
+            mesh, S = files[f"out.{kind}"], result.map.subdivision
+            assert_array_equal(S.image, mesh.points if kind == "ply" else mesh.texture)
+            if result.modulus is not None:
+                self.assertEqual([result.modulus.real, result.modulus.imag], stats["modulus"])
+
+    def test_simplify(self):
+        for V, F in self.each("cube"):
+            n = len(V) // 3
+            stats, files, _ = run_program(
+                "simplify", V, F, "--vertices", str(n), "--prolongation", "FOLDER/P.mtx",
+                "--coarse", "FOLDER/coarse.ply", output="out.ply")
+            coarse = intrinsic.simplify(V, F, n)
+            self.assertEqual(coarse.removed, stats["removed"])
+            self.assertEqual(coarse.greatest_cost, stats["greatest_cost"])
+            assert_sparse_equal(coarse.prolongation, files["P.mtx"].tocsc())
+            mesh, written = coarse.coarse_mesh(), files["coarse.ply"]
+            assert_array_equal(mesh.V, written.points)
+            assert_faces_equal(mesh.F, written.faces)
+            assert_array_equal(mesh.input_vertex, written.vertex["input_vertex"])
+
+    def test_convex(self):
+        for V, F in self.each("folded_sphere", "noisy_sphere", "torus", "flat_torus", "bumpy_grid",
+                              "strip", "two_handles"):
+            _, files, _ = run_program("convex", V, F, output="out.off")
+            p = intrinsic.convex_polyhedron(V, F)
+            assert_array_equal(p.V, files["out.off"].points)
+            assert_faces_equal(p.F, files["out.off"].faces)
+
+    def test_soups(self):
+        V = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0.2]])
+        F = np.array([[0, 1, 2], [1, 0, 3], [0, 1, 4]])
+        _, files, _ = run_program("operators", V, F, "--prefix", "FOLDER/P")
+        soup = intrinsic.soup_operators(V, F)
+        assert_sparse_equal(soup.laplacian, files["P_laplacian.mtx"].tocsc())
+        assert_sparse_equal(soup.mass, files["P_lumped_mass.mtx"].tocsc())
+
+    def test_page(self):
+        V, F = support.meshes()["cube"]
+        page = intrinsic.show(V, F, open=False, z_value=V[:, 2])
+        self.assertIn("z_value", page.html)
+        self.assertIn("<iframe srcdoc=", page._repr_html_())
+        with self.assertRaises(intrinsic.ArrayError):
+            intrinsic.show(V, F, open=False, x=V[:, 0])
+        with self.assertRaises(intrinsic.ArrayError):
+            intrinsic.show(V, F, open=False, f=V)
+
+
+if __name__ == "__main__":
+    unittest.main()
