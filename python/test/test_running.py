@@ -190,7 +190,7 @@ def peak():
     gc.collect()
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
-for _ in range(40):
+for _ in range(60):
     once()
 before = peak()
 for _ in range(125):
@@ -201,10 +201,11 @@ print(peak() - before)
 
 class Memory(unittest.TestCase):
     def test_thousand_calls(self):
-        """A loop of 125 rounds of eight calls: its peak does not grow, in KiB."""
+        """In a loop of 125 rounds of eight calls, the peak, in KiB, does not grow: a copy of the
+        surface that each round keeps would be more."""
         done = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True,
                               check=True)
-        self.assertLess(int(done.stdout), 3000)
+        self.assertLess(int(done.stdout), 6000)
 
 
 if __name__ == "__main__":
