@@ -17,9 +17,11 @@ from .distances import (
     Path,
     distance,
     exp_map,
+    geodesic,
     log_map,
     path,
     signed_distance,
+    transport,
     vertex_point,
 )
 from .errors import (
@@ -105,6 +107,7 @@ __all__ = [
     "errors",
     "exp_map",
     "flatten",
+    "geodesic",
     "gradient",
     "info",
     "laplacian",
@@ -119,6 +122,7 @@ __all__ = [
     "soup_operators",
     "to_hyperbolic",
     "to_sphere",
+    "transport",
     "uniformize",
     "vertex_point",
 ]

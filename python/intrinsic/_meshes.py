@@ -66,6 +66,8 @@ def arrays(V: Any, F: ArrayLike | None) -> tuple[Floats, Integers]:
 
 
 def _faces(F: Any, size: int | None) -> Integers:
+    if isinstance(F, (list, tuple)) and len(F) == 0:
+        F = np.zeros((0, 3), np.int64)
     try:
         return integers(F, (None, 3), "F", size, "vertices")
     except InputError as error:
@@ -80,11 +82,18 @@ def surface(
     """Return the surface of arrays, or of lengths alone if V is None."""
     if lengths is None:
         points, faces = arrays(V, F)
+        _check_not_empty(faces)
         return _core.Surface.of_points(points, faces, mollify != 0 and mollify != "auto")
     if V is not None:
         raise ArrayError("give either V or lengths, and None for the other")
     faces = _faces(F, None)
+    _check_not_empty(faces)
     return _core.Surface.of_lengths(floats(lengths, (len(faces), 3), "lengths"), faces)
+
+
+def _check_not_empty(faces: Integers) -> None:
+    if len(faces) == 0:
+        raise InputError("F has no rows: a surface has a face at least")
 
 
 def mollification(mollify: float | str) -> float | None:

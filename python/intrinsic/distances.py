@@ -159,7 +159,8 @@ class DistanceSolver:
         if _method(method) == "auto":
             raise InputError("method must be 'heat' or 'exact'")
         factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
-        self._on = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+        T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+        self._on = T.copy() if T is V else T  # it must not change
         self._heat: _core.Heat | None = None
         if method == "heat":
             with self._on._lock:
@@ -269,6 +270,51 @@ def path(
     with T._lock:
         found = _core.shortest_path(T._core, np.concatenate([e[0] for e in ends]),
                                     np.concatenate([e[1] for e in ends]))
+    return _path(T, *found)
+
+
+def geodesic(
+    V: Any, F: ArrayLike | None = None, vertices: Any = None, *, loop: bool = False,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+) -> Path:
+    """Return the geodesic that a path along edges becomes if it is shortened by flips.
+
+    It is straight, but need not be the shortest one between its ends: it leads around handles and
+    holes as the path does.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    vertices : (k,) integers
+        The vertices that the path leads through, along the shortest edges between them.
+    loop : bool
+        Whether the path leads from the last vertex back to the first.
+
+    Returns
+    -------
+    Path
+        Complete, unless it touches itself. A loop that contracts has no points.
+
+    Examples
+    --------
+    Around the hole of a torus; the shortest loops are inside:
+
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.torus(40, 20, radius=2, tube=1)
+    >>> equator = intrinsic.geodesic(V, F, [0, 200, 400, 600], loop=True)
+    >>> bool(abs(equator.length - 6.28) < 0.1)
+    True
+    """
+    T = _input_of(V, F, lengths, mollify)
+    with T._lock:
+        through = integers(np.asarray(vertices), (None,), "vertices",
+                           T._core.number_of_input_vertices(), "vertices")
+        if len(through) < (1 if loop else 2):
+            raise InputError("a path has two vertices or more, and a loop one")
+        if loop:
+            through = np.append(through, through[0])
+        found = _core.geodesic_through(T._core, through, bool(loop))
     return _path(T, *found)
 
 
@@ -442,6 +488,54 @@ def exp_map(
     with T._lock:
         found = _core.exponential(T._core, vertex, direction)
     return _path(T, *found)
+
+
+def transport(
+    V: Any, F: ArrayLike | None = None, vertices: Any = None, vectors: Any = None, *,
+    time_step_factor: float = 1.0, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> NDArray[np.complex128]:
+    """Transport tangent vectors from vertices to all others, along shortest paths, by heat.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `laplacian()`.
+    vertices : (k,) integers
+        The vertices where vectors are given.
+    vectors : (k,) complex numbers
+        The vectors, with angles as those of `connection_laplacian()`.
+    time_step_factor : float
+        The time for which heat flows, in squared mean edge lengths.
+
+    Returns
+    -------
+    (n,) complex array
+        The vector of the nearest of the vertices, transported; blurred where two are equally near.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(2)
+    >>> field = intrinsic.transport(V, F, [0], [2j])
+    >>> bool(abs(abs(field) - 2).max() < 1e-6)
+    True
+    """
+    factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
+    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
+    n = T._core.number_of_input_vertices()
+    sources = integers(np.atleast_1d(np.asarray(vertices)), (None,), "vertices", n, "vertices")
+    try:
+        given = np.ascontiguousarray(np.atleast_1d(vectors), dtype=np.complex128)
+    except (TypeError, ValueError):
+        raise ArrayError("vectors must be complex numbers") from None
+    if given.shape != sources.shape or len(given) == 0:
+        raise ArrayError(f"vectors has the shape {given.shape}; it must be that of vertices, "
+                         f"{sources.shape}, with one at least")
+    if not np.isfinite(given).all():
+        raise InputError("a vector is not finite")
+    with T._lock:
+        return _core.transported(T._core, sources, given, factor)[:n]
 
 
 def _vertex(vertex: Any, T: Triangulation) -> int:

@@ -176,7 +176,7 @@ def soup_operators(
     V : (n, 3) array of floats, or a mesh object
         Positions.
     F : (m, 3) array of integers
-        The corners of each face. With no rows, points are triangulated with their neighbors.
+        The corners of each face. If it is empty, points are triangulated with their neighbors.
     neighbors : int
         How many neighbors of each point, at least 3.
     mollify, progress

@@ -260,6 +260,13 @@ class Triangulation:
         result._set(on, core, False)
         return result
 
+    @_locked
+    def copy(self) -> "Triangulation":
+        """Return a triangulation that is the same, and stays when this one changes."""
+        result = Triangulation._of_core(self._surface, self._core.copy())
+        result._exact = self._exact
+        return result
+
     # ---- Changes ----
 
     def _change(self, change: Callable[[], Any]) -> Any:

@@ -7,6 +7,7 @@
 #include "bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
@@ -14,8 +15,11 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/vector_heat.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -226,6 +230,46 @@ py::tuple shortest_path(const Bound_triangulation& self, const Index_array& face
   return path_arrays(path, mesh);
 }
 
+// The path along edges of the input through some vertices; empty if there is none.
+std::vector<IT::Halfedge_index> path_along_edges(const Triangulation& triangulation,
+                                                 const Index_array& vertices)
+{
+  std::vector<IT::Halfedge_index> result;
+  for(py::ssize_t i = 0; i + 1 < vertices.size(); ++i) {
+    const IT::Vertex_index v = checked_vertex(vertices.data()[i], triangulation),
+                           w = checked_vertex(vertices.data()[i + 1], triangulation);
+    const auto part = IT::shortest_edge_path(triangulation.input(), v, w);
+    if(part.empty() && v != w)
+      throw Element_error("InputError",
+                          "there is no path from vertex " + std::to_string(v.idx()) +
+                            " to vertex " + std::to_string(w.idx()),
+                          {});
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+// Shortens a path along edges of the input by flips. A loop can contract: then there are no points.
+py::tuple geodesic_through(const Bound_triangulation& self, const Index_array& vertices,
+                           bool is_loop)
+{
+  bool is_geodesic = true;
+  IT::Surface_path<double> path{0, {}};
+  released([&] {
+    Triangulation triangulation = self.triangulation();
+    triangulation.reset_to_input();
+    const auto halfedges = path_along_edges(triangulation, vertices);
+    if(halfedges.empty())
+      return;
+    IT::Edge_paths paths(triangulation);
+    is_loop ? paths.add_loop(halfedges) : paths.add_path(halfedges);
+    is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
+    path = IT::path_on_input(triangulation, paths.halfedges(0));
+  });
+  const py::tuple arrays = path_arrays(path, self.triangulation().input_mesh());
+  return py::make_tuple(arrays[0], arrays[1], arrays[2], is_geodesic);
+}
+
 // ---- Signed distances ----
 
 // A curve through points of the input, at which segments meet.
@@ -311,13 +355,32 @@ py::tuple exponential(const Bound_triangulation& self, std::int64_t source,
   return geodesic_from(self, v, start, vector);
 }
 
+// Vectors at all vertices, from the nearest of some vertices by parallel transport.
+py::array transported(const Bound_triangulation& self, const Index_array& vertices,
+                      const py::array_t<std::complex<double>, py::array::c_style>& vectors,
+                      double time_step_factor)
+{
+  return array_of(released([&] {
+    std::vector<IT::Vector_heat<double>::Source> sources;
+    for(std::size_t i = 0; i < std::size_t(vertices.size()); ++i)
+      sources.emplace_back(checked_vertex(vertices.data()[i], self.triangulation()),
+                           vectors.data()[i]);
+    const IT::Vector_heat<double> heat(self.triangulation().intrinsic(),
+                                       IT::parameters::time_step_factor(time_step_factor));
+    const auto field = heat.transport(sources);
+    return std::vector<std::complex<double>>(field.begin(), field.end());
+  }));
+}
+
 } // namespace
 
 void bind_distances(py::module_& module)
 {
   module.def("distances", &distances);
   module.def("shortest_path", &shortest_path);
+  module.def("geodesic_through", &geodesic_through);
   module.def("signed_distances", &signed_distances);
+  module.def("transported", &transported);
   module.def("logarithms", &logarithms);
   module.def("exponential", &exponential);
   py::class_<Bound_heat>(module, "Heat")

@@ -342,6 +342,12 @@ void bind_triangulation(py::module_& module)
   py::class_<Bound_triangulation>(module, "Triangulation")
     .def(py::init(&make_triangulation))
     .def_static("from_text", &triangulation_from_text)
+    .def("copy",
+         [](const Bound_triangulation& self) {
+           return released([&] {
+             return std::make_unique<Bound_triangulation>(self.surface(), self.triangulation());
+           });
+         })
     .def("make_delaunay", &make_Delaunay)
     .def("refine", &refine)
     .def("is_delaunay",

@@ -84,15 +84,29 @@ def meshes():
     }
 
 
+def write_mesh(path, V, F):
+    lines = [f"OFF\n{len(V)} {len(F)} 0"]
+    lines += [" ".join(map(repr, map(float, p))) for p in V]
+    lines += ["3 " + " ".join(map(str, f)) for f in F]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def run_info(V, F):
+    """Return what the program says about a mesh."""
+    with tempfile.TemporaryDirectory() as folder:
+        mesh = Path(folder, "mesh.off")
+        write_mesh(mesh, V, F)
+        done = subprocess.run([PROGRAM, "info", str(mesh), "--json"], capture_output=True, text=True,
+                              check=True)
+        return json.loads(done.stdout)
+
+
 def run_program(command, V, F, *options, output=None):
     """Run the program on a mesh. Return its statistics, and what it has written."""
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         mesh, stats = folder / "mesh.off", folder / "stats.json"
-        lines = [f"OFF\n{len(V)} {len(F)} 0"]
-        lines += [" ".join(map(repr, map(float, p))) for p in V]
-        lines += ["3 " + " ".join(map(str, f)) for f in F]
-        mesh.write_text("\n".join(lines) + "\n")
+        write_mesh(mesh, V, F)
         call = [PROGRAM, command, str(mesh), "--stats", str(stats), "--quiet"]
         options = [o.replace("FOLDER", str(folder)) for o in options]
         if output is not None:

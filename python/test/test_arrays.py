@@ -118,6 +118,10 @@ class Elements(unittest.TestCase):
                            [[0, 1, 2], [0, 3, 4]], NotAManifoldError)
         self.assertEqual(error.vertex, 0)
 
+    def test_empty(self):
+        for bad_V, bad_F in ((V, []), (V, F[:0]), (V[:0], F[:0]), ([], [])):
+            self.error(bad_V, bad_F)
+
     def test_repeated_vertex(self):
         self.assertEqual(self.error(V, [*F[:4].tolist(), [1, 1, 2]]).face, 4)
 
@@ -141,7 +145,7 @@ class Elements(unittest.TestCase):
         for bad_V, bad_F in [(V[:, :2], F), (V.T, F), (V, F.T), (V, F[0]), (V, F[None]),
                              (V.ravel(), F), (V, F.astype(float)), (V + 1j, F), (V.astype(str), F),
                              (V, F.astype(bool)), (None, F), (V, "F"), ("V", F), (V, object()),
-                             (V, [[0, 1], [1, 2, 3]]), (3, 4), (V, {}), (np.ma.array(V), F)]:
+                             (V, [[0, 1], [1, 2, 3]]), (3, 4), (V, {}), (np.ma.array(V), F), (V, np.zeros((0, 2), int))]:
             error = self.error(bad_V, bad_F, ArrayError)
             self.assertGreater(len(str(error)), 10)
 
@@ -225,6 +229,12 @@ class Malformed(unittest.TestCase):
             lambda: intrinsic.signed_distance(V, F, [0]),
             lambda: intrinsic.signed_distance(V, F, []),
             lambda: intrinsic.signed_distance(V, F, [0, 3]),
+            lambda: intrinsic.geodesic(V, F, [0]),
+            lambda: intrinsic.geodesic(V, F, [0, 99]),
+            lambda: intrinsic.geodesic(V, F),
+            lambda: intrinsic.transport(V, F, [0], []),
+            lambda: intrinsic.transport(V, F, [0], ["up"]),
+            lambda: intrinsic.transport(V, F, [0], [np.nan]),
             lambda: intrinsic.log_map(V, F, 100),
             lambda: intrinsic.exp_map(V, F, 0, np.nan),
             lambda: intrinsic.Triangulation(V, F).refine(-1),

@@ -120,6 +120,60 @@ class Tangents(unittest.TestCase):
         self.assertAlmostEqual(line.length, np.linalg.norm(line.points[-1] - V[4]), 12)
 
 
+class Geodesics(unittest.TestCase):
+    def test_plane(self):
+        flat, faces = support.turned(*intrinsic.shapes.grid(6, 6))
+        start, end = 3, 44
+        p = intrinsic.geodesic(flat, faces, [start, 20, end])
+        self.assertTrue(p.is_complete)
+        self.assertAlmostEqual(p.length, np.linalg.norm(flat[start] - flat[end]), 12)
+        np.testing.assert_allclose(p.points[[0, -1]], flat[[start, end]], atol=1e-12)
+
+    def test_loops(self):
+        V, F = intrinsic.shapes.torus(40, 20, radius=2, tube=1)
+        meridian = intrinsic.geodesic(V, F, [0, 5, 10, 15], loop=True)
+        circle = np.linalg.norm(np.diff(V[[*range(20), 0]], axis=0), axis=1).sum()
+        self.assertTrue(0.99 * circle < meridian.length <= circle)
+        none = intrinsic.geodesic(V, F, [0, 1, 21], loop=True)  # around a face
+        self.assertEqual((none.length, len(none.faces)), (0, 0))
+        T = intrinsic.Triangulation(V, F)
+        T.refine(20)
+        self.assertEqual(intrinsic.geodesic(T, None, [0, 5, 10, 15], loop=True).length,
+                         meridian.length)
+
+
+class Transport(unittest.TestCase):
+    def test_plane(self):
+        flat, faces = intrinsic.shapes.grid(8, 8)
+        inside = np.flatnonzero(((flat[:, :2] > 0) & (flat[:, :2] < 1)).all(1))
+        field = intrinsic.transport(flat, faces, inside[:1], [1j])
+        # The grid has the same edges at all vertices inside: frames are parallel. At the boundary
+        # they are not, which has an effect on heat nearby.
+        np.testing.assert_allclose(field[inside], 1j, atol=0.05)
+
+    def test_solver_keeps_its_triangulation(self):
+        V, F = support.meshes()["bumpy_grid"]
+        T = intrinsic.Triangulation(V, F)
+        T.delaunay()
+        solver = intrinsic.DistanceSolver(T)
+        before = solver.distance(5)
+        T.refine(25, 0.05)
+        np.testing.assert_array_equal(solver.distance(5), before)
+
+    def test_isolated_vertices(self):
+        V, F = intrinsic.shapes.cube()
+        V = np.vstack([V, [[9, 9, 9]]])
+        for method in ("exact", "heat"):
+            self.assertTrue(np.isinf(intrinsic.distance(V, F, 0, method)[8]))
+            d = intrinsic.distance(V, F, 8, method)
+            self.assertEqual(d[8], 0)
+            self.assertTrue(np.isinf(d[:8]).all())
+        for call in (lambda: intrinsic.path(V, F, 0, 8), lambda: intrinsic.log_map(V, F, 8),
+                     lambda: intrinsic.exp_map(V, F, 8, 1), lambda: intrinsic.vertex_point(F, 8)):
+            with self.assertRaises(intrinsic.InputError):
+                call()
+
+
 class Signed(unittest.TestCase):
     def test_straight_line(self):
         V, F = intrinsic.shapes.grid(20, 20)

@@ -85,7 +85,7 @@ class Operators(unittest.TestCase):
 
     def test_points_without_faces(self):
         V = intrinsic.shapes.icosphere(4)[0]
-        cloud = intrinsic.soup_operators(V, np.zeros((0, 3), int))
+        cloud = intrinsic.soup_operators(V, [])
         self.assertLess(abs(cloud.mass.sum() - 4 * np.pi), 0.3)
         self.assertLess(abs(cloud.laplacian.sum(axis=1)).max(), 1e-9)
 

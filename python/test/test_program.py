@@ -4,14 +4,16 @@
 
 """Results are those of the program, to the bit."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 import numpy as np
 from numpy.testing import assert_array_equal
 
 import intrinsic
 import support
-from support import run_program
+from support import run_info, run_program
 
 
 def faces_of(corners, starts):
@@ -99,6 +101,75 @@ class Program(unittest.TestCase):
             p = intrinsic.path(V, F, 0, target)
             self.assertEqual(p.length, stats["length"])
             self.assertEqual(len(p.faces), len(stats["places"]))
+
+    def test_geodesic(self):
+        for V, F in self.each("cube"):
+            third, half = len(V) // 3, len(V) // 2
+            stats, _, _ = run_program("path", V, F, "--from", "0", "--via", str(third), "--to",
+                                      str(half), "--flips", output="out.vtp")
+            p = intrinsic.geodesic(V, F, [0, third, half])
+            self.assertEqual(p.length, stats["length"])
+            self.assertEqual(p.is_complete, stats["status"] == "geodesic")
+            self.assertEqual(len(p.faces), len(stats["places"]))
+
+    def test_signed_distance(self):
+        for V, F in self.each("cube"):
+            p = intrinsic.path(V, F, 0, len(V) // 2)
+            if len(p.faces) < 3:
+                continue
+            lines = "\n".join(f"v {x!r} {y!r} {z!r}" for x, y, z in p.points.tolist())
+            chain = "l " + " ".join(str(i + 1) for i in range(len(p.points)))
+            with tempfile.NamedTemporaryFile("w", suffix=".obj") as curve:
+                curve.write(f"{lines}\n{chain}\n")
+                curve.flush()
+                _, files, _ = run_program("distance", V, F, "--curve", curve.name, "--signed",
+                                          output="out.ply")
+            ours = intrinsic.signed_distance(V, F, (p.faces, p.barycentric))
+            # Files have positions, whose faces and coordinates are found again.
+            np.testing.assert_allclose(ours, files["out.ply"].vertex["distance"],
+                                       atol=1e-6 * abs(ours).max())
+
+    def test_transfer(self):
+        for V, F in self.each():
+            random = np.random.default_rng(6)
+            faces, b = random.integers(0, len(F), 9), random.dirichlet([1, 1, 1], 9)
+            text = "\n".join(f"{f}:{x!r},{y!r},{z!r}" for f, (x, y, z) in zip(faces, b.tolist()))
+            values = V[:, 0] + V[:, 2] ** 2
+            T = intrinsic.Triangulation(V, F)
+            T.delaunay()
+            T.refine(20)
+            with tempfile.TemporaryDirectory() as folder:
+                points, data = Path(folder, "points.txt"), Path(folder, "data.txt")
+                points.write_text(text + "\n")
+                data.write_text("".join(f"{i} {x!r}\n" for i, x in enumerate(values.tolist())))
+                options = "--min-angle", "20", "--save", "FOLDER/places.save"
+                _, _, texts = run_program("transfer", V, F, "--points", str(points), *options,
+                                          output="out.save")
+                there, (found, coordinates) = texts["out.save"], T.transfer((faces, b))
+                for line, face, place in zip(there.splitlines(), found, coordinates, strict=True):
+                    word = line.split()[1]
+                    self.assertEqual(int(word.split(":")[0]), face)
+                    self.assertEqual([float(x) for x in word.split(":")[1].split(",")],
+                                     place.tolist())
+                _, _, texts = run_program("transfer", V, F, "--data", str(data), *options,
+                                          output="out.save")
+                assert_array_equal([float(line.split()[1])
+                                    for line in texts["out.save"].splitlines()], T.transfer(values))
+
+    def test_hyperbolic(self):
+        V, F = support.meshes()["two_handles"]
+        stats, files, _ = run_program("hyperbolic", V, F, output="out.obj")
+        m = intrinsic.to_hyperbolic(V, F)
+        assert_array_equal(m.subdivision.image, files["out.obj"].texture)
+        self.assertEqual(m.area, stats["area"])
+
+    def test_info(self):
+        for V, F in self.each():
+            stats = run_info(V, F)
+            ours = intrinsic.info(V, F)
+            for name in ("vertices", "edges", "faces", "min_angle_degrees", "min_edge_length",
+                         "max_edge_length", "is_valid"):
+                self.assertEqual(getattr(ours, name), stats[name])
 
     def test_flatten(self):
         for V, F in self.each():
