@@ -64,7 +64,7 @@ from .showing import Page, show
 from .simplification import CoarseMesh, Simplification, simplify
 from .triangulation import Certificate, CommonSubdivision, Curves, Refinement, Triangulation
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "ArrayError",
