@@ -14,10 +14,13 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -36,6 +39,10 @@ namespace CGAL::Discrete_conformal_maps {
 /// triangle inequality, its part of the energy is linear, as if its angles were 0, 0 and \f$\pi\f$.
 /// This is convex, but has no second derivatives where faces become flat; a minimum with such faces
 /// gives no metric, and there may be no minimum at all.
+///
+/// With circles at the vertices, whose radii are multiplied by \f$e^u\f$, it is the energy of
+/// Bobenko and Lutz (2023), of Euclidean faces: distances of centers take the place of lengths, and
+/// the second derivatives are those of `Intrinsic_triangulations::weighted_laplacian()`.
 ///
 /// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
 /// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a
@@ -65,10 +72,13 @@ public:
   /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the
   ///        indices of vertices: an `Eigen::VectorXd` or a vector of numbers
   /// \param flipping whether the triangulation follows the scale factors
+  /// \param radii the radii of circles, if there are circles, see `Penner_surface`
   template <typename EdgeLengthMap, typename Angle_defects>
   Conformal_energy(const Delta_complex& complex, const EdgeLengthMap& length,
-                   const Angle_defects& target_defect, Flipping flipping = Flipping::to_Delaunay)
-    : Base(Penner_surface<FT>(complex, length, flipping), flipping == Flipping::none)
+                   const Angle_defects& target_defect, Flipping flipping = Flipping::to_Delaunay,
+                   std::vector<FT> radii = {})
+    : Base(Penner_surface<FT>(complex, length, flipping, std::move(radii)),
+           flipping == Flipping::none)
   {
     for(auto v = 0 * target_defect.size(); v < target_defect.size(); ++v)
       m_target_defect.push_back(FT(target_defect[v]));
@@ -117,7 +127,7 @@ public:
   std::size_t number_of_flat_faces() const { return Base::flat_faces(); }
 
   /// returns the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces.
-  /// Complexity: linear.
+  /// Complexity: linear. \pre there are no circles: with circles only the derivatives are known
   FT value() const;
 
 #ifndef DOXYGEN_RUNNING
@@ -177,6 +187,7 @@ FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_we
                                                   const Face_weight& face_weight) const
 {
   using std::log;
+  CGAL_precondition(!this->surface().has_radii());
   const FT pi = internal::straight_angle<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())

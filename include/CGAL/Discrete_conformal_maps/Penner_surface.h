@@ -10,11 +10,12 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
-#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -36,12 +37,18 @@ enum class Flipping
 /// the next by few flips, whatever the steps between them. All that is computed from lengths are
 /// sums, products and quotients of positive numbers: flips lose no digits.
 ///
+/// With circles at the vertices (Bobenko and Lutz 2023) the polyhedron is hyperideal: its lengths
+/// are those of the tangents of `Intrinsic_triangulations::Decorated_length`, radii and tangents
+/// are scaled, flips are those of `Intrinsic_triangulations::Hyperideal_geometry_traits`, and the
+/// triangulation is weighted Delaunay.
+///
 /// \tparam FT_ a floating point type, of any precision
 template <typename FT_ = double>
 class Penner_surface
 {
   typedef internal::Ptolemy_surface<FT_> Surface;
   typedef Intrinsic_triangulations::Diamond<FT_> Diamond;
+  typedef Intrinsic_triangulations::Decorated_length<FT_> Decorated_length;
 
 public:
   /// the number type.
@@ -51,12 +58,15 @@ public:
   /// \param mesh the connectivity, without boundary
   /// \param length a readable property map from the edges to positive lengths
   /// \param flipping whether `scale()` flips edges
+  /// \param radii the radii of circles, by the indices of vertices, if there are circles; then
+  ///        `length` has the lengths of tangents, which can be zero
   template <typename EdgeLengthMap>
   Penner_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
-                 Flipping flipping = Flipping::to_Delaunay)
+                 Flipping flipping = Flipping::to_Delaunay, std::vector<FT> radii = {})
     : m_flipping(flipping),
-      m_surface(mesh, length),
+      m_surface(mesh, length, std::move(radii)),
       m_scaled_length(mesh.num_edges()),
+      m_scaled_radius(m_surface.radii()),
       m_factor(mesh.num_vertices(), FT(1)),
       m_stack(mesh.num_edges())
   {}
@@ -69,6 +79,18 @@ public:
 
   /// returns the length of `e`, multiplied by \f$e^{(u_i + u_j)/2}\f$ (Equation 4.1).
   const FT& scaled_length(Edge_index e) const { return m_scaled_length[e.idx()]; }
+
+  /// returns whether there are circles at the vertices.
+  bool has_radii() const { return m_surface.has_radii(); }
+
+  /// returns the scaled radius of the circle at `v`: \f$e^{u} r\f$. \pre `has_radii()`
+  const FT& scaled_radius(Vertex_index v) const { return m_scaled_radius[v.idx()]; }
+
+  /// returns the edge of `h` with its scaled tangent and radii. \pre `has_radii()`
+  Decorated_length scaled_decorated_length(Halfedge_index h) const
+  {
+    return m_surface.decorated_length(h, m_scaled_length, m_scaled_radius);
+  }
 
   /// returns the scaled lengths of the edge of `h` and of the other sides of its faces.
   Diamond scaled_diamond(Halfedge_index h) const { return m_surface.diamond(h, m_scaled_length); }
@@ -92,8 +114,7 @@ public:
     set_scale_factors(u);
     if(m_flipping == Flipping::none)
       return;
-    const auto condition = m_geometry.is_locally_Delaunay_object();
-    const auto is_Delaunay = [&](Halfedge_index h) { return condition(scaled_diamond(h)); };
+    const auto is_Delaunay = [this](Halfedge_index h) { return this->is_Delaunay(h); };
     for(Edge_index e : mesh().edges())
       m_stack.push_if(!is_Delaunay(mesh().halfedge(e)), e);
     flip_waiting(is_Delaunay);
@@ -105,10 +126,9 @@ public:
   // vertices and the flips.
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
   {
-    const auto condition = m_geometry.is_locally_Delaunay_object();
-    const auto is_Delaunay = [&](Halfedge_index h) { return condition(scaled_diamond(h)); };
+    const auto is_Delaunay = [this](Halfedge_index h) { return this->is_Delaunay(h); };
     for(std::size_t i = 0; i < vertices.size(); ++i)
-      m_factor[vertices[i].idx()] = internal::length_factor(u[i]);
+      set_factor(vertices[i], u[i]);
     for(Vertex_index v : vertices)
       for_each_outgoing_halfedge(v, mesh(),
                                  [this](Halfedge_index h) { set_scaled_length(Edge_index(h)); });
@@ -127,7 +147,7 @@ public:
   void set_scale_factors(const std::vector<FT>& u)
   {
     for(Vertex_index v : mesh().vertices())
-      m_factor[v.idx()] = internal::length_factor(u[v.idx()]);
+      set_factor(v, u[v.idx()]);
     for(Edge_index e : mesh().edges())
       set_scaled_length(e);
   }
@@ -144,6 +164,20 @@ public:
   }
 
 private:
+  bool is_Delaunay(Halfedge_index h) const
+  {
+    return m_surface.of_diamond(m_geometry.is_locally_Delaunay_object(), h, m_scaled_length,
+                                m_scaled_radius);
+  }
+
+  void set_factor(Vertex_index v, const FT& u)
+  {
+    m_factor[v.idx()] = internal::length_factor(u);
+    if(has_radii())
+      m_scaled_radius[v.idx()] =
+        internal::scaled_length(m_surface.radii()[v.idx()], m_factor[v.idx()], m_factor[v.idx()]);
+  }
+
   template <typename Is_good>
   void flip_waiting(const Is_good& is_good)
   {
@@ -159,15 +193,23 @@ private:
     FT& length = m_scaled_length[e.idx()];
     length = internal::scaled_length(m_surface.length(e), m_factor[mesh().source(h).idx()],
                                      m_factor[mesh().target(h).idx()]);
-    if(!m_geometry.is_length_object()(length))
+    if(!is_length(h, length))
       throw Intrinsic_triangulations::Numerical_error(
         "edge " + std::to_string(e.idx()) + " has no positive finite length after scaling");
   }
 
+  // Tangents of circles that touch are zero.
+  bool is_length(Halfedge_index h, const FT& length) const
+  {
+    const auto condition = m_geometry.is_length_object();
+    return condition(has_radii() && length == 0 ? scaled_decorated_length(h).length() : length);
+  }
+
   Flipping m_flipping;
-  Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
+  Intrinsic_triangulations::Hyperideal_geometry_traits<FT> m_geometry;
   Surface m_surface;
   std::vector<FT> m_scaled_length;
+  std::vector<FT> m_scaled_radius; // of each vertex, if there are circles
   std::vector<FT> m_factor; // of each vertex, for lengths
   Intrinsic_triangulations::Edge_stack m_stack;
 };

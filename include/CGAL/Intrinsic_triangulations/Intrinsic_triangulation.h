@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
 #include <algorithm>
 #include <array>
@@ -179,7 +180,8 @@ public:
     if constexpr(internal::Is_exact<Traits>::value)
       return can_be_turned(h) && internal::exact_decisions(*this).is_convex(h);
     else
-      return can_be_turned(h) && m_traits.is_convex_object()(diamond(m_length, h, m_mesh));
+      return can_be_turned(h) &&
+             internal::of_diamond(m_traits.is_convex_object(), m_traits, m_length, h, m_mesh);
   }
 
   /// returns whether the edge `e` of \f$T_2\f$ satisfies the local Delaunay condition (Equation
@@ -191,7 +193,8 @@ public:
     if constexpr(internal::Is_exact<Traits>::value)
       return !can_be_turned(h) || internal::exact_decisions(*this).is_Delaunay(h);
     else
-      return m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh)) ||
+      return internal::of_diamond(m_traits.is_locally_Delaunay_object(), m_traits, m_length, h,
+                                  m_mesh) ||
              !can_be_turned(h);
   }
 
@@ -208,7 +211,8 @@ public:
     CGAL_precondition(can_be_turned(h));
     if constexpr(internal::Is_exact<Traits>::value)
       return turn(h, [&] { return internal::exact_decisions(*this).length(h); });
-    const FT length = m_traits.compute_flipped_length_object()(diamond(m_length, h, m_mesh));
+    const FT length =
+      internal::of_diamond(m_traits.compute_flipped_length_object(), m_traits, m_length, h, m_mesh);
     if(!m_traits.is_length_object()(length))
       throw Numerical_error("flipping edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " gives no positive finite length");

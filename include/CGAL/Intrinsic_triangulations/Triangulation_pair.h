@@ -250,7 +250,7 @@ public:
                        coordinates_beyond(m_input.opposite(exits[exits.size() - 1]),
                                           input_location(m_mesh.opposite(h)))));
     else
-      internal::lay_out_strip(strip, input(), exits);
+      internal::lay_out_strip_of(m_traits, strip, input(), exits);
     return strip.length();
   }
 

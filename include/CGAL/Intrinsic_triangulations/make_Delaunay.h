@@ -78,8 +78,9 @@ public:
   // Whether the lengths around `e` leave no doubt; those beyond the boundary are unspecified.
   bool is_certainly_Delaunay(Edge_index e) const
   {
-    return m_tri.traits().is_locally_Delaunay_object().is_certain(
-      diamond(m_tri.length_map(), m_tri.mesh().halfedge(e), m_tri.mesh()));
+    const auto condition = m_tri.traits().is_locally_Delaunay_object();
+    return of_diamond([&](const auto& around) { return condition.is_certain(around); },
+                      m_tri.traits(), m_tri.length_map(), m_tri.mesh().halfedge(e), m_tri.mesh());
   }
 
   bool is_Delaunay(Edge_index e) const { return m_tri.is_Delaunay(e); }

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/SparseCore>
@@ -143,6 +144,12 @@ protected:
 
   Triangle triangle(const std::array<Halfedge_index, 3>& side) const
   {
+    if constexpr(Intrinsic_triangulations::internal::Has_radii<Surface>::value &&
+                 Triangle::has_similar_ones)
+      if(m_surface.has_radii()) {
+        const auto edge = [&](std::size_t s) { return m_surface.scaled_decorated_length(side[s]); };
+        return Triangle({edge(0), edge(1), edge(2)});
+      }
     const auto length = [&](std::size_t s) { return m_surface.scaled_length(Edge_index(side[s])); };
     return Triangle({length(0), length(1), length(2)});
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -19,20 +20,43 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns the sides in a unit, a power of two, that keeps fourth powers in the range of the number
-// type.
+// Returns the exponent of a unit for numbers as great as `size`, a power of two that keeps fourth
+// powers in the range of the number type. It is zero for usual numbers.
+template <typename FT>
+int exponent_of_unit(const FT& size)
+{
+  const int exponent = exponent_of(size);
+  return std::abs(exponent) < std::numeric_limits<double>::max_exponent / 8 ? 0 : exponent;
+}
+
+// Returns the sides in a unit that keeps fourth powers in range.
 template <typename FT>
 std::array<FT, 3> in_range(const std::array<FT, 3>& side)
 {
   using std::ldexp;
-  const int exponent = exponent_of((std::max)({side[0], side[1], side[2]}));
-  if(std::abs(exponent) < std::numeric_limits<double>::max_exponent / 8)
+  const int exponent = exponent_of_unit(FT((std::max)({side[0], side[1], side[2]})));
+  if(exponent == 0)
     return side;
   return {ldexp(side[0], -exponent), ldexp(side[1], -exponent), ldexp(side[2], -exponent)};
+}
+template <typename FT>
+std::array<Intrinsic_triangulations::Decorated_length<FT>, 3>
+in_range(std::array<Intrinsic_triangulations::Decorated_length<FT>, 3> side)
+{
+  using std::ldexp;
+  const int exponent =
+    exponent_of_unit(FT((std::max)({side[0].length(), side[1].length(), side[2].length()})));
+  if(exponent != 0)
+    for(auto& s : side)
+      s = {ldexp(s.tangent, -exponent), ldexp(s.source_radius, -exponent),
+           ldexp(s.target_radius, -exponent)};
+  return side;
 }
 
 // The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate
 // the triangle inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
+// With circles at the corners, the cotangents are twice the heights of the power center over the
+// opposite sides, divided by these: the derivatives of angles by scale factors.
 template <typename FT>
 class Flat_triangle
 {
@@ -64,6 +88,33 @@ public:
       m_error = (std::min)(m_error, root_error(side, least));
   }
 
+  explicit Flat_triangle(
+    const std::array<Intrinsic_triangulations::Decorated_length<FT>, 3>& decorated)
+  {
+    using std::sqrt;
+    const auto side = in_range(decorated);
+    const std::array<FT, 3> length{side[0].length(), side[1].length(), side[2].length()};
+    const std::array<FT, 3> slack{slack_at(0, side, length), slack_at(1, side, length),
+                                  slack_at(2, side, length)};
+    const FT perimeter = length[0] + length[1] + length[2];
+    const FT area = sqrt(FT((perimeter * slack[0]) * (slack[1] * slack[2])));
+    m_is_flat = !(area > 0);
+    const FT squares = length[0] * length[0] + length[1] * length[1] + length[2] * length[2];
+    const FT least = std::numeric_limits<FT>::epsilon() * squares;
+    const FT divisor = area > least ? area : least;
+    for(std::size_t s = 0; s < 3; ++s) {
+      const std::size_t i = (s + 1) % 3, j = (s + 2) % 3;
+      m_corner[s] = {(perimeter * slack[s] - slack[i] * slack[j]) / 2, area};
+      const FT height =
+        Intrinsic_triangulations::internal::height_over(side[i], side[s].gram(), side[j].gram()) -
+        side[i].determinant();
+      m_cotangent[s] = 4 * height / (length[i] * length[i]) / divisor;
+    }
+    m_error = 8 * std::numeric_limits<FT>::epsilon() * squares / divisor;
+    if(area * area < 2 * least * squares)
+      m_error = (std::min)(m_error, root_error(length, least));
+  }
+
   // at the source of side s
   const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
   FT angle(std::size_t s) const { return m_corner[s].angle(); }
@@ -89,6 +140,23 @@ public:
   const FT& angle_error() const { return m_error; }
 
 private:
+  // Returns by how much both sides at corner s together exceed the third, zero if they do not. The
+  // two radii elsewhere cancel: only what sides exceed the sums of their radii counts.
+  static FT slack_at(std::size_t s,
+                     const std::array<Intrinsic_triangulations::Decorated_length<FT>, 3>& side,
+                     const std::array<FT, 3>& length)
+  {
+    const auto excess = [&](std::size_t a) {
+      const FT& t = side[a].tangent;
+      return t == 0 ? FT(0)
+                    : FT(t * (t / (length[a] + (side[a].source_radius + side[a].target_radius))));
+    };
+    const FT a = excess(s), b = excess((s + 2) % 3), facing = excess((s + 1) % 3);
+    const FT slack =
+      2 * side[s].source_radius + ((std::min)(a, b) + ((std::max)(a, b) - facing));
+    return slack > 0 ? slack : FT(0);
+  }
+
   static FT root_error(const std::array<FT, 3>& side, const FT& least)
   {
     using std::sqrt;

@@ -8,9 +8,12 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
+#include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -31,18 +34,24 @@ FT scaled_length(const FT& length, const Factor&... factor)
   return (length * ... * factor);
 }
 
-// A closed ideal polyhedron with Penner lengths. Its edges turn by Ptolemy's relation (Equation
-// 4.4), and the flips are recorded.
+// A closed ideal polyhedron with Penner lengths, or a hyperideal one with the tangents of circles.
+// Its edges turn by Ptolemy's relation (Equation 4.4) or its generalization, and the flips are
+// recorded.
 template <typename FT>
 class Ptolemy_surface
 {
 public:
   typedef Intrinsic_triangulations::Diamond<FT> Diamond;
+  typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
 
-  // `length` is a readable property map of positive lengths
+  // `length` is a readable property map of lengths; `radii` are those of all vertices, or there are
+  // none
   template <typename EdgeLengthMap>
-  Ptolemy_surface(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(Intrinsic_triangulations::internal::without_maps(mesh)), m_length(mesh.num_edges())
+  Ptolemy_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
+                  std::vector<FT> radii = {})
+    : m_mesh(Intrinsic_triangulations::internal::without_maps(mesh)),
+      m_length(mesh.num_edges()),
+      m_radii(std::move(radii))
   {
     for(Edge_index e : mesh.edges())
       m_length[e.idx()] = FT(get(length, e));
@@ -68,18 +77,47 @@ public:
     return {of(h), of(m_mesh.next(h)), of(m_mesh.prev(h)), of(m_mesh.next(o)), of(m_mesh.prev(o))};
   }
 
+  // whether there are circles at the vertices
+  bool has_radii() const { return !m_radii.empty(); }
+  const std::vector<FT>& radii() const { return m_radii; }
+
+  // the edge of `h` with the circles at its ends, with other lengths and radii if wanted
+  Decorated_length decorated_length(Halfedge_index h) const
+  {
+    return decorated_length(h, m_length, m_radii);
+  }
+  Decorated_length decorated_length(Halfedge_index h, const std::vector<FT>& length,
+                                    const std::vector<FT>& radii) const
+  {
+    return {length[Edge_index(h).idx()], radii[m_mesh.source(h).idx()],
+            radii[m_mesh.target(h).idx()]};
+  }
+
+  // Calls `function` with the diamond of `h`, with radii if there are any.
+  template <typename Function>
+  auto of_diamond(const Function& function, Halfedge_index h, const std::vector<FT>& length,
+                  const std::vector<FT>& radii) const
+  {
+    if(!has_radii())
+      return function(diamond(h, length));
+    const auto edge = [&](Halfedge_index x) { return decorated_length(x, length, radii); };
+    return function(Intrinsic_triangulations::internal::diamond_of(edge, h, m_mesh));
+  }
+
   // \pre `flip_status(h, mesh())` says that it is possible
   void flip(Halfedge_index h)
   {
-    m_length[Edge_index(h).idx()] = m_geometry.compute_flipped_length_object()(diamond(h));
+    m_length[Edge_index(h).idx()] =
+      of_diamond(m_geometry.compute_flipped_length_object(), h, m_length, m_radii);
     flip_edge(h, m_mesh);
     m_flips.push_back(h);
   }
 
 private:
-  Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
+  Intrinsic_triangulations::Hyperideal_geometry_traits<FT> m_geometry;
   Delta_complex m_mesh;
   std::vector<FT> m_length;
+  std::vector<FT> m_radii;
   std::vector<Halfedge_index> m_flips;
 };
 

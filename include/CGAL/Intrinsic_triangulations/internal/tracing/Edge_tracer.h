@@ -93,7 +93,10 @@ public:
     do
       m_crossings.push_back(c);
     while(m_tri.coordinates().advance(c, m_mesh) != Coordinates::Turn::ends);
-    lay_out_strip(m_strip, m_tri, Exits{m_crossings});
+    if constexpr(Has_distance<Traits>::value)
+      lay_out_strip(m_strip, m_tri, Exits{m_crossings});
+    else
+      lay_out_strip_of(m_tri.traits(), m_strip, m_tri, Exits{m_crossings});
     recover_positions();
   }
 

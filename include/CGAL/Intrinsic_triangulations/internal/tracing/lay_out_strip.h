@@ -8,21 +8,22 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Lays out the triangles of `surface` that a line passes which leaves a face through each of the
-// halfedges `exits`, at least one. The line starts at the corner opposite to the first exit and
-// ends at the one beyond the last; or if `ends` is a pair of barycentric coordinates, at the points
-// with these in the same triangles, that of the corner first.
-template <typename Strip, typename Surface, typename Exits, typename... Ends>
-void lay_out_strip(Strip& strip, const Surface& surface, const Exits& exits, const Ends&... ends)
+// Lays out the triangles of `mesh` that a line passes which leaves a face through each of the
+// halfedges `exits`, at least one. `length` returns what `strip` takes for a halfedge. The line
+// starts at the corner opposite to the first exit and ends at the one beyond the last; or if `ends`
+// is a pair of barycentric coordinates, at the points with these in the same triangles, that of the
+// corner first.
+template <typename Strip, typename Length, typename Exits, typename... Ends>
+void lay_out_strip_with(Strip& strip, const Delta_complex& mesh, const Length& length,
+                        const Exits& exits, const Ends&... ends)
 {
-  const Delta_complex& mesh = surface.mesh();
-  const auto& length_map = surface.length_map();
-  const auto length = [&](Halfedge_index h) -> decltype(auto) { return length_map[mesh.edge(h)]; };
   Halfedge_index ij = exits[0];
   strip.start(length(mesh.prev(ij)), length(ij), length(mesh.next(ij)), ends.first...);
   for(std::size_t m = 1; m < exits.size(); ++m) {
@@ -34,6 +35,31 @@ void lay_out_strip(Strip& strip, const Surface& surface, const Exits& exits, con
   }
   const Halfedge_index ji = mesh.opposite(ij);
   strip.finish(length(ji), length(mesh.prev(ji)), length(mesh.next(ji)), ends.second...);
+}
+
+// As `lay_out_strip_with()`, for the lengths of `surface`.
+template <typename Strip, typename Surface, typename Exits, typename... Ends>
+void lay_out_strip(Strip& strip, const Surface& surface, const Exits& exits, const Ends&... ends)
+{
+  const Delta_complex& mesh = surface.mesh();
+  const auto& length_map = surface.length_map();
+  lay_out_strip_with(
+    strip, mesh,
+    [&](Halfedge_index h) -> decltype(auto) { return length_map[mesh.edge(h)]; }, exits, ends...);
+}
+
+// As `lay_out_strip()`, with the radii of `traits` if there are any.
+template <typename Traits, typename Strip, typename Surface, typename Exits>
+void lay_out_strip_of(const Traits& traits, Strip& strip, const Surface& surface,
+                      const Exits& exits)
+{
+  if constexpr(Has_radii<Traits>::value &&
+               std::is_same_v<Strip, typename Traits::Geodesic_strip>)
+    if(traits.has_radii())
+      return lay_out_strip_with(strip, surface.mesh(),
+                                decorated_lengths(traits, surface.length_map(), surface.mesh()),
+                                exits);
+  lay_out_strip(strip, surface, exits);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DECORATED_LENGTH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DECORATED_LENGTH_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+
+#include <cmath>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
+/// an edge whose ends are the centers of circles that do not meet, except that they may touch. The
+/// tangent of both circles that passes between them has a length \f$t_{ij}\f$ with
+/// \f$\ell_{ij}^2 = (r_i + r_j)^2 + t_{ij}^2\f$. For radii of zero it is the length of the edge.
+///
+/// As vectors of M&ouml;bius geometry, circles have the scalar products
+/// \f$\langle v_i, v_i\rangle = r_i^2\f$ and \f$\langle v_i, v_j\rangle = -\eta_{ij}\f$, with
+/// \f$\eta_{ij} = (\ell_{ij}^2 - r_i^2 - r_j^2)/2 = t_{ij}^2/2 + r_i r_j\f$. The quotient
+/// \f$\eta_{ij}/(r_i r_j)\f$ is the inversive distance, which is 1 for circles that touch. All that
+/// follows from tangents and radii needs no differences, whereas \f$\eta_{ij}\f$ itself loses the
+/// digits in which circles that almost touch differ from circles that do.
+template <typename FT>
+struct Decorated_length
+{
+  FT tangent,      ///< \f$t_{ij}\f$
+    source_radius, ///< \f$r_i\f$
+    target_radius; ///< \f$r_j\f$
+
+  /// returns the Gram coordinate \f$\eta_{ij}\f$.
+  FT gram() const { return excess() + source_radius * target_radius; }
+
+  /// returns by how much the Gram coordinate exceeds that of circles that touch.
+  FT excess() const { return tangent * tangent / 2; }
+
+  /// returns \f$\eta_{ij}^2 - r_i^2 r_j^2\f$, which is zero if and only if the circles touch.
+  FT determinant() const
+  {
+    return excess() * (excess() + 2 * (source_radius * target_radius));
+  }
+
+  /// returns the distance of the centers, the length of the edge.
+  FT length() const
+  {
+    using std::sqrt;
+    const FT radii = source_radius + target_radius;
+    return radii == 0 ? tangent : FT(sqrt(FT(radii * radii + tangent * tangent)));
+  }
+
+  /// returns the same edge from its other end.
+  Decorated_length reversed() const { return {tangent, target_radius, source_radius}; }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
+/// returns the length \f$t_{ij}\f$ of the tangent between two circles, from the distance of their
+/// centers; zero if they touch or meet.
+template <typename FT>
+FT tangent_length(const FT& length, const FT& source_radius, const FT& target_radius)
+{
+  using std::sqrt;
+  const FT radii = source_radius + target_radius;
+  if(radii == 0)
+    return length;
+  return length > radii ? FT(sqrt(FT((length - radii) * (length + radii)))) : FT(0);
+}
+
+namespace internal {
+
+// Returns -det G for the Gram matrix G of three circles, as the square of the volume that their
+// vectors span. The sides ij, jk and ki are oriented.
+template <typename FT>
+FT squared_volume(const Decorated_length<FT>& ij, const Decorated_length<FT>& jk,
+                  const Decorated_length<FT>& ki)
+{
+  const FT &r_i = ij.source_radius, &r_j = ij.target_radius, &r_k = ki.source_radius;
+  const FT at_j = r_i * jk.gram(), at_i = r_j * ki.gram();
+  return r_k * r_k * ij.determinant() + at_i * at_i + at_j * at_j +
+         2 * (ij.gram() * jk.gram() * ki.gram());
+}
+
+// Returns the positive part of the height of the power center of a triangle ijk over ij: less the
+// determinant of ij, it is the height times twice the area, times the length of ij.
+template <typename FT>
+FT height_over(const Decorated_length<FT>& ij, const FT& gram_ki, const FT& gram_jk)
+{
+  const FT radii = ij.source_radius + ij.target_radius;
+  return (ij.target_radius * radii + ij.excess()) * gram_ki +
+         (ij.source_radius * radii + ij.excess()) * gram_jk;
+}
+
+template <typename FT>
+Decorated_length<FT> in_unit(const Decorated_length<FT>& edge, const FT& unit)
+{
+  return {edge.tangent / unit, edge.source_radius / unit, edge.target_radius / unit};
+}
+
+// The circles at the corners of two neighboring faces ijk and jil, in a unit that keeps products
+// of many lengths in range. All terms are sums of products of numbers that are not negative.
+template <typename FT>
+class Decorated_diamond
+{
+  typedef Decorated_length<FT> Edge;
+
+public:
+  explicit Decorated_diamond(const Diamond<Edge>& edge)
+    : m_unit(edge.ij.tangent + (edge.ij.source_radius + edge.ij.target_radius)),
+      m_edge{in_unit(edge.ij, m_unit), in_unit(edge.jk, m_unit), in_unit(edge.ki, m_unit),
+             in_unit(edge.il, m_unit), in_unit(edge.lj, m_unit)}
+  {}
+
+  // Returns t_kl after ij has been flipped. With A the Gram matrix of i and j, and b_k, b_l the
+  // products of both with k and l, this is eta_kl = sqrt(kk ll) - b_k A^-1 b_l, where kk is the
+  // square of the part of k that is orthogonal to i and j, less r_k r_l. With r = 0 it is Ptolemy's
+  // relation (Equation 4.4). Precondition: the circles i and j do not touch
+  FT flipped_tangent() const
+  {
+    using std::sqrt;
+    const FT D = m_edge.ij.determinant();
+    const FT r_k = m_edge.ki.source_radius, r_l = m_edge.lj.source_radius;
+    const FT q_k = product(k(), k()), q_l = product(l(), l());
+    const FT kk = r_k * r_k * D + q_k, ll = r_l * r_l * D + q_l;
+    const FT root = FT(sqrt(kk)) * FT(sqrt(ll));
+    const FT apart = (D * (r_k * r_k * q_l + r_l * r_l * q_k) + q_k * q_l) / (root + r_k * r_l * D);
+    return m_unit * FT(sqrt(FT(2 * (apart + product(k(), l())) / D)));
+  }
+
+  // The terms of the weighted ideal Delaunay condition: ij satisfies it if `inner` is not greater
+  // than `outer`.
+  struct Condition
+  {
+    FT inner, outer;
+  };
+  Condition condition() const
+  {
+    using std::sqrt;
+    const FT volume_k = sqrt(squared_volume(m_edge.ij, m_edge.jk, m_edge.ki));
+    const FT volume_l = sqrt(squared_volume(m_edge.ij.reversed(), m_edge.il, m_edge.lj));
+    return {m_edge.ij.determinant() * (volume_k + volume_l),
+            volume_k * height(l()) + volume_l * height(k())};
+  }
+
+private:
+  // the Gram coordinates of an apex with i and j
+  struct Apex
+  {
+    FT to_i, to_j;
+  };
+  Apex k() const { return {m_edge.ki.gram(), m_edge.jk.gram()}; }
+  Apex l() const { return {m_edge.il.gram(), m_edge.lj.gram()}; }
+
+  // Returns - b_x A^-1 b_y times the determinant.
+  FT product(const Apex& x, const Apex& y) const
+  {
+    const FT &r_i = m_edge.ij.source_radius, &r_j = m_edge.ij.target_radius;
+    return r_j * r_j * (x.to_i * y.to_i) + r_i * r_i * (x.to_j * y.to_j) +
+           m_edge.ij.gram() * (x.to_i * y.to_j + x.to_j * y.to_i);
+  }
+
+  // Returns the sum of both entries of A^-1 b_x, times the determinant.
+  FT height(const Apex& x) const { return height_over(m_edge.ij, x.to_i, x.to_j); }
+
+  FT m_unit;
+  Diamond<Edge> m_edge;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DECORATED_LENGTH_H
