@@ -15,7 +15,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
+#include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 
@@ -35,7 +36,7 @@ namespace internal {
 // What all maps consist of.
 struct Map_data
 {
-  typedef Intrinsic_triangulations::Ideal_geometry_traits<> Ideal_traits;
+  typedef Intrinsic_triangulations::Hyperideal_geometry_traits<> Ideal_traits;
 
   Intrinsic_triangulations::Intrinsic_triangulation<> ab;
   Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> bc;
@@ -59,8 +60,19 @@ struct Map_data
   // of an edge of T^C
   double scaled_length(Halfedge_index h) const
   {
+    if(bc.traits().has_radii())
+      return scaled_decorated_length(h).length();
     const double u = log_scale[bc.mesh().source(h).idx()] + log_scale[bc.mesh().target(h).idx()];
     return internal::scaled_length(bc.length(bc.mesh().edge(h)), length_factor(u));
+  }
+
+  // \pre there are circles
+  Intrinsic_triangulations::Decorated_length<double> scaled_decorated_length(Halfedge_index h) const
+  {
+    const auto edge = Intrinsic_triangulations::internal::decorated_lengths(
+      bc.traits(), bc.length_map(), bc.mesh())(h);
+    return scaled(edge, log_scale[bc.mesh().source(h).idx()],
+                  log_scale[bc.mesh().target(h).idx()]);
   }
 };
 
@@ -91,7 +103,8 @@ class Discrete_conformal_map
 public:
   /// the type of \f$T^A\f$ and \f$T^B\f$.
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Euclidean_triangulation;
-  /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron.
+  /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron, or with circles at the
+  /// vertices, a hyperideal one.
   typedef internal::Map_data::Ideal_traits Ideal_traits;
   /// the type of \f$T^B\f$ and \f$T^C\f$.
   typedef Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> Ideal_triangulation;
@@ -112,7 +125,8 @@ public:
   /// returns the pair of \f$T^A\f$, as `input()`, and \f$T^B\f$, as `intrinsic()`.
   const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
   /// returns the pair of \f$T^B\f$, as `input()`, and \f$T^C\f$, as `intrinsic()`, both with the
-  /// lengths that belong to scale factors of zero.
+  /// lengths that belong to scale factors of zero; with circles these are lengths of tangents, see
+  /// `Intrinsic_triangulations::Decorated_length`.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
   /// returns the crossings of \f$T^A\f$ and \f$T^B\f$, the correspondence of `Delaunay()`.
   const Intrinsic_triangulations::Correspondence<>& Delaunay_correspondence() const
@@ -155,6 +169,20 @@ public:
 
   /// returns the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
+
+  /// returns whether there are circles at the vertices: radii that are not all zero were given.
+  bool has_radii() const { return m_data->bc.traits().has_radii(); }
+
+  /// returns the radius of the circle at `v` in the image: \f$e^{u}\f$ times the radius that was
+  /// given, or zero if no radii were given.
+  double scaled_radius(Vertex_index v) const
+  {
+    return has_radii() ? std::exp(log_scale(v)) * m_data->bc.traits().radius(v) : 0.;
+  }
+
+  /// returns the length of the edge of `h`, a halfedge of \f$T^C\f$, with the scale factors. For a
+  /// hyperbolic map it is \f$\sinh(x/2)\f$ if \f$x\f$ is the hyperbolic length.
+  double scaled_length(Halfedge_index h) const { return m_data->scaled_length(h); }
 
   /// returns whether the map has what is promised, and if not, why: it is
   /// `Map_status::success` if and only if all of `promises()` are kept.

@@ -55,10 +55,14 @@ struct Map_certificate
 /// triangulation edges fail by any amount.
 ///
 /// Complexity: linear in the edges and crossings, as a rule.
+/// \throws Intrinsic_triangulations::Invalid_input if there are circles at the vertices
 /// \throws Intrinsic_triangulations::Overflow_error if there are more crossings than a
 ///         `Surface_mesh` can number
 inline Map_certificate certify(const Discrete_conformal_map& map)
 {
+  if(map.has_radii())
+    throw Intrinsic_triangulations::Invalid_input(
+      "a map of a surface with circles cannot be certified: square roots of square roots decide");
   const auto& ideal = map.ideal();
   const Delta_complex& mesh_B = ideal.input_mesh();
   std::vector<double> factor;

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
 #include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -177,15 +177,16 @@ private:
 ///
 /// Complexity: linear in the edges and crossings, and for each pair in the faces that its edges of
 /// \f$T^B\f$ and \f$T^C\f$ pass.
+/// \tparam Ideal_traits `Intrinsic_triangulations::Ideal_geometry_traits`, or
+///   `Intrinsic_triangulations::Hyperideal_geometry_traits` without radii
 /// \pre The edges of \f$T^B\f$ are straight; `subdivision` is that of these three triangulations
-template <typename FT, typename Point, typename Integer>
-Order_certificate certify_order_of_ends(
-  const Triple_subdivision<FT, Point>& subdivision, const Correspondence<>& ab,
-  const Correspondence<Intrinsic_triangulations::Ideal_geometry_traits<double, Integer>>& bc)
+template <typename FT, typename Point, typename Ideal_traits>
+Order_certificate certify_order_of_ends(const Triple_subdivision<FT, Point>& subdivision,
+                                        const Correspondence<>& ab,
+                                        const Correspondence<Ideal_traits>& bc)
 {
-  return internal::Order_certifier<
-    Triple_subdivision<FT, Point>,
-    Intrinsic_triangulations::Ideal_geometry_traits<double, Integer>>(subdivision, ab, bc)();
+  return internal::Order_certifier<Triple_subdivision<FT, Point>, Ideal_traits>(subdivision, ab,
+                                                                                bc)();
 }
 
 } // namespace CGAL::Discrete_conformal_maps

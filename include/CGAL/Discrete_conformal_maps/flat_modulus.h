@@ -63,11 +63,7 @@ inline bool is_cut_by_axis(Face_index f, const Planar_conformal_map& map)
 inline double flat_area(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
-  const auto length = [&](Halfedge_index h) {
-    return scaled_length(
-      map.ideal().length(mesh.edge(h)),
-      length_factor(map.log_scale(mesh.source(h)) + map.log_scale(mesh.target(h))));
-  };
+  const auto length = [&](Halfedge_index h) { return map.scaled_length(h); };
   double result = 0;
   for(Face_index f : mesh.faces()) {
     if(!map.is_laid_out(f))

@@ -53,6 +53,14 @@ namespace CGAL::Discrete_conformal_maps {
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_radius_map}
+///     \cgalParamDescription{the radii of circles around the vertices: the map is a decorated
+///       discrete conformal map, see \ref dcm_circles. Circles of neighbors in the weighted Delaunay
+///       triangulation must not meet, except that two of positive radius may touch. Radii of zero
+///       everywhere are the same as none}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
+///     \cgalParamDefault{there are no circles}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimizer}
 ///     \cgalParamDescription{what minimizes the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
@@ -104,7 +112,9 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or what is
-///         prescribed is impossible: the error names the place, and for curvatures the excess
+///         prescribed is impossible: the error names the place, and for curvatures the excess; or
+///         if circles meet, which it names by their vertices, or exact decisions are asked for with
+///         circles
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
@@ -120,7 +130,8 @@ Planar_conformal_map flatten(const Graph& g,
   const auto conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0));
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             is_free, np, internal::Free_shape());
+                             is_free, np, internal::Free_shape(),
+                             internal::vertex_radii(g, np));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

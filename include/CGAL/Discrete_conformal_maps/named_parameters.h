@@ -63,6 +63,9 @@ auto layout(const Layout& value);
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// names a writable property map for the images of corners.
 template <typename Map>
+auto vertex_radius_map(const Map& map);
+
+template <typename Map>
 auto texture_coordinates_map(const Map& map);
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision

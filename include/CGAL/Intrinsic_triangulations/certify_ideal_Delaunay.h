@@ -172,7 +172,8 @@ private:
 /// A triangulation made with `double` can have edges that fail by rounding: `make_Delaunay()` flips
 /// an edge only if it certainly is not Delaunay.
 ///
-/// \tparam Integer the type of normal coordinates
+/// \tparam Ideal_traits `Ideal_geometry_traits` with lengths of type `double`, or
+///   `Hyperideal_geometry_traits` without radii
 /// \param tri the triangulation
 /// \param factor factors of all vertices, positive: they scale the length of an edge by the product
 ///        of the factors of its ends
@@ -182,14 +183,14 @@ private:
 /// diamond pass.
 /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
 /// \pre no vertex has been inserted; `tri` has no garbage
-template <typename Integer>
+template <typename Ideal_traits>
 Ideal_Delaunay_certificate
-certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>>& tri,
+certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri,
                        const std::vector<double>& factor)
 {
   CGAL_precondition(tri.number_of_inserted_vertices() == 0 && !tri.mesh().has_garbage());
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
-  const internal::Edge_courses<Ideal_geometry_traits<double, Integer>> courses(tri, Concurrency());
+  const internal::Edge_courses<Ideal_traits> courses(tri, Concurrency());
   Ideal_strip<internal::Filter_interval> in_intervals;
   Ideal_strip<Exact_field> exact;
   return internal::Ideal_Delaunay_certifier(
@@ -202,9 +203,9 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
 /// \ingroup PkgIntrinsicTriangulationsCertificates
 /// decides exactly which edges of \f$T_2\f$ satisfy the local ideal Delaunay condition with the
 /// lengths of \f$T_1\f$ as they are: all factors are 1.
-template <typename Integer>
+template <typename Ideal_traits>
 Ideal_Delaunay_certificate
-certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>>& tri)
+certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri)
 {
   return certify_ideal_Delaunay(tri, std::vector<double>(tri.mesh().number_of_vertices(), 1.));
 }

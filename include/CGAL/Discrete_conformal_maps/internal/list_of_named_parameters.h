@@ -19,6 +19,7 @@ CGAL_named_parameter(minimizer)
 CGAL_named_parameter(flipping)
 CGAL_named_parameter(initial_log_scale_map)
 CGAL_named_parameter(layout)
+CGAL_named_parameter(vertex_radius_map)
 CGAL_named_parameter(texture_coordinates_map)
 CGAL_named_parameter(homogeneous_texture_coordinates_map)
 

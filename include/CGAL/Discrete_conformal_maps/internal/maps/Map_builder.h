@@ -212,14 +212,19 @@ public:
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
   {
-    Ptolemy_surface<FT> surface(m_data.bc.input_mesh(), m_problem.template lengths<FT>(m_data.ab));
+    Ptolemy_surface<FT> surface(m_data.bc.input_mesh(), m_problem.template lengths<FT>(m_data.ab),
+                                m_problem.template radii<FT>());
     surface.replay(m_flips);
     std::vector<FT> result(mesh().num_edges());
-    for(Edge_index e : mesh().edges())
-      result[e.idx()] = internal::scaled_length(
-        surface.length(e),
-        length_factor(FT(u[m_data.input_vertex[mesh().vertex(e, 0).idx()].idx()] +
-                         u[m_data.input_vertex[mesh().vertex(e, 1).idx()].idx()])));
+    const auto at = [&](Vertex_index v) -> const FT& { return u[m_data.input_vertex[v.idx()].idx()]; };
+    for(Edge_index e : mesh().edges()) {
+      const Halfedge_index h = mesh().halfedge(e);
+      const FT &u_i = at(mesh().source(h)), &u_j = at(mesh().target(h));
+      result[e.idx()] =
+        surface.has_radii()
+          ? scaled(surface.decorated_length(h), u_i, u_j).length()
+          : internal::scaled_length(surface.length(e), length_factor(FT(u_i + u_j)));
+    }
     return result;
   }
 
@@ -271,7 +276,10 @@ private:
   {
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(
       m_data.ab.mesh(),
-      Intrinsic_triangulations::parameters::edge_length_map(m_problem.lengths<double>(m_data.ab)));
+      Intrinsic_triangulations::parameters::edge_length_map(m_problem.lengths<double>(m_data.ab))
+        .geom_traits(m_problem.has_radii()
+                       ? Discrete_conformal_map::Ideal_traits(m_problem.radii<double>())
+                       : Discrete_conformal_map::Ideal_traits()));
     for(Halfedge_index h : flips)
       m_data.bc.flip(h);
     m_data.number_of_flips[2] = flips.size();

@@ -148,7 +148,7 @@ protected:
                  Triangle::has_similar_ones)
       if(m_surface.has_radii()) {
         const auto edge = [&](std::size_t s) { return m_surface.scaled_decorated_length(side[s]); };
-        return Triangle({edge(0), edge(1), edge(2)});
+        return Triangle(edge(0), edge(1), edge(2));
       }
     const auto length = [&](std::size_t s) { return m_surface.scaled_length(Edge_index(side[s])); };
     return Triangle({length(0), length(1), length(2)});

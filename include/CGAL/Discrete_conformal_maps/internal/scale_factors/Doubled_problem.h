@@ -11,8 +11,10 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -57,9 +59,11 @@ public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
 
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
-  // is kept; `condition` has one entry for each of its vertices
+  // is kept; `condition` has one entry for each of its vertices, and so has `radii` if there are
+  // circles at the vertices. With circles, rounded lengths decide.
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
-                  Flipping flipping, Exactness exactness = Exactness::none)
+                  Flipping flipping, Exactness exactness = Exactness::none,
+                  std::vector<double> radii = {})
     : Prescribed_curvatures(half.mesh(), condition),
       m_flipping(flipping),
       m_is_exact(exactness == Exactness::decisions),
@@ -67,6 +71,7 @@ public:
       m_has_needles(m_has_exact_flips && has_unknown_angles(half) && has_exact_metric(half)),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
+      m_radii(std::move(radii)),
       m_has_copy(m_half.num_faces(), 0)
   {
     if(m_point.empty())
@@ -116,7 +121,7 @@ public:
   // Returns whether there are such lengths, where there were none.
   bool make_precise()
   {
-    if(m_has_exact_flips || m_flipping == Flipping::none)
+    if(m_has_exact_flips || m_flipping == Flipping::none || has_radii())
       return false;
     m_has_exact_flips = true;
     try {
@@ -128,8 +133,22 @@ public:
     return has_precise_lengths();
   }
 
-  // Returns the lengths of T^B with the digits of `FT`. `t` is the triangulation of the problem,
-  // which may have been moved.
+  // whether there are circles at the vertices
+  bool has_radii() const { return !m_radii.empty(); }
+
+  // Returns the radii of the circles at the vertices of the triangulation, if there are any.
+  template <typename FT>
+  std::vector<FT> radii() const
+  {
+    std::vector<FT> result;
+    if(has_radii())
+      for(Vertex_index v : m_original)
+        result.push_back(FT(m_radii[v.idx()]));
+    return result;
+  }
+
+  // Returns the lengths of T^B with the digits of `FT`, or those of the tangents of circles. `t` is
+  // the triangulation of the problem, which may have been moved.
   template <typename FT>
   auto lengths(const Triangulation& t) const
   {
@@ -137,6 +156,9 @@ public:
       if(has_precise_lengths() && m_most_precise_length.empty())
         m_most_precise_length = exact_lengths<FT>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
+      if(has_radii())
+        return Intrinsic_triangulations::tangent_length(
+          FT(t.length(e)), FT(radius(t.mesh().vertex(e, 0))), FT(radius(t.mesh().vertex(e, 1))));
       if(!has_precise_lengths())
         return FT(t.length(e));
       if constexpr(std::is_same_v<FT, More_extended>)
@@ -242,7 +264,8 @@ public:
   Penner_surface<FT> scaled(const std::vector<FT>& scale)
   {
     for(;;) {
-      Penner_surface<FT> result(m_triangulation.mesh(), lengths<FT>(m_triangulation), m_flipping);
+      Penner_surface<FT> result(m_triangulation.mesh(), lengths<FT>(m_triangulation), m_flipping,
+                                radii<FT>());
       result.scale(expanded(scale));
       if(!has_exceeded(result.flips()))
         return result;
@@ -354,6 +377,8 @@ private:
     m_seams = surface.seams();
     if(m_flipping == Flipping::to_Delaunay)
       flip_to_Delaunay();
+    if(has_radii())
+      check_circles(m_triangulation, [this](Vertex_index v) { return original(v); }, m_radii);
   }
 
   Triangulation double_by_lengths(const Doubled_surface& surface) const
@@ -388,9 +413,13 @@ private:
   {
     m_flips.clear();
     Flip_record record{m_flips};
-    m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
-      m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
-                         .visitor(std::ref(record)));
+    m_number_of_flips =
+      has_radii()
+        ? flip_with_circles(
+            m_triangulation, [this](Vertex_index v) { return original(v); }, m_radii, record)
+        : Intrinsic_triangulations::make_Delaunay(
+            m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
+                               .visitor(std::ref(record)));
     m_most_precise_length.clear();
     if(has_exceeded(m_flips))
       extend(0, {});
@@ -421,12 +450,15 @@ private:
     return result;
   }
 
+  double radius(Vertex_index v) const { return m_radii[original(v).idx()]; }
+
   Flipping m_flipping;
   Intrinsic_triangulations::Concurrency m_concurrency;
   bool m_is_exact, m_has_exact_flips, m_has_needles;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges
+  std::vector<double> m_radii;                // of the circles at the vertices, if there are any
   std::vector<char> m_has_copy;               // for each face of the surface
   std::size_t m_width = 1;                    // that are copied the next time
   Triangulation m_triangulation;

@@ -60,6 +60,8 @@ in_range(std::array<Intrinsic_triangulations::Decorated_length<FT>, 3> side)
 template <typename FT>
 class Flat_triangle
 {
+  typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
+
 public:
   // whether scaling changes no angles
   static constexpr bool has_similar_ones = true;
@@ -88,11 +90,10 @@ public:
       m_error = (std::min)(m_error, root_error(side, least));
   }
 
-  explicit Flat_triangle(
-    const std::array<Intrinsic_triangulations::Decorated_length<FT>, 3>& decorated)
+  Flat_triangle(const Decorated_length& ij, const Decorated_length& jk, const Decorated_length& ki)
   {
     using std::sqrt;
-    const auto side = in_range(decorated);
+    const std::array<Decorated_length, 3> side = in_range(std::array{ij, jk, ki});
     const std::array<FT, 3> length{side[0].length(), side[1].length(), side[2].length()};
     const std::array<FT, 3> slack{slack_at(0, side, length), slack_at(1, side, length),
                                   slack_at(2, side, length)};
@@ -142,8 +143,7 @@ public:
 private:
   // Returns by how much both sides at corner s together exceed the third, zero if they do not. The
   // two radii elsewhere cancel: only what sides exceed the sums of their radii counts.
-  static FT slack_at(std::size_t s,
-                     const std::array<Intrinsic_triangulations::Decorated_length<FT>, 3>& side,
+  static FT slack_at(std::size_t s, const std::array<Decorated_length, 3>& side,
                      const std::array<FT, 3>& length)
   {
     const auto excess = [&](std::size_t a) {

@@ -34,6 +34,16 @@ FT scaled_length(const FT& length, const Factor&... factor)
   return (length * ... * factor);
 }
 
+// As above, with the circles at the ends: radii are multiplied by squared factors of lengths.
+template <typename FT>
+Intrinsic_triangulations::Decorated_length<FT>
+scaled(const Intrinsic_triangulations::Decorated_length<FT>& edge, const FT& u_i, const FT& u_j)
+{
+  const FT i = length_factor(u_i), j = length_factor(u_j);
+  return {scaled_length(edge.tangent, length_factor(FT(u_i + u_j))),
+          scaled_length(edge.source_radius, i, i), scaled_length(edge.target_radius, j, j)};
+}
+
 // A closed ideal polyhedron with Penner lengths, or a hyperideal one with the tangents of circles.
 // Its edges turn by Ptolemy's relation (Equation 4.4) or its generalization, and the flips are
 // recorded.

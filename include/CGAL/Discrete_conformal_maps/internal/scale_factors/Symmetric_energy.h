@@ -196,7 +196,8 @@ symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation&
   const auto make = [&problem](const Doubled_problem::Triangulation& t) {
     const auto energy = [&](const auto& target) {
       Conformal_energy<FT, Triangle> result(t.mesh(), problem.template lengths<FT>(t),
-                                            problem.expanded(target), problem.flipping());
+                                            problem.expanded(target), problem.flipping(),
+                                            problem.template radii<FT>());
       result.set_concurrency(problem.concurrency());
       return result;
     };

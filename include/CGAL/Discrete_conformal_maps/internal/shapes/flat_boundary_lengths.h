@@ -13,7 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
-#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
@@ -32,7 +32,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Flat_strips
 {
   typedef Intrinsic_triangulations::Intrinsic_triangulation<
-    Intrinsic_triangulations::Ideal_geometry_traits<>>
+    Intrinsic_triangulations::Hyperideal_geometry_traits<>>
     Triangulation;
 
 public:

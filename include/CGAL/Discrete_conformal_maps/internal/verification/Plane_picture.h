@@ -94,8 +94,12 @@ public:
     return result;
   }
 
+  // With circles, that of the Gram coordinates, hence of inversive distances: radii are scaled as
+  // they should be, and distances of centers are those of positions.
   double max_cross_ratio_error() const
   {
+    if(m_data.bc.traits().has_radii())
+      return max_Gram_error();
     const auto counts = [this](Halfedge_index h) {
       const Halfedge_index o = mesh().opposite(h);
       return is_laid_out(mesh().face(h)) && is_laid_out(mesh().face(o)) &&
@@ -115,6 +119,18 @@ public:
   }
 
 private:
+  double max_Gram_error() const
+  {
+    double result = 0;
+    for(Halfedge_index h : mesh().halfedges())
+      if(!mesh().is_border(h) && is_laid_out(mesh().face(h)) && !is_crowded(h)) {
+        const double length = scaled_length(h), error = length_of(h) - length;
+        result = greater_error(result, std::abs(error * (length_of(h) + length)) /
+                                         (2 * m_data.scaled_decorated_length(h).gram()));
+      }
+    return result;
+  }
+
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
   const std::complex<double>& at(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
