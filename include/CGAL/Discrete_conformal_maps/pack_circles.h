@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_PACK_CIRCLES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_PACK_CIRCLES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Circle_packing.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/circles/Packing_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps {
+
+namespace internal {
+
+// Returns the image of a circle under z -> factor / (z - pole) + shift.
+// Precondition: the pole is outside
+inline Planar_circle inverted(const Planar_circle& circle, const std::complex<double>& pole,
+                              const std::complex<double>& factor,
+                              const std::complex<double>& shift)
+{
+  const std::complex<double> z = circle.center - pole;
+  const double power = (std::abs(z) - circle.radius) * (std::abs(z) + circle.radius);
+  return {shift + factor * (std::conj(z) / power), std::abs(factor) * circle.radius / power};
+}
+
+// The circles of a packing in the plane, and where they touch.
+class Packed_circles
+{
+public:
+  Packed_circles(const Planar_conformal_map& map, const Packing_complex& complex)
+    : m_complex(complex), m_circles(complex.rest().num_vertices())
+  {
+    const Delta_complex& mesh = map.ideal().mesh();
+    for(Halfedge_index h : mesh.halfedges())
+      if(map.is_laid_out(mesh.face(h)) && mesh.source(h).idx() < m_circles.size())
+        m_circles[mesh.source(h).idx()] = {map.position(h), map.scaled_radius(mesh.source(h))};
+  }
+
+  // Takes the packing to the unit disk, or to the sphere. What touches is in balance: points on the
+  // unit circle, or on the sphere.
+  void balance()
+  {
+    if(m_complex.apex().is_valid())
+      move_to_disk();
+    else
+      move_to_sphere();
+  }
+
+  // without that of the apex
+  std::vector<Planar_circle> circles() const
+  {
+    return {m_circles.begin(), m_circles.end() - (m_complex.apex().is_valid() ? 1 : 0)};
+  }
+
+  double max_tangency_error() const
+  {
+    double result = 0;
+    for(Edge_index e : m_complex.rest().edges())
+      result = greater_error(result, tangency_error(e));
+    return result;
+  }
+
+private:
+  typedef std::array<double, 2> Point;
+
+  const Planar_circle& at_end(Edge_index e, unsigned end) const
+  {
+    return m_circles[m_complex.rest().vertex(e, end).idx()];
+  }
+  bool is_at_apex(Edge_index e) const
+  {
+    return m_complex.rest().vertex(e, 0) == m_complex.apex() ||
+           m_complex.rest().vertex(e, 1) == m_complex.apex();
+  }
+
+  // On the sphere, or in the disk, where the circle of the apex has become the unit circle, which
+  // others touch from inside.
+  double tangency_error(Edge_index e) const
+  {
+    const Planar_circle &a = at_end(e, 0), &b = at_end(e, 1);
+    if(!m_complex.apex().is_valid())
+      return std::abs(distance(on_sphere(a), on_sphere(b)));
+    if(!is_at_apex(e))
+      return std::abs(std::abs(a.center - b.center) - (a.radius + b.radius));
+    const Planar_circle& c = m_complex.rest().vertex(e, 0) == m_complex.apex() ? b : a;
+    return std::abs(std::abs(c.center) + c.radius - 1);
+  }
+
+  std::complex<double> touching_point(Edge_index e) const
+  {
+    const Planar_circle &a = at_end(e, 0), &b = at_end(e, 1);
+    return a.center + (b.center - a.center) * (a.radius / (a.radius + b.radius));
+  }
+
+  // Points at which circles of edges touch, that of the apex if there is one.
+  std::vector<Point> touching_points() const
+  {
+    std::vector<Point> result;
+    for(Edge_index e : m_complex.rest().edges())
+      if(!m_complex.apex().is_valid() || is_at_apex(e)) {
+        const std::complex<double> z = touching_point(e);
+        result.push_back({z.real(), z.imag()});
+      }
+    return result;
+  }
+
+  void move_to_sphere()
+  {
+    const std::vector<Point> points = touching_points();
+    const Conformal_barycenter<double> center(points, std::vector<double>(points.size(), 1.),
+                                              points.size());
+    for(Planar_circle& c : m_circles) {
+      const Point p = center.centered({c.center.real(), c.center.imag()});
+      c = {{p[0], p[1]}, c.radius / center.height()};
+    }
+  }
+
+  // An inversion turns the circle of the apex inside out. The point that balances the unit circle
+  // lies on the hemisphere above the disk; a motion of the disk takes it above the origin.
+  void move_to_disk()
+  {
+    const Planar_circle apex = m_circles.back();
+    std::vector<Point> points = touching_points();
+    for(Point& p : points) {
+      const std::complex<double> z = apex.radius / (std::complex<double>(p[0], p[1]) - apex.center);
+      p = {z.real() / std::abs(z), z.imag() / std::abs(z)};
+    }
+    const Conformal_barycenter<double> center(points, std::vector<double>(points.size(), 1.),
+                                              points.size());
+    const std::complex<double> base(center.base()[0], center.base()[1]),
+      a = base / (1 + center.height());
+    // z -> (w - a) / (1 - conj(a) w) for w = r / (z - apex)
+    const std::complex<double> pole = apex.center + std::conj(a) * apex.radius;
+    for(Planar_circle& c : m_circles)
+      c = inverted(c, pole, (1 - std::norm(a)) * apex.radius, -a);
+  }
+
+  const Packing_complex& m_complex;
+  std::vector<Planar_circle> m_circles;
+};
+
+// Returns the status of a packing with this error. Relative errors of small circles do not count,
+// which come last among the promises of a map.
+inline Map_status packing_status(Map_status of_map, double max_tangency_error)
+{
+  const bool is_by_size = of_map == Map_status::not_conformal || of_map == Map_status::not_closed;
+  if(of_map != Map_status::success && !is_by_size)
+    return of_map;
+  return max_tangency_error <= tolerance::promised_angle ? Map_status::success
+                                                         : Map_status::not_closed;
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsCircles
+/// packs circles on the sphere, or in the unit disk, that touch as the vertices of a triangulation
+/// are joined by edges (Koebe, Andreev, Thurston). Only the connectivity of `g` counts.
+///
+/// - A closed surface of genus zero packs the unit sphere. The packing is unique up to M&ouml;bius
+///   transformations and reflections; the result is the one in which the points where circles touch
+///   have their mean in the center. The planes of the circles bound a polyhedron, and the apexes of
+///   the cones that touch the sphere in them are the corners of another one, all edges of which
+///   touch the sphere.
+/// - A disk packs the unit disk: the circles of the boundary touch the unit circle from inside. The
+///   points where they do have their mean in the center.
+///
+/// A face is removed, a face at an added vertex beyond the boundary for a disk. Its three circles
+/// are equal and touch each other, and all others lie between them: they are the circles of the
+/// decorated discrete conformal map `flatten()` of a disk with edges of length 2 and radii 1, whose
+/// boundary is not scaled. Circles that touch are weighted Delaunay, whatever the scale factors, so
+/// that no edge is flipped.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param g a connected triangle mesh of genus zero with at most one boundary, in which vertices
+///   determine edges and faces
+///
+/// Complexity: that of `flatten()`.
+/// \returns the circles, with what was measured on them
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh
+template <typename Graph>
+Circle_packing pack_circles(const Graph& g)
+{
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
+  namespace parameters = Discrete_conformal_maps::parameters;
+  const auto constant = [](double value) {
+    return boost::make_function_property_map<Edge_index>([value](auto) { return value; });
+  };
+  typedef typename boost::graph_traits<Graph>::edge_descriptor Edge;
+  const Triangulation input(g, parameters::edge_length_map(
+                                 boost::make_function_property_map<Edge>([](Edge) { return 2.; })));
+  const internal::Packing_complex complex(input.input_mesh());
+  std::vector<Vertex_condition> condition(complex.rest().num_vertices());
+  for(Vertex_index v : complex.outer_corners())
+    condition[v.idx()] = Vertex_condition::log_scale(0);
+  const Planar_conformal_map map = flatten(
+    complex.rest(),
+    parameters::edge_length_map(constant(2.))
+      .vertex_radius_map(
+        boost::make_function_property_map<Vertex_index>([](Vertex_index) { return 1.; }))
+      .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
+        [&](Vertex_index v) { return condition[v.idx()]; })));
+  internal::Packed_circles packed(map, complex);
+  if(map.is_laid_out())
+    packed.balance();
+  const double error =
+    map.is_laid_out() ? packed.max_tangency_error() : std::numeric_limits<double>::quiet_NaN();
+  return {packed.circles(), complex.apex().is_valid(), error,
+          internal::packing_status(map.status(), error), map.minimization()};
+}
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_PACK_CIRCLES_H

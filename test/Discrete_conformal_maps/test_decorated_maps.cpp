@@ -1,0 +1,321 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Intrinsic_triangulations/more_generators.h"
+#include "finite_differences.h"
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/certify.h>
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/weighted_laplacian.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+namespace Test_decorated_maps {
+
+using namespace Test_surfaces;
+using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
+                                           boost::multiprecision::et_off>;
+using Numbers = Eigen::VectorXd;
+using Radii = std::vector<double>;
+
+auto as_radii(const Radii& radii)
+{
+  return boost::make_function_property_map<Vertex_index>(
+    [&radii](Vertex_index v) { return radii[v.idx()]; });
+}
+
+// Random parts of half the distance to the nearest vertex: no two of the circles meet. A third of
+// the vertices have none.
+Radii random_radii(Triangulation t, double part, unsigned int seed)
+{
+  IT::make_Delaunay(t);
+  std::mt19937 random(seed);
+  Radii result;
+  for(Vertex_index v : t.mesh().vertices()) {
+    double least = std::numeric_limits<double>::infinity();
+    for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
+      least = (std::min)(least, t.length(t.mesh().edge(h)));
+    });
+    const double factor = std::uniform_real_distribution<double>(0.2, 1)(random);
+    result.push_back(random() % 3 == 0 || t.mesh().is_isolated(v) ? 0 : part * factor * least / 2);
+  }
+  return result;
+}
+
+// ---- The energy ----
+
+template <typename FT>
+DCM::Conformal_energy<FT> energy_of(Triangulation t, const Radii& radii)
+{
+  IT::make_weighted_Delaunay(t, boost::make_function_property_map<Vertex_index>(
+                                  [&](Vertex_index v) { return radii[v.idx()] * radii[v.idx()]; }));
+  const auto tangent = boost::make_function_property_map<Edge_index>([&](Edge_index e) {
+    return IT::tangent_length(FT(t.length(e)), FT(radii[t.mesh().vertex(e, 0).idx()]),
+                              FT(radii[t.mesh().vertex(e, 1).idx()]));
+  });
+  const Numbers target = Numbers::Zero(Eigen::Index(radii.size()));
+  return {t.mesh(), tangent, target, DCM::Flipping::to_Delaunay, {radii.begin(), radii.end()}};
+}
+
+std::vector<Quad> precise_gradient(const DCM::Conformal_energy<Quad>& energy)
+{
+  const Delta_complex& mesh = energy.surface().mesh();
+  std::vector<Quad> result(mesh.number_of_vertices(), 2 * boost::math::constants::pi<Quad>());
+  for(Vertex_index v : mesh.vertices())
+    if(mesh.is_isolated(v))
+      result[v] = 0;
+  for(Halfedge_index h : mesh.halfedges())
+    result[mesh.source(h)] -= energy.angle(h);
+  return result;
+}
+
+TEST(Decorated_energy, Hessian_is_the_derivative_of_the_gradient)
+{
+  for(const Named_triangulation& s : traced(closed_surfaces()))
+    for(const double bound : {0., 2.}) {
+      auto energy = energy_of<Quad>(s.triangulation, random_radii(s.triangulation, 0.9, 3));
+      const Numbers u = random_numbers(energy.size(), bound, 17);
+      energy.evaluate(u);
+      const Eigen::MatrixXd Hessian = energy.Hessian();
+      EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-13 * (1 + Hessian.norm()));
+      EXPECT_LT((Hessian * Numbers::Ones(u.size())).norm(), 1e-13 * (1 + Hessian.norm()));
+      energy.move_origin();
+      const Eigen::MatrixXd slope =
+        central_differences(energy, 1e-12, [&] { return precise_gradient(energy); });
+      for(Eigen::Index i = 0; i < u.size(); ++i)
+        for(Eigen::Index k = 0; k < u.size(); ++k)
+          EXPECT_NEAR(slope(k, i), Hessian(k, i), 1e-10 * (1 + Hessian(i, i))) << k << ' ' << i;
+    }
+}
+
+TEST(Decorated_energy, scaled_triangles_are_weighted_Delaunay)
+{
+  for(const Named_triangulation& s : traced(closed_surfaces())) {
+    auto energy = energy_of<double>(s.triangulation, random_radii(s.triangulation, 1, 5));
+    energy.evaluate(random_numbers(energy.size(), 2, 19));
+    EXPECT_EQ(energy.number_of_flat_faces(), 0u);
+    // the Hessian is the Laplacian of the scaled surface, by independent formulas
+    const auto& surface = energy.surface();
+    std::vector<double> length;
+    for(Edge_index e : surface.mesh().edges())
+      length.push_back(surface.scaled_decorated_length(surface.mesh().halfedge(e)).length());
+    const Triangulation scaled = triangulation(surface.mesh(), length);
+    const auto weight = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+      return surface.scaled_radius(v) * surface.scaled_radius(v);
+    });
+    for(Edge_index e : scaled.mesh().edges())
+      EXPECT_GE(IT::dual_edge_length(e, scaled.intrinsic(), weight), -1e-10 * scaled.length(e));
+    const Eigen::MatrixXd laplacian = IT::weighted_laplacian(scaled.intrinsic(), weight),
+                          Hessian = energy.Hessian();
+    EXPECT_LT((laplacian - Hessian).norm(), 1e-9 * (1 + Hessian.norm()));
+  }
+}
+
+// ---- Maps ----
+
+Planar_conformal_map decorated(const Triangulation& t, const Radii& radii)
+{
+  const std::vector<double> length = lengths_of(t);
+  return DCM::flatten(t.mesh(), length_parameter(length).vertex_radius_map(as_radii(radii)));
+}
+
+std::vector<Named_triangulation> all_surfaces()
+{
+  std::vector<Named_triangulation> result = closed_surfaces();
+  for(const Named_mesh& m : meshes())
+    if(!CGAL::is_closed(m.mesh))
+      result.push_back({m.name, Triangulation(m.mesh)});
+  result.push_back({"random sphere", Triangulation(random_sphere(300, 4))});
+  return result;
+}
+
+// The curvatures of the image, by the cosine law from distances of centers in the plane.
+void check_curvatures(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  const Used_faces is_used = used_faces(map);
+  std::vector<double> angle(mesh.number_of_vertices(), 0);
+  std::vector<char> is_whole(mesh.number_of_vertices(), 1);
+  for(Halfedge_index h : mesh.halfedges())
+    if(is_used[mesh.face(h)]) {
+      const auto z = map.position(h);
+      angle[mesh.source(h)] +=
+        std::arg((map.position(mesh.prev(h)) - z) / (map.position(mesh.next(h)) - z));
+    } else
+      is_whole[mesh.source(h)] = 0;
+  const std::set<Vertex_index> cones(map.cones().begin(), map.cones().end());
+  for(Vertex_index v : mesh.vertices())
+    if(is_whole[v] && !mesh.is_isolated(v) && map.input_vertex(v) == v &&
+       !map.Delaunay().input_mesh().is_border(v) && cones.count(v) == 0) {
+      EXPECT_NEAR(angle[v], 2 * pi, 1e-9) << v;
+    }
+}
+
+// Edges of the input that have not been flipped have the inversive distances of the input.
+std::size_t check_inversive_distances(const Planar_conformal_map& map, const Radii& radii)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  std::size_t result = 0;
+  for(Halfedge_index h : mesh.halfedges()) {
+    const Edge_index e = mesh.edge(h);
+    if(!map.is_laid_out(mesh.face(h)) || !map.ideal().coordinates().is_shared(e))
+      continue;
+    const Edge_index b = Edge_index(map.ideal().input_halfedge(h));
+    if(!map.Delaunay().coordinates().is_shared(b))
+      continue;
+    const double r = radii[map.input_vertex(mesh.source(h))],
+                 s = radii[map.input_vertex(mesh.target(h))];
+    if(r * s == 0)
+      continue;
+    const double length = map.Delaunay().length(b),
+                 before = (length * length - r * r - s * s) / (2 * r * s),
+                 x = map.scaled_radius(mesh.source(h)), y = map.scaled_radius(mesh.target(h)),
+                 square = std::norm(map.position(mesh.next(h)) - map.position(h));
+    EXPECT_NEAR((square - x * x - y * y) / (2 * x * y) / before, 1, 1e-8) << e;
+    ++result;
+  }
+  return result;
+}
+
+TEST(Decorated_maps, have_the_curvatures_and_inversive_distances)
+{
+  std::size_t distances = 0;
+  for(const Named_triangulation& s : traced(all_surfaces()))
+    for(const double part : {0.5, 1.}) {
+      const Radii radii = random_radii(s.triangulation, part, 7);
+      const Planar_conformal_map map = decorated(s.triangulation, radii);
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
+      EXPECT_LT(map.max_curvature_error(), 1e-10);
+      EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-8);
+      EXPECT_TRUE(map.ideal().is_valid());
+      EXPECT_EQ(map.has_radii(), *std::max_element(radii.begin(), radii.end()) > 0);
+      check_curvatures(map);
+      distances += check_inversive_distances(map, radii);
+    }
+  EXPECT_GT(distances, 1000u);
+}
+
+TEST(Decorated_maps, do_not_depend_on_where_the_search_starts)
+{
+  const Triangulation t(perturbed(embedded_torus(12, 9), 0.2, 3));
+  const Radii radii = random_radii(t, 1, 11);
+  const std::vector<double> length = lengths_of(t);
+  const Planar_conformal_map first = decorated(t, radii);
+  ASSERT_EQ(first.status(), DCM::Map_status::success);
+  for(unsigned int seed = 1; seed <= 5; ++seed) {
+    const Numbers start = random_numbers(radii.size(), 2, seed);
+    const Planar_conformal_map map = DCM::flatten(
+      t.mesh(), length_parameter(length)
+                  .vertex_radius_map(as_radii(radii))
+                  .initial_log_scale_map(boost::make_function_property_map<Vertex_index>(
+                    [&](Vertex_index v) { return start[int(v)]; })));
+    ASSERT_EQ(map.status(), DCM::Map_status::success);
+    for(std::size_t v = 0; v < radii.size(); ++v)
+      EXPECT_NEAR(log_scale(map, v), log_scale(first, v), 1e-10);
+  }
+}
+
+TEST(Decorated_maps, with_radii_of_zero_are_those_without)
+{
+  for(const Named_triangulation& s : traced(all_surfaces())) {
+    const Planar_conformal_map zero =
+      decorated(s.triangulation, Radii(s.triangulation.mesh().number_of_vertices(), 0.));
+    const Planar_conformal_map none =
+      flatten(s.triangulation.mesh(), lengths_of(s.triangulation));
+    EXPECT_FALSE(zero.has_radii());
+    ASSERT_EQ(mesh_C(zero).number_of_halfedges(), mesh_C(none).number_of_halfedges());
+    for(std::size_t v = 0; v < mesh_C(zero).number_of_vertices(); ++v)
+      EXPECT_EQ(log_scale(zero, v), log_scale(none, v));
+    if(zero.is_laid_out())
+      for(Halfedge_index h : mesh_C(zero).halfedges())
+        EXPECT_EQ(zero.position(h), none.position(h));
+  }
+}
+
+TEST(Decorated_maps, with_small_radii_are_close_to_those_without)
+{
+  const Triangulation t(perturbed(embedded_torus(12, 9), 0.2, 3));
+  const Planar_conformal_map none = flatten(t.mesh(), lengths_of(t));
+  double before = 0;
+  for(const double part : {1e-2, 1e-3, 1e-4}) {
+    const Planar_conformal_map map = decorated(t, random_radii(t, part, 11));
+    double difference = 0;
+    for(std::size_t v = 0; v < mesh_C(map).number_of_vertices(); ++v)
+      difference = (std::max)(difference, std::abs(log_scale(map, v) - log_scale(none, v)));
+    if(before > 0)
+      EXPECT_NEAR(difference / before, 0.01, 0.002); // of second order
+    before = difference;
+  }
+}
+
+TEST(Decorated_maps, keep_points_on_their_faces)
+{
+  // The map is projective on each face of the subdivision, and continuous across its edges.
+  const Mesh mesh = perturbed(embedded_torus(8, 7), 0.3, 5);
+  const Triangulation t(mesh);
+  const Planar_conformal_map map = decorated(t, random_radii(t, 1, 13));
+  ASSERT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_GT(map.number_of_flips(Layer::C), 0u);
+  const auto& s = map.subdivision();
+  std::size_t compared = 0;
+  for(Halfedge_index h : s.mesh().halfedges()) {
+    const Halfedge_index o = s.mesh().opposite(h);
+    const Edge_index on_C = s.parent_edge(Layer::C, s.mesh().edge(h));
+    if(on_C.is_valid() && map.is_seam(on_C))
+      continue;
+    const auto z = map.image(h), w = map.image(s.mesh().prev(o));
+    EXPECT_LT(std::abs(z - w), 1e-9 * size_of(map));
+    ++compared;
+  }
+  EXPECT_GT(compared, 100u);
+}
+
+// ---- What is refused ----
+
+std::string error_of(const Triangulation& t, const Radii& radii)
+{
+  try {
+    decorated(t, radii);
+  } catch(const IT::Invalid_input& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Decorated_maps, name_circles_that_meet)
+{
+  const Triangulation t(octahedron());
+  const double length = t.length(Edge_index(0));
+  Radii radii(6, length / 2);
+  EXPECT_EQ(error_of(t, radii), ""); // they touch
+  radii[2] *= 1.01;
+  EXPECT_NE(error_of(t, radii).find("vertices"), std::string::npos);
+  EXPECT_NE(error_of(t, radii).find("2"), std::string::npos);
+  radii = Radii(6, 0);
+  radii[4] = length; // others are on the circle
+  EXPECT_NE(error_of(t, radii).find("meet"), std::string::npos);
+  radii[4] = 1e3;
+  EXPECT_NE(error_of(t, radii), "");
+  radii[4] = -1;
+  EXPECT_NE(error_of(t, radii).find("vertex 4"), std::string::npos);
+  radii[4] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(error_of(t, radii).find("vertex 4"), std::string::npos);
+}
+
+TEST(Decorated_maps, have_no_exact_decisions)
+{
+  const Triangulation t(octahedron());
+  const std::vector<double> length = lengths_of(t);
+  const Radii radii(6, length[0] / 3);
+  EXPECT_THROW(DCM::flatten(t.mesh(), length_parameter(length)
+                                        .vertex_radius_map(as_radii(radii))
+                                        .exact_decisions(true)),
+               IT::Invalid_input);
+  EXPECT_THROW(DCM::certify(decorated(t, radii)), IT::Invalid_input);
+}
+
+} // namespace Test_decorated_maps

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/pack_circles.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+namespace Test_pack_circles {
+
+using namespace Test_surfaces;
+using DCM::Circle_packing;
+using DCM::Spherical_circle;
+
+Spherical_circle on_sphere(const Circle_packing& packing, std::size_t v)
+{
+  return packing.spherical_circle(Vertex_index(static_cast<Delta_complex::size_type>(v)));
+}
+
+double dot(const Spherical_circle& a, const Spherical_circle& b)
+{
+  return a.center[0] * b.center[0] + a.center[1] * b.center[1] + a.center[2] * b.center[2];
+}
+
+// by the chord of unit vectors
+double distance_of_centers(const Spherical_circle& a, const Spherical_circle& b)
+{
+  double square = 0;
+  for(std::size_t c = 0; c < 3; ++c)
+    square += (a.center[c] - b.center[c]) * (a.center[c] - b.center[c]);
+  return 2 * std::asin((std::min)(1., std::sqrt(square) / 2));
+}
+
+template <typename Surface>
+void check_tangencies(const Circle_packing& packing, const Surface& mesh)
+{
+  for(const auto e : mesh.edges()) {
+    const auto a = on_sphere(packing, mesh.vertex(e, 0).idx()),
+               b = on_sphere(packing, mesh.vertex(e, 1).idx());
+    EXPECT_NEAR(distance_of_centers(a, b), a.angle + b.angle, 1e-10) << e;
+  }
+}
+
+// Interiors of circles that are not joined by an edge are disjoint.
+template <typename Surface>
+void check_disjoint(const Circle_packing& packing, const Surface& mesh)
+{
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    for(std::size_t w = 0; w < v; ++w) {
+      const auto a = on_sphere(packing, v), b = on_sphere(packing, w);
+      EXPECT_GT(distance_of_centers(a, b), a.angle + b.angle - 1e-10) << v << ' ' << w;
+    }
+}
+
+// Faces have the orientation of the mesh, as seen from outside.
+void check_orientation(const Circle_packing& packing, const Mesh& mesh)
+{
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    const auto a = on_sphere(packing, mesh.source(h)).center,
+               b = on_sphere(packing, mesh.target(h)).center,
+               c = on_sphere(packing, mesh.target(mesh.next(h))).center;
+    const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                          a[2] * (b[0] * c[1] - b[1] * c[0]);
+    EXPECT_GT(volume, 0) << f;
+  }
+}
+
+Mesh icosahedron()
+{
+  const double phi = (1 + std::sqrt(5.)) / 2;
+  std::vector<Point> points;
+  for(const double s : {-1., 1.})
+    for(const double t : {-phi, phi}) {
+      points.emplace_back(0, s, t);
+      points.emplace_back(s, t, 0);
+      points.emplace_back(t, 0, s);
+    }
+  Triangles triangles;
+  const auto square = [&](std::size_t i, std::size_t j) {
+    return CGAL::squared_distance(points[i], points[j]);
+  };
+  for(std::size_t i = 0; i < 12; ++i)
+    for(std::size_t j = 0; j < 12; ++j)
+      for(std::size_t k = 0; k < 12; ++k)
+        if(i < j && i < k && j != k && square(i, j) < 4.5 && square(j, k) < 4.5 &&
+           square(k, i) < 4.5 &&
+           CGAL::orientation(Point(0, 0, 0), points[i], points[j], points[k]) == CGAL::POSITIVE)
+          triangles.push_back({i, j, k});
+  return make_mesh(points, triangles);
+}
+
+TEST(Pack_circles, of_Platonic_solids_are_regular)
+{
+  const std::pair<Mesh, double> solids[] = {{tetrahedron(), std::acos(1 / std::sqrt(3.))},
+                                            {octahedron(), pi / 4},
+                                            {icosahedron(), std::atan(2.) / 2}};
+  for(const auto& [mesh, angle] : solids) {
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status(), DCM::Map_status::success);
+    EXPECT_FALSE(packing.is_disk());
+    for(std::size_t v = 0; v < packing.size(); ++v)
+      EXPECT_NEAR(on_sphere(packing, v).angle, angle, 1e-12) << v;
+    check_tangencies(packing, mesh);
+    check_orientation(packing, mesh);
+  }
+}
+
+TEST(Pack_circles, touch_on_random_spheres)
+{
+  for(const auto& [n, seed] : {std::pair{10u, 1u}, {50u, 2u}, {200u, 3u}, {1000u, 4u}}) {
+    Mesh mesh = random_sphere(n, seed);
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status(), DCM::Map_status::success);
+    EXPECT_LT(packing.max_tangency_error(), 1e-10);
+    check_tangencies(packing, mesh);
+    if(n <= 200)
+      check_disjoint(packing, mesh);
+  }
+}
+
+TEST(Pack_circles, touch_after_random_flips)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    Mesh mesh = random_sphere(300, seed);
+    CGAL::Random random(seed);
+    for(int i = 0; i < 10000; ++i) {
+      const Mesh::Halfedge_index h(
+        static_cast<Mesh::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
+      const auto a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(mesh.opposite(h)));
+      if(a != b && !mesh.halfedge(a, b).is_valid())
+        CGAL::Euler::flip_edge(h, mesh);
+    }
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status(), DCM::Map_status::success) << seed;
+    check_tangencies(packing, mesh);
+  }
+}
+
+// Circles touch in points that are in balance.
+TEST(Pack_circles, are_centered)
+{
+  const Mesh mesh = random_sphere(100, 6);
+  const Circle_packing packing = DCM::pack_circles(mesh);
+  std::array<double, 3> sum{0, 0, 0};
+  for(const auto e : mesh.edges()) {
+    const auto a = on_sphere(packing, mesh.vertex(e, 0)), b = on_sphere(packing, mesh.vertex(e, 1));
+    const double angle = a.angle + b.angle;
+    for(std::size_t c = 0; c < 3; ++c)
+      sum[c] +=
+        (std::sin(b.angle) * a.center[c] + std::sin(a.angle) * b.center[c]) / std::sin(angle);
+  }
+  for(const double s : sum)
+    EXPECT_NEAR(s, 0, 1e-9);
+}
+
+TEST(Pack_circles, of_disks_touch_the_unit_circle)
+{
+  for(const Mesh& mesh :
+      {punctured(random_sphere(200, 7), {3}), punctured(tetrahedron(), {0}), square(),
+       grid(9, 7, [](double x, double y) { return Point(x, y, 0); })}) {
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status(), DCM::Map_status::success);
+    EXPECT_TRUE(packing.is_disk());
+    ASSERT_EQ(packing.size(), mesh.number_of_vertices());
+    for(const auto e : mesh.edges()) {
+      const auto &a = packing.circle(mesh.vertex(e, 0)), &b = packing.circle(mesh.vertex(e, 1));
+      EXPECT_NEAR(std::abs(a.center - b.center), a.radius + b.radius, 1e-10);
+    }
+    for(const auto v : mesh.vertices()) {
+      const auto& c = packing.circle(v);
+      if(mesh.is_border(v))
+        EXPECT_NEAR(std::abs(c.center) + c.radius, 1, 1e-10);
+      else
+        EXPECT_LT(std::abs(c.center) + c.radius, 1 - 1e-10);
+    }
+    check_disjoint(packing, mesh);
+  }
+}
+
+// ---- Pieces of the hexagonal packing ----
+
+struct Hexagonal_piece
+{
+  std::vector<std::array<int, 2>> place; // in the lattice with the basis 1 and e^(i pi/3)
+  Mesh mesh;
+};
+
+Hexagonal_piece hexagonal_piece(int radius)
+{
+  Hexagonal_piece result;
+  std::map<std::array<int, 2>, std::size_t> index;
+  std::vector<Point> points;
+  for(int j = -radius; j <= radius; ++j)
+    for(int i = -radius; i <= radius; ++i)
+      if(std::abs(i + j) <= radius) {
+        index[{i, j}] = points.size();
+        points.emplace_back(2 * i + j, std::sqrt(3.) * j, 0);
+        result.place.push_back({i, j});
+      }
+  Triangles triangles;
+  const auto add = [&](std::array<int, 2> a, std::array<int, 2> b, std::array<int, 2> c) {
+    if(index.count(a) && index.count(b) && index.count(c))
+      triangles.push_back({index[a], index[b], index[c]});
+  };
+  for(const auto& [i, j] : result.place) {
+    add({i, j}, {i + 1, j}, {i, j + 1});
+    add({i, j}, {i, j + 1}, {i - 1, j + 1});
+  }
+  result.mesh = make_mesh(points, triangles);
+  return result;
+}
+
+// Doyle's spirals: the radii a^i b^j of a hexagonal packing close up around each vertex, for all a
+// and b. The hexagonal packing with equal radii is the case of 1.
+TEST(Pack_circles, of_hexagonal_pieces_are_spirals)
+{
+  const Hexagonal_piece piece = hexagonal_piece(6);
+  for(const auto& [a, b] : {std::pair{1., 1.}, {1.1, 1.}, {1.2, 0.9}, {0.8, 1.3}}) {
+    const auto log_radius = [&, a = a, b = b](std::size_t v) {
+      return piece.place[v][0] * std::log(a) + piece.place[v][1] * std::log(b);
+    };
+    Conditions condition(piece.place.size());
+    for(const auto v : piece.mesh.vertices())
+      if(piece.mesh.is_border(v))
+        condition[v] = Vertex_condition::log_scale(log_radius(v));
+    const Planar_conformal_map map = DCM::flatten(
+      piece.mesh, DCM::parameters::vertex_condition_map(as_map(condition))
+                    .vertex_radius_map(boost::make_function_property_map<Vertex_index>(
+                      [](Vertex_index) { return 1.; })));
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    for(std::size_t v = 0; v < piece.place.size(); ++v)
+      EXPECT_NEAR(log_scale(map, v), log_radius(v), 1e-12) << a << ' ' << b;
+    const Delta_complex& mesh = mesh_C(map);
+    for(Halfedge_index h : mesh.halfedges())
+      if(map.is_laid_out(mesh.face(h))) {
+        EXPECT_NEAR(std::abs(map.position(mesh.next(h)) - map.position(h)) /
+                      (map.scaled_radius(mesh.source(h)) + map.scaled_radius(mesh.target(h))),
+                    1, 1e-10);
+      }
+  }
+}
+
+TEST(Pack_circles, refuse_other_surfaces)
+{
+  EXPECT_THROW(DCM::pack_circles(embedded_torus(4, 4)), IT::Invalid_input);
+  EXPECT_THROW(DCM::pack_circles(four_components()), IT::Invalid_input);
+  EXPECT_THROW(DCM::pack_circles(punctured(random_sphere(40, 6), {0, 20})), IT::Invalid_input);
+  EXPECT_THROW(DCM::pack_circles(glue({{1, 2, 3}, {-3, -2, -1}})), IT::Invalid_input);
+}
+
+} // namespace Test_pack_circles
