@@ -138,7 +138,8 @@ TEST(Hyperideal_geometry, an_edge_that_was_flipped_is_not_flipped_back)
       return diamond<double>(moved[0], moved[1], moved[2], moved[3]);
     };
     double low = 1e-6, high = 1e6;
-    if(traits.is_locally_Delaunay_object()(at(low)) == traits.is_locally_Delaunay_object()(at(high)))
+    if(traits.is_locally_Delaunay_object()(at(low)) ==
+       traits.is_locally_Delaunay_object()(at(high)))
       continue;
     const bool at_low = traits.is_locally_Delaunay_object()(at(low));
     for(int step = 0; step < 60; ++step) {
@@ -148,8 +149,7 @@ TEST(Hyperideal_geometry, an_edge_that_was_flipped_is_not_flipped_back)
     d = at(at_low ? high : low);
     ASSERT_FALSE(traits.is_locally_Delaunay_object()(d));
     const Edge<double> kl{flipped(d), d.ki.source_radius, d.lj.source_radius};
-    EXPECT_TRUE(traits.is_locally_Delaunay_object()({kl, d.lj, d.jk, d.ki, d.il}))
-      << trial;
+    EXPECT_TRUE(traits.is_locally_Delaunay_object()({kl, d.lj, d.jk, d.ki, d.il})) << trial;
     EXPECT_NEAR(flipped<double>({kl, d.lj, d.jk, d.ki, d.il}) / d.ij.tangent, 1, 1e-10);
   }
 }
@@ -164,8 +164,8 @@ TEST(Hyperideal_geometry, flips_commute_with_scaling)
       c.s *= std::exp(std::uniform_real_distribution<double>(-3, 3)(random));
     const auto d = diamond<double>(v[0], v[1], v[2], v[3]),
                e = diamond<double>(scaled[0], scaled[1], scaled[2], scaled[3]);
-    const double factor = static_cast<double>(
-      sqrt(Real_50(scaled[1].s * scaled[3].s / (v[1].s * v[3].s))));
+    const double factor =
+      static_cast<double>(sqrt(Real_50(scaled[1].s * scaled[3].s / (v[1].s * v[3].s))));
     EXPECT_NEAR(flipped(e) / (factor * flipped(d)), 1, 1e-13) << trial;
   }
 }
@@ -179,8 +179,7 @@ TEST(Hyperideal_geometry, without_radii_a_flip_is_Ptolemys_relation)
   for(int trial = 0; trial < 2000; ++trial) {
     const IT::Diamond<double> d{length(random), length(random), length(random), length(random),
                                 length(random)};
-    const Diamond<double> e{
-      {d.ij, 0, 0}, {d.jk, 0, 0}, {d.ki, 0, 0}, {d.il, 0, 0}, {d.lj, 0, 0}};
+    const Diamond<double> e{{d.ij, 0, 0}, {d.jk, 0, 0}, {d.ki, 0, 0}, {d.il, 0, 0}, {d.lj, 0, 0}};
     EXPECT_NEAR(flipped(e) / ideal.compute_flipped_length_object()(d), 1, 1e-14);
     EXPECT_EQ(traits.compute_flipped_length_object()(d), ideal.compute_flipped_length_object()(d));
     EXPECT_EQ(traits.is_locally_Delaunay_object()(e), ideal.is_locally_Delaunay_object()(d));
@@ -273,9 +272,8 @@ TEST(Hyperideal_geometry, a_surface_has_one_Delaunay_triangulation_from_all_flip
     for(std::size_t v = 0; v < mesh.num_vertices(); ++v)
       radii.push_back(v % 3 == 0 ? 0 : radius(random));
     Triangulation tri(
-      mesh, IT::parameters::edge_length_map(
-              boost::make_function_property_map<Mesh::Edge_index>(
-                [&](Mesh::Edge_index e) { return tangent[e.idx()]; }))
+      mesh, IT::parameters::edge_length_map(boost::make_function_property_map<Mesh::Edge_index>(
+                                              [&](Mesh::Edge_index e) { return tangent[e.idx()]; }))
               .geom_traits(Traits<double>(radii)));
     IT::make_Delaunay(tri);
     ASSERT_TRUE(IT::is_Delaunay(tri));

@@ -225,10 +225,10 @@ TEST(Pack_circles, of_hexagonal_pieces_are_spirals)
     for(const auto v : piece.mesh.vertices())
       if(piece.mesh.is_border(v))
         condition[v] = Vertex_condition::log_scale(log_radius(v));
-    const Planar_conformal_map map = DCM::flatten(
-      piece.mesh, DCM::parameters::vertex_condition_map(as_map(condition))
-                    .vertex_radius_map(boost::make_function_property_map<Vertex_index>(
-                      [](Vertex_index) { return 1.; })));
+    const Planar_conformal_map map =
+      DCM::flatten(piece.mesh, DCM::parameters::vertex_condition_map(as_map(condition))
+                                 .vertex_radius_map(boost::make_function_property_map<Vertex_index>(
+                                   [](Vertex_index) { return 1.; })));
     EXPECT_EQ(map.status(), DCM::Map_status::success);
     for(std::size_t v = 0; v < piece.place.size(); ++v)
       EXPECT_NEAR(log_scale(map, v), log_radius(v), 1e-12) << a << ' ' << b;

@@ -17,6 +17,7 @@
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_strip`
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Ideal_strip`
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Hyperideal_strip`
 ///
 /// \sa `IntrinsicGeometryTraits`
 class GeodesicStrip

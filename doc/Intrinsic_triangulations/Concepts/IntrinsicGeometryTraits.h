@@ -12,8 +12,14 @@
 /// obtained from a constant object and called through a constant reference. `Diamond<FT>` holds the
 /// lengths of an edge \f$ij\f$ and of the four other sides of its faces \f$ijk\f$ and \f$jil\f$.
 ///
+/// A model can have circles at the vertices: it then has the member functions `has_radii()` and
+/// `radius(v)`. If `has_radii()` returns `true`, the function objects are called with a
+/// `Diamond<Decorated_length<FT>>`, whose edges know the radii at their ends, and the strip with
+/// `Decorated_length<FT>`.
+///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_geometry_traits`
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Ideal_geometry_traits`
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Hyperideal_geometry_traits`
 ///
 /// \sa `IntrinsicGeometryTraitsWithDistance`
 /// \sa `CGAL::Intrinsic_triangulations::Intrinsic_triangulation`

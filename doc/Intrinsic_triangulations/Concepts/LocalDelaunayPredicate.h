@@ -13,6 +13,7 @@
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_geometry_traits::Is_locally_Delaunay`
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Ideal_geometry_traits::Is_locally_Delaunay`
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Hyperideal_geometry_traits::Is_locally_Delaunay`
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Exact_Euclidean_geometry_traits::Is_locally_Delaunay`
 ///
 /// \sa `IntrinsicGeometryTraits`

@@ -55,8 +55,8 @@ inline double distance(const Spherical_circle& a, const Spherical_circle& b)
 {
   const auto &p = a.center, &q = b.center;
   const double cosine = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-  const double sine = std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
-                                 p[0] * q[1] - p[1] * q[0]);
+  const double sine =
+    std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
   return std::atan2(sine, cosine) - (a.angle + b.angle);
 }
 
@@ -92,10 +92,7 @@ public:
 
   /// returns the circle of the vertex `v` on the unit sphere. The circles of a disk are on the
   /// northern hemisphere.
-  Spherical_circle spherical_circle(Vertex_index v) const
-  {
-    return internal::on_sphere(circle(v));
-  }
+  Spherical_circle spherical_circle(Vertex_index v) const { return internal::on_sphere(circle(v)); }
 
   /// returns the greatest difference, over all edges, of the distance of two centers and the sum of
   /// both radii: of angles on the unit sphere, or in the unit disk, in which the distance of the

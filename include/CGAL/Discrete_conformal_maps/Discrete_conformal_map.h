@@ -71,8 +71,7 @@ struct Map_data
   {
     const auto edge = Intrinsic_triangulations::internal::decorated_lengths(
       bc.traits(), bc.length_map(), bc.mesh())(h);
-    return scaled(edge, log_scale[bc.mesh().source(h).idx()],
-                  log_scale[bc.mesh().target(h).idx()]);
+    return scaled(edge, log_scale[bc.mesh().source(h).idx()], log_scale[bc.mesh().target(h).idx()]);
   }
 };
 

@@ -210,7 +210,7 @@ private:
   Surface m_surface;
   std::vector<FT> m_scaled_length;
   std::vector<FT> m_scaled_radius; // of each vertex, if there are circles
-  std::vector<FT> m_factor; // of each vertex, for lengths
+  std::vector<FT> m_factor;        // of each vertex, for lengths
   Intrinsic_triangulations::Edge_stack m_stack;
 };
 

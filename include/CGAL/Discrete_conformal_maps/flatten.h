@@ -130,8 +130,7 @@ Planar_conformal_map flatten(const Graph& g,
   const auto conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0));
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             is_free, np, internal::Free_shape(),
-                             internal::vertex_radii(g, np));
+                             is_free, np, internal::Free_shape(), internal::vertex_circles(g, np));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -31,8 +31,7 @@ namespace internal {
 // Returns the image of a circle under z -> factor / (z - pole) + shift.
 // Precondition: the pole is outside
 inline Planar_circle inverted(const Planar_circle& circle, const std::complex<double>& pole,
-                              const std::complex<double>& factor,
-                              const std::complex<double>& shift)
+                              const std::complex<double>& factor, const std::complex<double>& shift)
 {
   const std::complex<double> z = circle.center - pole;
   const double power = (std::abs(z) - circle.radius) * (std::abs(z) + circle.radius);
@@ -208,13 +207,12 @@ Circle_packing pack_circles(const Graph& g)
   std::vector<Vertex_condition> condition(complex.rest().num_vertices());
   for(Vertex_index v : complex.outer_corners())
     condition[v.idx()] = Vertex_condition::log_scale(0);
-  const Planar_conformal_map map = flatten(
-    complex.rest(),
-    parameters::edge_length_map(constant(2.))
-      .vertex_radius_map(
-        boost::make_function_property_map<Vertex_index>([](Vertex_index) { return 1.; }))
-      .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
-        [&](Vertex_index v) { return condition[v.idx()]; })));
+  const Planar_conformal_map map =
+    flatten(complex.rest(), parameters::edge_length_map(constant(2.))
+                              .vertex_radius_map(boost::make_function_property_map<Vertex_index>(
+                                [](Vertex_index) { return 1.; }))
+                              .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
+                                [&](Vertex_index v) { return condition[v.idx()]; })));
   internal::Packed_circles packed(map, complex);
   if(map.is_laid_out())
     packed.balance();

@@ -38,10 +38,7 @@ struct Decorated_length
   FT excess() const { return tangent * tangent / 2; }
 
   /// returns \f$\eta_{ij}^2 - r_i^2 r_j^2\f$, which is zero if and only if the circles touch.
-  FT determinant() const
-  {
-    return excess() * (excess() + 2 * (source_radius * target_radius));
-  }
+  FT determinant() const { return excess() * (excess() + 2 * (source_radius * target_radius)); }
 
   /// returns the distance of the centers, the length of the edge.
   FT length() const
@@ -93,9 +90,9 @@ FT height_over(const Decorated_length<FT>& ij, const FT& gram_ki, const FT& gram
 }
 
 template <typename FT>
-Decorated_length<FT> in_unit(const Decorated_length<FT>& edge, const FT& unit)
+Decorated_length<FT> multiplied(const Decorated_length<FT>& edge, const FT& factor)
 {
-  return {edge.tangent / unit, edge.source_radius / unit, edge.target_radius / unit};
+  return {factor * edge.tangent, factor * edge.source_radius, factor * edge.target_radius};
 }
 
 // The circles at the corners of two neighboring faces ijk and jil, in a unit that keeps products
@@ -107,9 +104,8 @@ class Decorated_diamond
 
 public:
   explicit Decorated_diamond(const Diamond<Edge>& edge)
-    : m_unit(edge.ij.tangent + (edge.ij.source_radius + edge.ij.target_radius)),
-      m_edge{in_unit(edge.ij, m_unit), in_unit(edge.jk, m_unit), in_unit(edge.ki, m_unit),
-             in_unit(edge.il, m_unit), in_unit(edge.lj, m_unit)}
+    : Decorated_diamond(edge,
+                        1 / (edge.ij.tangent + (edge.ij.source_radius + edge.ij.target_radius)))
   {}
 
   // Returns t_kl after ij has been flipped. With A the Gram matrix of i and j, and b_k, b_l the
@@ -125,7 +121,7 @@ public:
     const FT kk = r_k * r_k * D + q_k, ll = r_l * r_l * D + q_l;
     const FT root = FT(sqrt(kk)) * FT(sqrt(ll));
     const FT apart = (D * (r_k * r_k * q_l + r_l * r_l * q_k) + q_k * q_l) / (root + r_k * r_l * D);
-    return m_unit * FT(sqrt(FT(2 * (apart + product(k(), l())) / D)));
+    return FT(sqrt(FT(2 * (apart + product(k(), l())) / D))) / m_factor;
   }
 
   // The terms of the weighted ideal Delaunay condition: ij satisfies it if `inner` is not greater
@@ -144,6 +140,12 @@ public:
   }
 
 private:
+  Decorated_diamond(const Diamond<Edge>& edge, const FT& factor)
+    : m_factor(factor),
+      m_edge{multiplied(edge.ij, factor), multiplied(edge.jk, factor), multiplied(edge.ki, factor),
+             multiplied(edge.il, factor), multiplied(edge.lj, factor)}
+  {}
+
   // the Gram coordinates of an apex with i and j
   struct Apex
   {
@@ -163,7 +165,7 @@ private:
   // Returns the sum of both entries of A^-1 b_x, times the determinant.
   FT height(const Apex& x) const { return height_over(m_edge.ij, x.to_i, x.to_j); }
 
-  FT m_unit;
+  FT m_factor; // the inverse of the unit
   Diamond<Edge> m_edge;
 };
 

@@ -115,22 +115,25 @@ public:
     if(!m_has_radii)
       return m_ideal.crossing(m);
     const Inner_edge& x = m_edges[m];
-    const FT unit = m_length.tangent + (m_length.source_radius + m_length.target_radius);
-    const FT without_a = volume(x.edge.reversed(), x.from_b_to_source.reversed(),
-                                x.from_b_to_target, unit),
-             without_b = volume(x.edge, x.from_a_to_target.reversed(), x.from_a_to_source, unit),
-             without_i = volume(m_length, x.from_b_to_target, x.from_a_to_target.reversed(), unit),
-             without_j = volume(m_length, x.from_b_to_source, x.from_a_to_source.reversed(), unit);
+    const FT factor = 1 / (m_length.tangent + (m_length.source_radius + m_length.target_radius));
+    const FT without_a =
+               volume(x.edge.reversed(), x.from_b_to_source.reversed(), x.from_b_to_target, factor),
+             without_b = volume(x.edge, x.from_a_to_target.reversed(), x.from_a_to_source, factor),
+             without_i =
+               volume(m_length, x.from_b_to_target, x.from_a_to_target.reversed(), factor),
+             without_j =
+               volume(m_length, x.from_b_to_source, x.from_a_to_source.reversed(), factor);
     const FT on_line = without_a + without_b, on_edge = without_i + without_j;
     return {without_b / on_line, without_j / on_edge, on_edge / on_line};
   }
 
 private:
-  static FT volume(const Edge& ij, const Edge& jk, const Edge& ki, const FT& unit)
+  static FT volume(const Edge& ij, const Edge& jk, const Edge& ki, const FT& factor)
   {
     using std::sqrt;
-    return sqrt(internal::squared_volume(internal::in_unit(ij, unit), internal::in_unit(jk, unit),
-                                         internal::in_unit(ki, unit)));
+    return sqrt(internal::squared_volume(internal::multiplied(ij, factor),
+                                         internal::multiplied(jk, factor),
+                                         internal::multiplied(ki, factor)));
   }
 
   void add_edge(const Edge& ai, const Edge& aj, const Edge& ij)

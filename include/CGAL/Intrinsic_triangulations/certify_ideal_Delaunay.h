@@ -184,9 +184,8 @@ private:
 /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
 /// \pre no vertex has been inserted; `tri` has no garbage
 template <typename Ideal_traits>
-Ideal_Delaunay_certificate
-certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri,
-                       const std::vector<double>& factor)
+Ideal_Delaunay_certificate certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri,
+                                                  const std::vector<double>& factor)
 {
   CGAL_precondition(tri.number_of_inserted_vertices() == 0 && !tri.mesh().has_garbage());
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
@@ -204,8 +203,7 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri,
 /// decides exactly which edges of \f$T_2\f$ satisfy the local ideal Delaunay condition with the
 /// lengths of \f$T_1\f$ as they are: all factors are 1.
 template <typename Ideal_traits>
-Ideal_Delaunay_certificate
-certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri)
+Ideal_Delaunay_certificate certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri)
 {
   return certify_ideal_Delaunay(tri, std::vector<double>(tri.mesh().number_of_vertices(), 1.));
 }

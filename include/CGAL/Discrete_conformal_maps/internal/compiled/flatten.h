@@ -19,7 +19,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Planar_conformal_map
 flattened(Intrinsic_triangulations::Intrinsic_triangulation<>, const std::vector<Vertex_condition>&,
           const std::vector<double>&, bool, const CGAL::parameters::Default_named_parameters&,
-          Free_shape, const std::vector<double>&);
+          Free_shape, const Vertex_circles&);
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

@@ -385,25 +385,6 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
   return result;
 }
 
-// Returns the radii of the circles at the vertices, by their indices; none if all are zero.
-// \throws Invalid_input if one is negative, infinite or NaN
-template <typename Graph, typename NamedParameters>
-std::vector<double> vertex_radii([[maybe_unused]] const Graph& g,
-                                 [[maybe_unused]] const NamedParameters& np)
-{
-  std::vector<double> result;
-  if constexpr(!CGAL::parameters::is_default_parameter<
-                 NamedParameters, internal_np::vertex_radius_map_t>::value) {
-    for(auto v : vertices(g))
-      result.push_back(
-        get(CGAL::parameters::get_parameter(np, internal_np::vertex_radius_map), v));
-    check_radii(result);
-    if(std::all_of(result.begin(), result.end(), [](double r) { return r == 0; }))
-      result.clear();
-  }
-  return result;
-}
-
 // Returns the bound of scale factors beyond which cones are placed; infinity for no cones.
 // `is_free` says whether nothing is prescribed.
 template <typename NamedParameters>
@@ -420,14 +401,14 @@ double bound_without_cones(bool is_free, const NamedParameters& np)
   return std::numeric_limits<double>::infinity();
 }
 
-// Does what `flatten()` documents, for conditions, scale factors to start from and radii by
-// vertices. `is_free` says whether nothing is prescribed.
+// Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
+// `is_free` says whether nothing is prescribed.
 template <typename NamedParameters, typename Shape>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                const std::vector<Vertex_condition>& conditions,
                                const std::vector<double>& log_scale, bool is_free,
                                const NamedParameters& np, Shape shape,
-                               const std::vector<double>& radii = {})
+                               const Vertex_circles& circles = Vertex_circles())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -439,7 +420,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
     Doubled_problem problem(
       std::move(surface), conditions,
       choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay), exactness,
-      radii);
+      circles);
     problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
     Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
     flattening.start_from(log_scale);
@@ -457,14 +438,10 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
       return flattening.finish(Named_layout{get_parameter(np, internal_np::layout)}, own_shape);
   };
   const bool is_exact = choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
-  if(!radii.empty()) {
-    if(is_exact)
-      throw Intrinsic_triangulations::Invalid_input(
-        "decisions about circles at the vertices cannot be exact");
-    return find(std::move(input), Exactness::none);
-  }
-  if(is_exact)
-    return find(std::move(input), Exactness::decisions);
+  if(is_exact && circles.exist())
+    throw Intrinsic_triangulations::Invalid_input("decisions about circles cannot be exact");
+  if(is_exact || circles.exist())
+    return find(std::move(input), is_exact ? Exactness::decisions : Exactness::none);
   return with_digits_as_needed(std::move(input), find);
 }
 

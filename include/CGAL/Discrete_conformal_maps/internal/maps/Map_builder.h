@@ -216,14 +216,15 @@ public:
                                 m_problem.template radii<FT>());
     surface.replay(m_flips);
     std::vector<FT> result(mesh().num_edges());
-    const auto at = [&](Vertex_index v) -> const FT& { return u[m_data.input_vertex[v.idx()].idx()]; };
+    const auto at = [&](Vertex_index v) -> const FT& {
+      return u[m_data.input_vertex[v.idx()].idx()];
+    };
     for(Edge_index e : mesh().edges()) {
       const Halfedge_index h = mesh().halfedge(e);
       const FT &u_i = at(mesh().source(h)), &u_j = at(mesh().target(h));
-      result[e.idx()] =
-        surface.has_radii()
-          ? scaled(surface.decorated_length(h), u_i, u_j).length()
-          : internal::scaled_length(surface.length(e), length_factor(FT(u_i + u_j)));
+      result[e.idx()] = surface.has_radii() ? scaled(surface.decorated_length(h), u_i, u_j).length()
+                                            : internal::scaled_length(surface.length(e),
+                                                                      length_factor(FT(u_i + u_j)));
     }
     return result;
   }

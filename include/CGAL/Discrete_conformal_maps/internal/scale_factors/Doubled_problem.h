@@ -11,10 +11,9 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/circles.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
-#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -22,7 +21,6 @@
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Core>
 #include <boost/pending/disjoint_sets.hpp>
@@ -59,11 +57,11 @@ public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
 
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
-  // is kept; `condition` has one entry for each of its vertices, and so has `radii` if there are
-  // circles at the vertices. With circles, rounded lengths decide.
+  // is kept; `condition` has one entry for each of its vertices. With circles, rounded lengths
+  // decide.
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, Exactness exactness = Exactness::none,
-                  std::vector<double> radii = {})
+                  Vertex_circles circles = Vertex_circles())
     : Prescribed_curvatures(half.mesh(), condition),
       m_flipping(flipping),
       m_is_exact(exactness == Exactness::decisions),
@@ -71,7 +69,7 @@ public:
       m_has_needles(m_has_exact_flips && has_unknown_angles(half) && has_exact_metric(half)),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
-      m_radii(std::move(radii)),
+      m_circles(std::move(circles)),
       m_has_copy(m_half.num_faces(), 0)
   {
     if(m_point.empty())
@@ -134,17 +132,13 @@ public:
   }
 
   // whether there are circles at the vertices
-  bool has_radii() const { return !m_radii.empty(); }
+  bool has_radii() const { return m_circles.exist(); }
 
   // Returns the radii of the circles at the vertices of the triangulation, if there are any.
   template <typename FT>
   std::vector<FT> radii() const
   {
-    std::vector<FT> result;
-    if(has_radii())
-      for(Vertex_index v : m_original)
-        result.push_back(FT(m_radii[v.idx()]));
-    return result;
+    return m_circles.radii<FT>(m_original);
   }
 
   // Returns the lengths of T^B with the digits of `FT`, or those of the tangents of circles. `t` is
@@ -157,8 +151,7 @@ public:
         m_most_precise_length = exact_lengths<FT>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
       if(has_radii())
-        return Intrinsic_triangulations::tangent_length(
-          FT(t.length(e)), FT(radius(t.mesh().vertex(e, 0))), FT(radius(t.mesh().vertex(e, 1))));
+        return m_circles.tangent_length<FT>(t, e, m_original);
       if(!has_precise_lengths())
         return FT(t.length(e));
       if constexpr(std::is_same_v<FT, More_extended>)
@@ -371,35 +364,15 @@ private:
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);
-    m_triangulation = m_point.empty() ? double_by_lengths(surface) : double_by_points(surface);
+    m_triangulation =
+      m_point.empty() ? surface.triangulation(m_length) : surface.triangulation(m_point);
     m_original = surface.originals();
     m_original_face = surface.original_faces();
     m_seams = surface.seams();
     if(m_flipping == Flipping::to_Delaunay)
       flip_to_Delaunay();
     if(has_radii())
-      check_circles(m_triangulation, [this](Vertex_index v) { return original(v); }, m_radii);
-  }
-
-  Triangulation double_by_lengths(const Doubled_surface& surface) const
-  {
-    std::vector<double> length(surface.mesh().num_edges());
-    for(Edge_index e : m_half.edges())
-      length[e.idx()] = length[surface.mirrored(e).idx()] = m_length[e.idx()];
-    return Triangulation(surface.mesh(), Intrinsic_triangulations::parameters::edge_length_map(
-                                           boost::make_function_property_map<Edge_index>(
-                                             [&](Edge_index e) { return length[e.idx()]; })));
-  }
-
-  // Rounded lengths of a thin face may be those of one without area; positions are not.
-  Triangulation double_by_points(const Doubled_surface& surface) const
-  {
-    return Triangulation(surface.mesh(),
-                         CGAL::parameters::vertex_point_map(
-                           boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
-                             const auto& [x, y, z] = m_point[surface.originals()[v.idx()].idx()];
-                             return Simple_cartesian<double>::Point_3(x, y, z);
-                           })));
+      m_circles.check(m_triangulation, m_original);
   }
 
   struct Flip_record
@@ -414,12 +387,11 @@ private:
     m_flips.clear();
     Flip_record record{m_flips};
     m_number_of_flips =
-      has_radii()
-        ? flip_with_circles(
-            m_triangulation, [this](Vertex_index v) { return original(v); }, m_radii, record)
-        : Intrinsic_triangulations::make_Delaunay(
-            m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
-                               .visitor(std::ref(record)));
+      has_radii() ? m_circles.flip(m_triangulation, m_original, record)
+                  : Intrinsic_triangulations::make_Delaunay(
+                      m_triangulation,
+                      Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
+                        .visitor(std::ref(record)));
     m_most_precise_length.clear();
     if(has_exceeded(m_flips))
       extend(0, {});
@@ -450,17 +422,15 @@ private:
     return result;
   }
 
-  double radius(Vertex_index v) const { return m_radii[original(v).idx()]; }
-
   Flipping m_flipping;
   Intrinsic_triangulations::Concurrency m_concurrency;
   bool m_is_exact, m_has_exact_flips, m_has_needles;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges
-  std::vector<double> m_radii;                // of the circles at the vertices, if there are any
-  std::vector<char> m_has_copy;               // for each face of the surface
-  std::size_t m_width = 1;                    // that are copied the next time
+  Vertex_circles m_circles;
+  std::vector<char> m_has_copy; // for each face of the surface
+  std::size_t m_width = 1;      // that are copied the next time
   Triangulation m_triangulation;
   std::vector<Extended> m_precise_length;                   // of T^B, if flips are exact
   mutable std::vector<More_extended> m_most_precise_length; // where these have too few digits

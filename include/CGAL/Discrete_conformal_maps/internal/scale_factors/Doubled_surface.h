@@ -8,7 +8,15 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -59,6 +67,32 @@ public:
 
   // the copy of an edge; itself on the boundary and where there is no copy
   Edge_index mirrored(Edge_index e) const { return m_edge[e.idx()]; }
+
+  // Returns the triangulation with the lengths of the edges of the surface.
+  Intrinsic_triangulations::Intrinsic_triangulation<>
+  triangulation(const std::vector<double>& length_on_surface) const
+  {
+    std::vector<double> length(m_mesh.num_edges());
+    for(Edge_index e : m_half.edges())
+      length[e.idx()] = length[mirrored(e).idx()] = length_on_surface[e.idx()];
+    return Intrinsic_triangulations::Intrinsic_triangulation<>(
+      m_mesh, Intrinsic_triangulations::parameters::edge_length_map(
+                boost::make_function_property_map<Edge_index>(
+                  [&](Edge_index e) { return length[e.idx()]; })));
+  }
+
+  // Returns the triangulation with the positions of the vertices of the surface. Rounded lengths of
+  // a thin face may be those of one without area; positions are not.
+  Intrinsic_triangulations::Intrinsic_triangulation<>
+  triangulation(const std::vector<std::array<double, 3>>& point_on_surface) const
+  {
+    return Intrinsic_triangulations::Intrinsic_triangulation<>(
+      m_mesh, CGAL::parameters::vertex_point_map(
+                boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+                  const auto& [x, y, z] = point_on_surface[m_original[v.idx()].idx()];
+                  return Simple_cartesian<double>::Point_3(x, y, z);
+                })));
+  }
 
 private:
   bool is_copied(Halfedge_index h) const

@@ -152,8 +152,7 @@ private:
                     : FT(t * (t / (length[a] + (side[a].source_radius + side[a].target_radius))));
     };
     const FT a = excess(s), b = excess((s + 2) % 3), facing = excess((s + 1) % 3);
-    const FT slack =
-      2 * side[s].source_radius + ((std::min)(a, b) + ((std::max)(a, b) - facing));
+    const FT slack = 2 * side[s].source_radius + ((std::min)(a, b) + ((std::max)(a, b) - facing));
     return slack > 0 ? slack : FT(0);
   }
 

@@ -44,8 +44,8 @@ void lay_out_strip(Strip& strip, const Surface& surface, const Exits& exits, con
   const Delta_complex& mesh = surface.mesh();
   const auto& length_map = surface.length_map();
   lay_out_strip_with(
-    strip, mesh,
-    [&](Halfedge_index h) -> decltype(auto) { return length_map[mesh.edge(h)]; }, exits, ends...);
+    strip, mesh, [&](Halfedge_index h) -> decltype(auto) { return length_map[mesh.edge(h)]; },
+    exits, ends...);
 }
 
 // As `lay_out_strip()`, with the radii of `traits` if there are any.
@@ -53,8 +53,7 @@ template <typename Traits, typename Strip, typename Surface, typename Exits>
 void lay_out_strip_of(const Traits& traits, Strip& strip, const Surface& surface,
                       const Exits& exits)
 {
-  if constexpr(Has_radii<Traits>::value &&
-               std::is_same_v<Strip, typename Traits::Geodesic_strip>)
+  if constexpr(Has_radii<Traits>::value && std::is_same_v<Strip, typename Traits::Geodesic_strip>)
     if(traits.has_radii())
       return lay_out_strip_with(strip, surface.mesh(),
                                 decorated_lengths(traits, surface.length_map(), surface.mesh()),

@@ -33,9 +33,8 @@ template <typename Traits, typename LengthMap>
 auto decorated_lengths(const Traits& traits, const LengthMap& tangent, const Delta_complex& mesh)
 {
   return [&traits, tangent, &mesh](Halfedge_index h) {
-    return Decorated_length<typename Traits::FT>{get(tangent, mesh.edge(h)),
-                                                 traits.radius(mesh.source(h)),
-                                                 traits.radius(mesh.target(h))};
+    return Decorated_length<typename Traits::FT>{
+      get(tangent, mesh.edge(h)), traits.radius(mesh.source(h)), traits.radius(mesh.target(h))};
   };
 }
 

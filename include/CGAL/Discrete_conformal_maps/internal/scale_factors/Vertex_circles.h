@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CIRCLES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CIRCLES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The circles at the vertices of a surface, if there are any, for its double: `original` maps
+// vertices of the double to those of the surface.
+class Vertex_circles
+{
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
+  typedef std::vector<Vertex_index> Originals;
+
+public:
+  // with a radius for each vertex of the surface; none if all are zero
+  // \throws Invalid_input if one is negative, infinite or NaN
+  explicit Vertex_circles(std::vector<double> radii = {}) : m_radii(std::move(radii))
+  {
+    for(std::size_t v = 0; v < m_radii.size(); ++v)
+      if(!(m_radii[v] >= 0 && std::isfinite(m_radii[v])))
+        throw Intrinsic_triangulations::Invalid_input("the radius at vertex " + std::to_string(v) +
+                                                      " is negative or not a finite number");
+    if(std::all_of(m_radii.begin(), m_radii.end(), [](double r) { return r == 0; }))
+      m_radii.clear();
+  }
+
+  bool exist() const { return !m_radii.empty(); }
+
+  // Returns the radii at the vertices of the double, if there are any.
+  template <typename FT>
+  std::vector<FT> radii(const Originals& original) const
+  {
+    std::vector<FT> result;
+    if(exist())
+      for(Vertex_index v : original)
+        result.push_back(FT(m_radii[v.idx()]));
+    return result;
+  }
+
+  // Returns the length of the tangent between the circles at the ends of `e`.
+  template <typename FT>
+  FT tangent_length(const Triangulation& t, Edge_index e, const Originals& original) const
+  {
+    const auto [r, s] = radii_at(e, t, original);
+    return Intrinsic_triangulations::tangent_length(FT(t.length(e)), FT(r), FT(s));
+  }
+
+  // Flips to the weighted Delaunay triangulation, with squared radii as weights. Returns the number
+  // of flips.
+  // \throws Invalid_input if a circle is hidden by others
+  template <typename Visitor>
+  std::size_t flip(Triangulation& t, const Originals& original, Visitor& visitor) const
+  {
+    const auto weight = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+      const double r = m_radii[original[v.idx()].idx()];
+      return r * r;
+    });
+    const auto result = Intrinsic_triangulations::make_weighted_Delaunay(
+      t, weight, CGAL::parameters::visitor(std::ref(visitor)));
+    if(!result.hidden_vertices.empty())
+      throw Intrinsic_triangulations::Invalid_input(
+        "the circle at vertex " +
+        std::to_string(original[result.hidden_vertices.front().idx()].idx()) +
+        " is hidden by circles that it meets");
+    return result.flips;
+  }
+
+  // Checks that circles at the ends of each edge do not meet, except that two of positive radius
+  // may touch, up to rounding of the length.
+  // \throws Invalid_input if they do
+  void check(const Triangulation& t, const Originals& original) const
+  {
+    for(Edge_index e : t.mesh().edges()) {
+      const auto [r, s] = radii_at(e, t, original);
+      const bool may_touch = r > 0 && s > 0;
+      const double rounding = Intrinsic_triangulations::rounding_unit<double>() * t.length(e),
+                   rest = t.length(e) - (r + s);
+      if(may_touch ? rest < -rounding : !(rest > 0))
+        throw Intrinsic_triangulations::Invalid_input(meeting(e, t, original));
+    }
+  }
+
+private:
+  std::pair<double, double> radii_at(Edge_index e, const Triangulation& t,
+                                     const Originals& original) const
+  {
+    return {m_radii[original[t.mesh().vertex(e, 0).idx()].idx()],
+            m_radii[original[t.mesh().vertex(e, 1).idx()].idx()]};
+  }
+
+  static std::string meeting(Edge_index e, const Triangulation& t, const Originals& original)
+  {
+    const Vertex_index a = t.mesh().vertex(e, 0), b = t.mesh().vertex(e, 1), v = original[a.idx()],
+                       w = original[b.idx()];
+    if(v != w)
+      return "the circles at vertices " + std::to_string(v.idx()) + " and " +
+             std::to_string(w.idx()) + " meet";
+    return "the circle at vertex " + std::to_string(v.idx()) +
+           (a == b ? " meets itself" : " crosses the boundary");
+  }
+
+  std::vector<double> m_radii;
+};
+
+// Returns the circles that are given as a named parameter.
+template <typename Graph, typename NamedParameters>
+Vertex_circles vertex_circles([[maybe_unused]] const Graph& g,
+                              [[maybe_unused]] const NamedParameters& np)
+{
+  std::vector<double> radii;
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters,
+                                                       internal_np::vertex_radius_map_t>::value)
+    for(auto v : vertices(g))
+      radii.push_back(get(CGAL::parameters::get_parameter(np, internal_np::vertex_radius_map), v));
+  return Vertex_circles(std::move(radii));
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CIRCLES_H
