@@ -97,7 +97,7 @@ FT flipped(const Diamond<FT>& d)
 TEST(Hyperideal_geometry, a_flip_keeps_the_vectors_of_four_circles)
 {
   std::mt19937 random(1);
-  for(int trial = 0; trial < 2000; ++trial) {
+  for(int trial = 0; trial < 500; ++trial) {
     const auto v = random_circles(4, random);
     const Real_50 truth = edge<Real_50>(v[3], v[1]).tangent;
     const auto d = diamond<double>(v[0], v[1], v[2], v[3]);
@@ -112,7 +112,7 @@ TEST(Hyperideal_geometry, the_condition_is_the_convexity_of_the_polyhedron)
   // convex if the origin and the other apex are on different sides, as four determinants tell.
   std::mt19937 random(2);
   const Traits<double> traits;
-  for(int trial = 0; trial < 2000; ++trial) {
+  for(int trial = 0; trial < 500; ++trial) {
     const auto v = random_circles(4, random);
     const Circle &i = v[0], &l = v[1], &j = v[2], &k = v[3];
     const Real_50 above = determinant(i, l, j) + determinant(i, j, k),
@@ -128,7 +128,7 @@ TEST(Hyperideal_geometry, an_edge_that_was_flipped_is_not_flipped_back)
 {
   std::mt19937 random(3);
   const Traits<double> traits;
-  for(int trial = 0; trial < 150; ++trial) {
+  for(int trial = 0; trial < 50; ++trial) {
     const auto v = random_circles(4, random);
     auto d = diamond<double>(v[0], v[1], v[2], v[3]);
     // close to a tie: the apex moves along its ray
@@ -157,7 +157,7 @@ TEST(Hyperideal_geometry, an_edge_that_was_flipped_is_not_flipped_back)
 TEST(Hyperideal_geometry, flips_commute_with_scaling)
 {
   std::mt19937 random(4);
-  for(int trial = 0; trial < 1000; ++trial) {
+  for(int trial = 0; trial < 300; ++trial) {
     const auto v = random_circles(4, random);
     auto scaled = v;
     for(Circle& c : scaled)
@@ -176,7 +176,7 @@ TEST(Hyperideal_geometry, without_radii_a_flip_is_Ptolemys_relation)
   std::uniform_real_distribution<double> length(0.1, 10);
   const Traits<double> traits;
   const IT::Ideal_geometry_traits<> ideal;
-  for(int trial = 0; trial < 2000; ++trial) {
+  for(int trial = 0; trial < 500; ++trial) {
     const IT::Diamond<double> d{length(random), length(random), length(random), length(random),
                                 length(random)};
     const Diamond<double> e{{d.ij, 0, 0}, {d.jk, 0, 0}, {d.ki, 0, 0}, {d.il, 0, 0}, {d.lj, 0, 0}};
@@ -191,7 +191,7 @@ TEST(Hyperideal_geometry, circles_that_touch_keep_their_edge)
   const Traits<double> traits;
   std::mt19937 random(6);
   std::uniform_real_distribution<double> positive(1e-3, 10);
-  for(int trial = 0; trial < 1000; ++trial) {
+  for(int trial = 0; trial < 300; ++trial) {
     const double i = positive(random), j = positive(random), k = positive(random),
                  l = positive(random);
     const Diamond<double> d{{0, i, j},
