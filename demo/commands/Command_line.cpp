@@ -24,6 +24,7 @@ constexpr const char* examples_help =
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
   intrinsic sphere bunny.obj -o sphere.ply
   intrinsic convex dented.off -o convex.off
+  intrinsic pack bunny.obj -o packing.ply --circles packing.svg
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
 Colors, normals, texture coordinates and functions at the vertices of a mesh, and the groups and
@@ -51,7 +52,7 @@ Command_line::Command_line()
   for(const auto define :
       {define_info, define_view, define_delaunay, define_refine, define_distance, define_path,
        define_transfer, define_operators, define_flatten, define_hyperbolic, define_uniformize,
-       define_sphere, define_convex, define_simplify})
+       define_sphere, define_convex, define_pack, define_simplify})
     define(*this);
 }
 

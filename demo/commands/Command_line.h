@@ -74,6 +74,7 @@ void define_hyperbolic(Command_line& line);
 void define_uniformize(Command_line& line);
 void define_sphere(Command_line& line);
 void define_convex(Command_line& line);
+void define_pack(Command_line& line);
 void define_simplify(Command_line& line);
 
 // ---- Options that several commands have ----

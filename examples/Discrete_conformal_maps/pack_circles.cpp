@@ -20,7 +20,7 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/pig.off"),
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/cow.off"),
                                   mesh))
     return 1;
 

@@ -22,6 +22,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -165,6 +166,29 @@ inline Map_status packing_status(Map_status of_map, double max_tangency_error)
                                                          : Map_status::not_closed;
 }
 
+// Packs circles between those of the outer face, and balances them.
+inline Circle_packing packed(const Packing_complex& complex)
+{
+  std::vector<Vertex_condition> condition(complex.rest().num_vertices());
+  for(Vertex_index v : complex.outer_corners())
+    condition[v.idx()] = Vertex_condition::log_scale(0);
+  const Planar_conformal_map map =
+    flatten(complex.rest(),
+            parameters::edge_length_map(
+              boost::make_function_property_map<Edge_index>([](Edge_index) { return 2.; }))
+              .vertex_radius_map(
+                boost::make_function_property_map<Vertex_index>([](Vertex_index) { return 1.; }))
+              .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
+                [&](Vertex_index v) { return condition[v.idx()]; })));
+  Packed_circles circles(map, complex);
+  if(map.is_laid_out())
+    circles.balance();
+  const double error =
+    map.is_laid_out() ? circles.max_tangency_error() : std::numeric_limits<double>::quiet_NaN();
+  return {circles.circles(), complex.apex().is_valid(), error, packing_status(map.status(), error),
+          map.minimization()};
+}
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsCircles
@@ -183,7 +207,8 @@ inline Map_status packing_status(Map_status of_map, double max_tangency_error)
 /// are equal and touch each other, and all others lie between them: they are the circles of the
 /// decorated discrete conformal map `flatten()` of a disk with edges of length 2 and radii 1, whose
 /// boundary is not scaled. Circles that touch are weighted Delaunay, whatever the scale factors, so
-/// that no edge is flipped.
+/// that no edge is flipped. If circles far from that face have too few digits, it is done again with
+/// the face of the greatest circles.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param g a connected triangle mesh of genus zero with at most one boundary, in which vertices
@@ -195,31 +220,19 @@ inline Map_status packing_status(Map_status of_map, double max_tangency_error)
 template <typename Graph>
 Circle_packing pack_circles(const Graph& g)
 {
-  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
-  namespace parameters = Discrete_conformal_maps::parameters;
-  const auto constant = [](double value) {
-    return boost::make_function_property_map<Edge_index>([value](auto) { return value; });
-  };
   typedef typename boost::graph_traits<Graph>::edge_descriptor Edge;
-  const Triangulation input(g, parameters::edge_length_map(
-                                 boost::make_function_property_map<Edge>([](Edge) { return 2.; })));
-  const internal::Packing_complex complex(input.input_mesh());
-  std::vector<Vertex_condition> condition(complex.rest().num_vertices());
-  for(Vertex_index v : complex.outer_corners())
-    condition[v.idx()] = Vertex_condition::log_scale(0);
-  const Planar_conformal_map map =
-    flatten(complex.rest(), parameters::edge_length_map(constant(2.))
-                              .vertex_radius_map(boost::make_function_property_map<Vertex_index>(
-                                [](Vertex_index) { return 1.; }))
-                              .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
-                                [&](Vertex_index v) { return condition[v.idx()]; })));
-  internal::Packed_circles packed(map, complex);
-  if(map.is_laid_out())
-    packed.balance();
-  const double error =
-    map.is_laid_out() ? packed.max_tangency_error() : std::numeric_limits<double>::quiet_NaN();
-  return {packed.circles(), complex.apex().is_valid(), error,
-          internal::packing_status(map.status(), error), map.minimization()};
+  const Intrinsic_triangulations::Intrinsic_triangulation<> input(
+    g,
+    parameters::edge_length_map(boost::make_function_property_map<Edge>([](Edge) { return 2.; })));
+  const Circle_packing first = internal::packed(internal::Packing_complex(input.input_mesh()));
+  if(first.status() == Map_status::success || !(first.max_tangency_error() < 1))
+    return first;
+  std::vector<double> size;
+  for(Vertex_index v : input.input_mesh().vertices())
+    size.push_back(first.is_disk() ? first.circle(v).radius : first.spherical_circle(v).angle);
+  const Circle_packing second =
+    internal::packed(internal::Packing_complex(input.input_mesh(), std::move(size)));
+  return second.max_tangency_error() < first.max_tangency_error() ? second : first;
 }
 
 } // namespace CGAL::Discrete_conformal_maps

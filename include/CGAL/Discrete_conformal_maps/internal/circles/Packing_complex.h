@@ -25,8 +25,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Packing_complex
 {
 public:
+  // `size` has what is known of the sizes of circles at the vertices of `mesh`; without, degrees
+  // take its place.
   // \throws Invalid_input if `mesh` is not a simplicial sphere or disk
-  explicit Packing_complex(const Delta_complex& mesh)
+  explicit Packing_complex(const Delta_complex& mesh, std::vector<double> size = {})
   {
     check(mesh);
     for(std::size_t v = 0; v < mesh.num_vertices(); ++v)
@@ -45,7 +47,10 @@ public:
         h = mesh.next(h);
       } while(h != loops.front());
     }
-    remove_outer_face(faces);
+    if(size.empty())
+      size = degrees(faces);
+    size.resize(m_rest.num_vertices(), 1.);
+    remove_outer_face(faces, size);
     for(const auto& f : faces)
       m_rest.add_face(f[0], f[1], f[2]);
   }
@@ -74,21 +79,28 @@ private:
                             std::to_string(f.idx()) + " or one of its edges");
   }
 
-  // The one with the greatest sum of degrees: many circles touch it, so that all others are not
-  // far. With an apex it is one of its faces.
-  void remove_outer_face(std::vector<std::array<Vertex_index, 3>>& faces)
+  std::vector<double> degrees(const std::vector<std::array<Vertex_index, 3>>& faces) const
   {
-    std::vector<std::size_t> degree(m_rest.num_vertices(), 0);
+    std::vector<double> result(m_rest.num_vertices(), 0);
     for(const auto& f : faces)
       for(Vertex_index v : f)
-        ++degree[v.idx()];
-    std::size_t best = 0, greatest = 0;
+        ++result[v.idx()];
+    return result;
+  }
+
+  // The one with the greatest product of sizes: circles that many others touch, so that all others
+  // are not far. With an apex it is one of its faces.
+  void remove_outer_face(std::vector<std::array<Vertex_index, 3>>& faces,
+                         const std::vector<double>& size)
+  {
+    std::size_t best = 0;
+    double greatest = -1;
     for(std::size_t f = 0; f < faces.size(); ++f) {
       const auto& [a, b, c] = faces[f];
-      const std::size_t sum = degree[a.idx()] + degree[b.idx()] + degree[c.idx()];
-      if((!m_apex.is_valid() || c == m_apex) && sum > greatest) {
+      const double product = size[a.idx()] * size[b.idx()] * size[c.idx()];
+      if((!m_apex.is_valid() || c == m_apex) && product > greatest) {
         best = f;
-        greatest = sum;
+        greatest = product;
       }
     }
     m_outer = faces[best];

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/Command_line.h"
+
+#include "commands/Command_run.h"
+#include "writing/Mesh_writer.h"
+
+#include <CGAL/Discrete_conformal_maps/pack_circles.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace DCM = CGAL::Discrete_conformal_maps;
+
+namespace {
+
+struct Pack_options : Output_options
+{
+  Pack_options() : Output_options("ply") {}
+
+  std::string picture; // empty if not wanted
+};
+
+constexpr const char* pack_help =
+  R"(The mesh must be a sphere or a disk in which vertices determine edges and faces. Only its
+connectivity counts. The circles of two vertices touch if an edge joins them. Circles of a sphere are
+on the unit sphere, and those of a disk in the unit disk, which the circles of its boundary touch.
+
+The output is the mesh with its vertices at the centers of their circles. .ply and .vtp have the
+radii: of a circle on the sphere, the angle between the center and the circle. --circles draws the
+circles in the plane: those of a sphere by stereographic projection.
+
+Example:
+  intrinsic pack bunny.obj -o packing.ply --circles packing.svg --stats packing.json)";
+
+Point center(const DCM::Circle_packing& packing, DCM::Vertex_index v)
+{
+  if(packing.is_disk()) {
+    const auto& c = packing.circle(v).center;
+    return Point(c.real(), c.imag(), 0);
+  }
+  const auto [x, y, z] = packing.spherical_circle(v).center;
+  return Point(x, y, z);
+}
+
+Output_mesh described_mesh(const Mesh& mesh, const DCM::Circle_packing& packing)
+{
+  Output_mesh result = output_mesh(mesh);
+  std::vector<double> radii;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const DCM::Vertex_index w(v.idx());
+    result.points[v.idx()] = center(packing, w);
+    radii.push_back(packing.is_disk() ? packing.circle(w).radius
+                                      : packing.spherical_circle(w).angle);
+  }
+  result.point_data.push_back({"radius", radii});
+  return result;
+}
+
+// A picture of the unit disk, or of the disk with three times its radius.
+std::string picture(const DCM::Circle_packing& packing)
+{
+  const double size = packing.is_disk() ? 1.01 : 3;
+  std::ostringstream text;
+  text.precision(9);
+  text << R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox=")" << -size << ' ' << -size << ' '
+       << 2 * size << ' ' << 2 * size << R"("><g fill="none" stroke="black" stroke-width=")"
+       << size / 1000 << "\">\n";
+  const auto add = [&](const DCM::Planar_circle& c) {
+    text << R"(<circle cx=")" << c.center.real() << R"(" cy=")" << -c.center.imag() << R"(" r=")"
+         << c.radius << "\"/>\n";
+  };
+  for(std::size_t v = 0; v < packing.size(); ++v)
+    add(packing.circle(DCM::Vertex_index(static_cast<DCM::Vertex_index::size_type>(v))));
+  if(packing.is_disk())
+    add({0, 1});
+  text << "</g></svg>\n";
+  return text.str();
+}
+
+int pack(const Common_options& common, const Pack_options& options)
+{
+  const Mesh_format format = output_format(options.output, options);
+  Command_run run("pack", common, {options.output, options.picture});
+  run.plan({{"pack"}});
+  const DCM::Circle_packing packing =
+    run.timed("pack", [&] { return DCM::pack_circles(run.input().mesh); });
+  Statistics& statistics = run.statistics();
+  statistics["disk"] = packing.is_disk();
+  statistics["status"] = to_string(packing.status());
+  statistics["max_tangency_error"] = packing.max_tangency_error();
+  statistics["iterations"] = packing.minimization().iterations;
+  if(packing.status() != DCM::Map_status::success)
+    throw CGAL::Intrinsic_triangulations::Numerical_error(std::string("circles do not touch: ") +
+                                                          message(packing.status()));
+  run.add_output(options.output, described_mesh(run.input().mesh, packing), format);
+  if(!options.picture.empty())
+    run.add_output(options.picture, picture(packing));
+  std::ostringstream text;
+  text << packing.size() << " circles " << (packing.is_disk() ? "in the disk" : "on the sphere")
+       << ", which touch within " << packing.max_tangency_error();
+  run.finish(text.str());
+  return 0;
+}
+
+} // namespace
+
+void define_pack(Command_line& line)
+{
+  const auto [command, options] = line.add_with_mesh(
+    "pack", "Pack circles that touch as the vertices of a mesh are joined", pack, pack_help);
+  add_output(command, options, "The mesh of the centers (.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
+  command.add_option("--circles", options.picture, "SVG picture of the circles in the plane");
+  add_statistics(command, line.common());
+  add_input_options(command, line.common());
+}

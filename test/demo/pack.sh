@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Circle packings: the files, statistics and exit codes of the command pack.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+# The four circles of a tetrahedron are equal.
+expect 0 pack good.mesh.off -o good.ply --circles good.svg --stats good.json
+says '4 circles on the sphere'
+claim "s = json('good.json')" 'not s.disk' "s.status == 'success'" 's.max_tangency_error < 1e-10'
+claim "near(list(ply('good.ply').vertex['radius']), [0.9553166181245093] * 4, 1e-10)"
+[ "$(grep -c '<circle' good.svg)" -eq 4 ] || fail 'a circle is missing'
+rm good.ply good.svg good.json
+
+# Circles of a disk touch the unit circle, which is drawn, too.
+off hexagon '0 0 0,2 0 0,1 2 0,-1 2 0,-2 0 0,-1 -2 0,1 -2 0' \
+  '0 1 2,0 2 3,0 3 4,0 4 5,0 5 6,0 6 1'
+expect 0 pack hexagon.mesh.off -o hexagon.ply --circles hexagon.svg --stats hexagon.json
+says '7 circles in the disk'
+claim "json('hexagon.json').disk" \
+  "near(list(ply('hexagon.ply').vertex['radius']), [1 / 3] * 7, 1e-10)"
+[ "$(grep -c '<circle' hexagon.svg)" -eq 8 ] || fail 'a circle is missing'
+rm hexagon.ply hexagon.svg hexagon.json
+
+refuses 'circles are packed on spheres and disks' pack two_components.mesh.off -o x.off
