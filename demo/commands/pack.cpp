@@ -26,8 +26,9 @@ struct Pack_options : Output_options
 
 constexpr const char* pack_help =
   R"(The mesh must be a sphere or a disk in which vertices determine edges and faces. Only its
-connectivity counts. The circles of two vertices touch if an edge joins them. Circles of a sphere are
-on the unit sphere, and those of a disk in the unit disk, which the circles of its boundary touch.
+connectivity counts. The circles of two vertices touch if an edge joins them. Circles of a sphere
+are on the unit sphere, and those of a disk in the unit disk, which the circles of its boundary
+touch.
 
 The output is the mesh with its vertices at the centers of their circles. .ply and .vtp have the
 radii: of a circle on the sphere, the angle between the center and the circle. --circles draws the

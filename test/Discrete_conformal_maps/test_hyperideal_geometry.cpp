@@ -31,8 +31,8 @@ using Diamond = IT::Diamond<Edge<FT>>;
 
 // ---- Vectors of R^{2,1} ----
 
-// The vector s (cos a, sin a, cos b), which is orthogonal to a geodesic of the hyperbolic plane with
-// the ends a - b and a + b; for b = 0 it is light-like.
+// The vector s (cos a, sin a, cos b), which is orthogonal to a geodesic of the hyperbolic plane
+// with the ends a - b and a + b; for b = 0 it is light-like.
 struct Circle
 {
   Real_50 s, a, b;

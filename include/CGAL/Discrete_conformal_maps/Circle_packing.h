@@ -86,8 +86,8 @@ public:
   /// returns whether the circles pack the unit disk. Otherwise they pack the sphere.
   bool is_disk() const { return m_is_disk; }
 
-  /// returns the circle of the vertex `v` in the plane. For a sphere this is its stereographic image
-  /// from the south pole, which lies between three of the circles.
+  /// returns the circle of the vertex `v` in the plane. For a sphere this is its stereographic
+  /// image from the south pole, which lies between three of the circles.
   const Planar_circle& circle(Vertex_index v) const { return m_circles[v.idx()]; }
 
   /// returns the circle of the vertex `v` on the unit sphere. The circles of a disk are on the

@@ -55,9 +55,9 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_radius_map}
 ///     \cgalParamDescription{the radii of circles around the vertices: the map is a decorated
-///       discrete conformal map, see \ref dcm_circles. Circles of neighbors in the weighted Delaunay
-///       triangulation must not meet, except that two of positive radius may touch. Radii of zero
-///       everywhere are the same as none}
+///       discrete conformal map, see \ref dcm_circles. Circles of neighbors in the weighted
+///       Delaunay triangulation must not meet, except that two of positive radius may touch. Radii
+///       of zero everywhere are the same as none}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{there are no circles}
 ///   \cgalParamNEnd

@@ -60,11 +60,13 @@ auto initial_log_scale_map(const Map& map);
 template <typename Layout>
 auto layout(const Layout& value);
 
-/// \ingroup PkgDiscreteConformalMapsSubdivision
-/// names a writable property map for the images of corners.
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names a readable property map from the vertices of the input to the radii of circles.
 template <typename Map>
 auto vertex_radius_map(const Map& map);
 
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// names a writable property map for the images of corners.
 template <typename Map>
 auto texture_coordinates_map(const Map& map);
 

@@ -207,8 +207,8 @@ inline Circle_packing packed(const Packing_complex& complex)
 /// are equal and touch each other, and all others lie between them: they are the circles of the
 /// decorated discrete conformal map `flatten()` of a disk with edges of length 2 and radii 1, whose
 /// boundary is not scaled. Circles that touch are weighted Delaunay, whatever the scale factors, so
-/// that no edge is flipped. If circles far from that face have too few digits, it is done again with
-/// the face of the greatest circles.
+/// that no edge is flipped. If circles far from that face have too few digits, it is done again
+/// with the face of the greatest circles.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param g a connected triangle mesh of genus zero with at most one boundary, in which vertices

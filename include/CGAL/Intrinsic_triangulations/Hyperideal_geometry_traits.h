@@ -27,8 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// Without radii this is `Ideal_geometry_traits`, with the same results and no other operations.
 ///
-/// A flip takes the Gram coordinates of four circles, as vectors of \f$\mathbb{R}^{2,1}\f$, to those
-/// of the other diagonal. It generalizes Ptolemy's relation, keeps inversive distances, and
+/// A flip takes the Gram coordinates of four circles, as vectors of \f$\mathbb{R}^{2,1}\f$, to
+/// those of the other diagonal. It generalizes Ptolemy's relation, keeps inversive distances, and
 /// commutes with scaling by vertices. Radii and tangents give it as a sum of products that are not
 /// negative: no digit is lost. It needs square roots.
 ///

@@ -20,8 +20,8 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // A triangulated sphere of which one face is removed: the circles of its corners touch each other,
-// and all other circles lie between them. A disk becomes a sphere by an apex, which is joined to its
-// boundary: the outside of the circle of the apex is the disk.
+// and all other circles lie between them. A disk becomes a sphere by an apex, which is joined to
+// its boundary: the outside of the circle of the apex is the disk.
 class Packing_complex
 {
 public:
