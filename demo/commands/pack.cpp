@@ -97,9 +97,11 @@ int pack(const Common_options& common, const Pack_options& options)
   if(packing.status() != DCM::Map_status::success)
     throw CGAL::Intrinsic_triangulations::Numerical_error(std::string("circles do not touch: ") +
                                                           message(packing.status()));
-  run.add_output(options.output, described_mesh(run.input().mesh, packing), format);
-  if(!options.picture.empty())
-    run.add_output(options.picture, picture(packing));
+  run.timed("write", [&] {
+    run.add_output(options.output, described_mesh(run.input().mesh, packing), format);
+    if(!options.picture.empty())
+      run.add_output(options.picture, picture(packing));
+  });
   std::ostringstream text;
   text << packing.size() << " circles " << (packing.is_disk() ? "in the disk" : "on the sphere")
        << ", which touch within " << packing.max_tangency_error();
