@@ -16,6 +16,7 @@ from . import _core
 from ._arrays import Floats, Integers, floats, integers, number, points_on
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError, UnderflowError
+from .simplification import simplify
 from .triangulation import Progress, SurfacePoints, Triangulation, triangulation_of
 
 _NO_VERTICES = np.zeros(0, np.int64)
@@ -175,6 +176,64 @@ class DistanceSolver:
             if self._heat is not None:
                 return self._heat.distances(T._core, *given)[:n]
             return _core.Paths(T._core, *given).distances_of_vertices()
+
+
+def all_pairs(
+    V: Any, F: ArrayLike | None = None, *, coarse: int | None = None,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+    progress: Progress | None = None,
+) -> Floats:
+    """Return the geodesic distances between all pairs of vertices.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    coarse : int
+        Distances are computed between so many vertices of a simplified surface, and prolonged to
+        all pairs. Those that are short compared with edges there are too large. All are exact if
+        it is not given.
+    progress : callable
+        Is called with "all_pairs" and the number of rows.
+
+    Returns
+    -------
+    (n, n) float array
+        In the unit of V; infinite where there is no path. Symmetric up to rounding.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(2)
+    >>> D = intrinsic.all_pairs(V, F)
+    >>> D.shape, bool(abs(D - D.T).max() < 1e-12)
+    ((162, 162), True)
+    >>> approximate = intrinsic.all_pairs(V, F, coarse=80)
+    >>> bool(abs(approximate - D).max() < 0.3)
+    True
+    """
+    check_progress(progress)
+    if coarse is not None:
+        if isinstance(V, Triangulation):
+            raise ArrayError("coarse is for a mesh, not for a Triangulation")
+        small = simplify(V, F, coarse, lengths=lengths, mollify=mollify)
+        P = small.prolongation
+        among = _distances_between_all(small.triangulation(), progress)
+        result: Floats = P @ (P @ among).T
+        return result
+    return _distances_between_all(_input_of(V, F, lengths, mollify), progress)
+
+
+def _distances_between_all(T: Triangulation, progress: Progress | None) -> Floats:
+    n = T._core.number_of_input_vertices()
+    result = np.empty((n, n))
+    for row in range(n):
+        with T._lock:
+            paths = _core.Paths(T._core, np.array([row]), *_NO_POINTS)
+            result[row] = paths.distances_of_vertices()
+        if progress is not None:
+            progress("all_pairs", row + 1)
+    return result
 
 
 @dataclass(frozen=True)

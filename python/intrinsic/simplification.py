@@ -16,7 +16,7 @@ from . import _core
 from ._arrays import Floats, Integers, count, number, points_on, sparse
 from ._meshes import attempt, check_progress, surface
 from .errors import InputError
-from .triangulation import Progress, SurfacePoints
+from .triangulation import Progress, SurfacePoints, Triangulation
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Simplification:
 
     @property
     def face_lengths(self) -> Floats:
-        """The length of the side opposite to each corner, (t, 3), as `lengths` of functions."""
+        """The length of the side opposite to each corner, (t, 3)."""
         result: Floats = self.lengths[self.face_edges[:, [1, 2, 0]]]
         return result
 
@@ -110,6 +110,11 @@ class Simplification:
     def to_fine(self, points: tuple[ArrayLike, ArrayLike]) -> SurfacePoints:
         """Map points of the coarse surface to the input."""
         return self._core.mapped(False, *points_on(points, len(self.F), "points"))
+
+    def triangulation(self) -> Triangulation:
+        """Return the coarse surface, for functions that take one: `laplacian(s.triangulation())`.
+        It has no positions. Loops and several edges with the same ends are ordinary there."""
+        return Triangulation._of_core(None, self._core.triangulation())
 
     def coarse_mesh(self) -> CoarseMesh:
         """Return the coarse triangulation in space: edges straight, faces flat."""

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Surface.h"
+#include "Bound_triangulation.h"
 #include "Watch.h"
 #include "bindings.h"
 
@@ -161,6 +161,12 @@ void bind_simplification(py::module_& module)
     .def("prolongation",
          [](const Bound& self) {
            return sparse_arrays(released([&] { return IS::prolongation_matrix(self.map()); }));
+         })
+    .def("triangulation",
+         [](const Bound& self) {
+           return released([&] {
+             return std::make_unique<Bound_triangulation>(nullptr, self.coarse().triangulation());
+           });
          })
     .def("coarse_mesh", &mesh_in_space);
 }

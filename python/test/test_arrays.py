@@ -182,6 +182,44 @@ def mutations():
         yield new_V, new_F
 
 
+def soups():
+    """Generate faces that are a surface, or almost: some are removed, turned, glued or added."""
+    random = np.random.default_rng(7)
+    shapes = [intrinsic.shapes.cube()[1], intrinsic.shapes.icosphere(0)[1],
+              intrinsic.shapes.torus(3, 3)[1], intrinsic.shapes.grid(2, 2)[1],
+              np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])]
+    for i in range(3000):
+        F = shapes[i % len(shapes)]
+        F = F[random.random(len(F)) < random.choice([0.3, 0.7, 0.95, 1])]
+        n = int(F.max(initial=0)) + 1
+        for _ in range(random.integers(0, 3)):
+            kind = random.integers(4)
+            if kind == 0 and len(F) > 0:
+                F[random.integers(len(F))] = F[random.integers(len(F)), ::-1]
+            elif kind == 1:
+                F = np.vstack([F, random.permutation(n)[:3]]) if n > 2 else F
+            elif kind == 2:
+                F = np.where(F == random.integers(n), random.integers(n), F)
+            else:
+                F = np.vstack([F, F[: random.integers(3)]])
+        yield random.standard_normal((n, 3)), F
+
+
+class Surfaces(unittest.TestCase):
+    def test_diagnosis(self):
+        """What is a surface is decided in two ways, in short and by the diagnosis."""
+        counts = [0, 0]
+        for V, F in soups():
+            is_valid = len(F) > 0 and intrinsic.info(V, F).is_valid
+            counts[is_valid] += 1
+            if is_valid:
+                np.testing.assert_array_equal(intrinsic.Triangulation(V, F).F, F)
+            else:
+                with self.assertRaises(InputError):
+                    intrinsic.Triangulation(V, F)
+        self.assertGreater(min(counts), 500)
+
+
 class Malformed(unittest.TestCase):
     def test_all_functions(self):
         functions = [

@@ -76,6 +76,19 @@ class Heat(unittest.TestCase):
                                    intrinsic.distance(V, F, [1, 2], "exact"), atol=1e-12)
 
 
+class AllPairs(unittest.TestCase):
+    def test_exact_and_coarse(self):
+        V, F = support.meshes()["bumpy_grid"]
+        D = intrinsic.all_pairs(V, F)
+        for v in (0, 40):
+            np.testing.assert_allclose(D[v], intrinsic.distance(V, F, v, "exact"), atol=1e-12)
+        steps = []
+        near = intrinsic.all_pairs(V, F, coarse=60, progress=lambda *step: steps.append(step))
+        self.assertEqual(steps[-1], ("all_pairs", 60))
+        far = D > 0.5
+        self.assertLess((abs(near - D)[far] / D[far]).mean(), 0.02)
+
+
 class Paths(unittest.TestCase):
     def test_lengths(self):
         random = np.random.default_rng(3)

@@ -55,10 +55,24 @@ class Simplify(unittest.TestCase):
         self.assertLess(abs(area / 12.56 - 1), 0.1)
         T = intrinsic.Triangulation(None, coarse.F, lengths=coarse.face_lengths)
         self.assertTrue(T.is_delaunay())
+        same = coarse.triangulation()
+        np.testing.assert_array_equal(same.F, coarse.F)
+        np.testing.assert_array_equal(same.face_lengths, coarse.face_lengths)
         mesh = coarse.coarse_mesh()
         self.assertEqual(intrinsic.info(mesh).components, 1)
         np.testing.assert_array_equal(mesh.V[:60], V[coarse.vertices])
         self.assertLess(mesh.quality["distance_to_coarse"], 0.3)
+
+    def test_loops(self):
+        """A coarse triangulation with loops is a Triangulation, but no mesh."""
+        V, F = support.meshes()["torus"]
+        coarse = intrinsic.simplify(V, F, 3)
+        T = coarse.triangulation()
+        self.assertTrue((coarse.F == np.roll(coarse.F, 1, axis=1)).any())
+        self.assertAlmostEqual(intrinsic.mass(T).sum() / areas(coarse.face_lengths).sum(), 1, 9)
+        self.assertEqual(intrinsic.distance(T, sources=0).shape, (3,))
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.laplacian(None, coarse.F, lengths=coarse.face_lengths)
 
     def test_targets(self):
         V, F = support.meshes()["noisy_sphere"]

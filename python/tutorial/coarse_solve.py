@@ -26,9 +26,8 @@ L, M = intrinsic.laplacian(V, F), intrinsic.mass(V, F)
 right_side = M @ (V[:, 2] > 0.5).astype(float)
 fine = splu((M + time * L).tocsc()).solve(right_side)
 
-lengths = coarse.face_lengths  # the coarse surface needs no positions
-L2 = intrinsic.laplacian(None, coarse.F, lengths=lengths)
-M2 = intrinsic.mass(None, coarse.F, lengths=lengths)
+T = coarse.triangulation()  # it has lengths, and needs no positions
+L2, M2 = intrinsic.laplacian(T), intrinsic.mass(T)
 approximate = P @ splu((M2 + time * L2).tocsc()).solve(P.T @ right_side)
 
 error = np.sqrt((approximate - fine) @ M @ (approximate - fine) / (fine @ M @ fine))
