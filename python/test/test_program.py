@@ -6,6 +6,7 @@
 
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import numpy as np
@@ -244,13 +245,22 @@ class Program(unittest.TestCase):
 
     def test_page(self):
         V, F = support.meshes()["cube"]
-        page = intrinsic.show(V, F, open=False, z_value=V[:, 2])
+        try:
+            page = intrinsic.show(V, F, open=False, z_value=V[:, 2])
+        except intrinsic.IntrinsicError as error:
+            self.assertIn("without three.js", str(error))
+            self.skipTest(str(error))
         self.assertIn("z_value", page.html)
         self.assertIn("<iframe srcdoc=", page._repr_html_())
         with self.assertRaises(intrinsic.ArrayError):
             intrinsic.show(V, F, open=False, x=V[:, 0])
         with self.assertRaises(intrinsic.ArrayError):
             intrinsic.show(V, F, open=False, f=V)
+
+    def test_no_program(self):
+        with unittest.mock.patch.dict("os.environ", {"INTRINSIC_PROGRAM": "/nowhere"}):
+            with self.assertRaises(intrinsic.MissingProgramError):
+                intrinsic.show(*support.meshes()["cube"], open=False)
 
 
 if __name__ == "__main__":
