@@ -13,7 +13,10 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+
+#include <functional>
 
 // Maps of surfaces with needles and caps as thin as rounding of positions allows.
 namespace Test_needles {
@@ -28,24 +31,55 @@ Mesh unit_square(std::size_t n)
   return grid(n, n, [n](double x, double y) { return Point(x / double(n), y / double(n), 0); });
 }
 
-// A terrain over a square around the origin. At vertices with x = 0, vertices are added at a
-// distance of about d along x, for which coordinates have room.
-Mesh with_near_vertices(std::size_t n, double d, std::uint64_t seed)
+// A terrain over a square around the origin.
+Mesh terrain(std::size_t n, Portable_random& random)
 {
-  Portable_random random(seed);
   const double half = double(n) / 2;
-  Mesh mesh = grid(
+  return grid(
     n, n, [&](double x, double y) { return Point(x - half, y - half, random.get_double(0, 0.5)); });
+}
+
+// Inserts a vertex in a face at another one.
+void insert_beside(Vertex_index v, const Point& p, Mesh& mesh, Portable_random& random)
+{
+  Halfedge_index h = mesh.halfedge(v);
+  for(int turns = random.get_int(0, 6); turns > 0 || mesh.is_border(h); --turns)
+    h = mesh.opposite(mesh.next(h));
+  mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = p;
+}
+
+// At vertices with x = 0, vertices are added at a distance of about d along x, for which coordinates
+// have room.
+Mesh with_near_vertices(Mesh mesh, double d, Portable_random& random)
+{
   std::vector<Vertex_index> places;
   for(Vertex_index v : mesh.vertices())
     if(mesh.point(v).x() == 0)
       places.push_back(v);
   for(Vertex_index v : places) {
     const Point p = mesh.point(v), near(d * random.get_double(0.5, 1), p.y(), p.z());
-    Halfedge_index h = mesh.halfedge(v);
-    for(int turns = random.get_int(0, 6); turns > 0 || mesh.is_border(h); --turns)
-      h = mesh.opposite(mesh.next(h));
-    mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = near;
+    insert_beside(v, near, mesh, random);
+  }
+  return mesh;
+}
+
+// A convex surface with a vertex in the origin.
+Mesh sphere_at_origin(std::size_t n, Portable_random& random)
+{
+  Mesh mesh = random_sphere(n, std::uint32_t(random.get_int(0, 1000)));
+  const Point center = mesh.point(Vertex_index(0));
+  for(Vertex_index v : mesh.vertices())
+    mesh.point(v) = CGAL::ORIGIN + (mesh.point(v) - center);
+  return mesh;
+}
+
+// Vertices are added at distances of about d, 10 d and 100 d from the vertex in the origin.
+Mesh with_vertices_at_origin(Mesh mesh, double d, Portable_random& random)
+{
+  for(const double distance : {100 * d, 10 * d, d}) {
+    const auto coordinate = [&] { return distance * random.get_double(-1, 1); };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    insert_beside(Vertex_index(0), Point(x, y, z), mesh, random);
   }
   return mesh;
 }
@@ -101,27 +135,49 @@ void check_success(const Planar_conformal_map& map)
   EXPECT_LT(map.max_curvature_error(), 1e-10);
 }
 
-// A square is a rectangle already: sides keep their lengths, however short they are. With needles
-// that are thinner yet, a map with rounded lengths can be a success, with scale factors of its own.
+// Expects edges between vertices of the input to have their distances in the scaled metric.
+void check_distances(const Planar_conformal_map& map, const Mesh& mesh)
+{
+  const Delta_complex& ideal = map.ideal().mesh();
+  for(Edge_index side : ideal.edges()) {
+    const Vertex_index v = ideal.vertex(side, 0), w = ideal.vertex(side, 1);
+    if(map.input_vertex(v) != v || map.input_vertex(w) != w ||
+       !map.is_laid_out(ideal.face(ideal.halfedge(side))))
+      continue;
+    const auto difference = mesh.point(w) - mesh.point(v);
+    const double distance = std::hypot(difference.x(), difference.y());
+    EXPECT_NEAR(std::exp((map.log_scale(v) + map.log_scale(w)) / 2) * map.ideal().length(side),
+                distance, 1e-9 * distance);
+  }
+}
+
+// A square is a rectangle already: sides keep their lengths, however short they are.
 TEST(Needles, square_keeps_its_lengths)
 {
-  for(const double e : {1e-2, 1e-5, 1e-8, 1e-11, 1e-13}) {
-    SCOPED_TRACE(e);
-    const Mesh mesh = with_needles(unit_square(3), e, 4, 5);
-    const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
-    check_success(map);
-    const Delta_complex& ideal = map.ideal().mesh();
-    for(Edge_index side : ideal.edges()) {
-      const Vertex_index v = ideal.vertex(side, 0), w = ideal.vertex(side, 1);
-      if(map.input_vertex(v) != v || map.input_vertex(w) != w ||
-         !map.is_laid_out(ideal.face(ideal.halfedge(side))))
-        continue;
-      const auto difference = mesh.point(w) - mesh.point(v);
-      const double distance = std::hypot(difference.x(), difference.y());
-      EXPECT_NEAR(std::exp((map.log_scale(v) + map.log_scale(w)) / 2) * map.ideal().length(side),
-                  distance, 1e-9 * distance);
+  for(const double e : {1e-2, 1e-5, 1e-8, 1e-11, 1e-13, 1e-14, 1e-15, 1e-16, 1e-18, 1e-20})
+    for(std::uint64_t seed : {5, 6, 7}) {
+      SCOPED_TRACE(testing::Message() << e << ' ' << seed);
+      const Mesh mesh = with_needles(unit_square(3), e, 4, seed);
+      const Planar_conformal_map map =
+        DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
+      check_success(map);
+      check_distances(map, mesh);
     }
-  }
+}
+
+// With rounded lengths, the angles at a vertex that is that close to a side are noise, and yet the
+// scaled surface can be flat.
+TEST(Needles, flat_square_keeps_its_lengths)
+{
+  for(const double e : {1e-14, 1e-15, 1e-16, 1e-18, 1e-20})
+    for(std::uint64_t seed : {1, 2, 3, 4}) {
+      SCOPED_TRACE(testing::Message() << e << ' ' << seed);
+      Mesh mesh = unit_square(1);
+      Portable_random random(seed);
+      add_nested_needles(mesh, e, 1, random);
+      const Planar_conformal_map map = DCM::flatten(mesh, DCM::parameters::cones(DCM::Cones::none));
+      check_success(map);
+    }
 }
 
 TEST(Needles, have_disks)
@@ -139,10 +195,71 @@ TEST(Needles, near_vertices_have_maps)
   for(const double d : {1e-8, 1e-12, 1e-17, 1e-22, 1e-28})
     for(std::uint64_t seed : {1, 2, 3}) {
       SCOPED_TRACE(d);
-      const Mesh mesh = with_near_vertices(4, d, seed);
+      Portable_random random(seed);
+      const Mesh mesh = with_near_vertices(terrain(4, random), d, random);
       EXPECT_EQ(mesh.number_of_vertices(), 30u);
       check_success(DCM::flatten(mesh));
       check_success(DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh)));
+    }
+}
+
+// Expects the cross ratios of distances of vertices on two spheres to be equal, without some vertices.
+void check_same_sphere(const DCM::Spherical_conformal_map& map,
+                       const DCM::Spherical_conformal_map& other,
+                       const std::vector<Vertex_index>& vertices)
+{
+  const auto distance = [](const DCM::Spherical_conformal_map& m, Vertex_index v, Vertex_index w) {
+    const auto &p = m.position(v), &q = m.position(w);
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  for(std::size_t i = 0; i + 3 < vertices.size(); ++i) {
+    const Vertex_index p = vertices[i], q = vertices[i + 1], r = vertices[i + 2],
+                       t = vertices[i + 3];
+    const auto cross_ratio = [&](const DCM::Spherical_conformal_map& m) {
+      return distance(m, p, q) / distance(m, q, r) * distance(m, r, t) / distance(m, t, p);
+    };
+    EXPECT_NEAR(cross_ratio(map) / cross_ratio(other), 1, 1e-6);
+  }
+}
+
+// Maps to the sphere, and expects near vertices to make no difference to the others.
+void check_sphere(const Mesh& mesh, const Mesh& without_near_vertices,
+                  const std::function<bool(Vertex_index)>& is_far)
+{
+  const DCM::Spherical_conformal_map map = DCM::map_to_sphere(mesh),
+                                     other = DCM::map_to_sphere(without_near_vertices);
+  EXPECT_EQ(map.status(), Map_status::success) << map.cause();
+  for(const DCM::Map_promise& p : map.promises())
+    EXPECT_TRUE(p.is_kept()) << p.name << ' ' << p.error;
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-8);
+  std::vector<Vertex_index> vertices;
+  for(Vertex_index v : without_near_vertices.vertices())
+    if(is_far(v))
+      vertices.push_back(v);
+  check_same_sphere(map, other, vertices);
+}
+
+TEST(Needles, near_vertices_have_spheres)
+{
+  for(const double d : {1e-10, 1e-12, 1e-17, 1e-22, 1e-28})
+    for(std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(testing::Message() << d << ' ' << seed);
+      Portable_random random(seed);
+      const Mesh sphere = sphere_at_origin(40, random);
+      check_sphere(with_vertices_at_origin(sphere, d, random), sphere,
+                   [](Vertex_index v) { return v.idx() > 0; });
+    }
+}
+
+TEST(Needles, near_vertices_have_hemispheres)
+{
+  for(const double d : {1e-12, 1e-17, 1e-22, 1e-28})
+    for(std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(testing::Message() << d << ' ' << seed);
+      Portable_random random(seed);
+      const Mesh square = terrain(4, random);
+      check_sphere(with_near_vertices(square, d, random), square,
+                   [&](Vertex_index v) { return square.point(v).x() != 0; });
     }
 }
 

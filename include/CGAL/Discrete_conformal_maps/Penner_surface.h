@@ -126,7 +126,14 @@ public:
   // vertices and the flips.
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
   {
-    const auto is_Delaunay = [this](Halfedge_index h) { return this->is_Delaunay(h); };
+    scale_at(vertices, u, [this](Halfedge_index h) { return is_Delaunay(h); });
+  }
+
+  // with another condition for edges
+  template <typename Is_good>
+  void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u,
+                const Is_good& is_good)
+  {
     for(std::size_t i = 0; i < vertices.size(); ++i)
       set_factor(vertices[i], u[i]);
     for(Vertex_index v : vertices)
@@ -135,9 +142,9 @@ public:
     for(Vertex_index v : vertices)
       for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
         for(Halfedge_index side : {h, mesh().next(h)})
-          m_stack.push_if(!is_Delaunay(side), Edge_index(side));
+          m_stack.push_if(!is_good(side), Edge_index(side));
       });
-    flip_waiting(is_Delaunay);
+    flip_waiting(is_good);
   }
 #endif
 

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <type_traits>
@@ -70,10 +71,15 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const std::vector<Vertex_condition> conditions(input.mesh().num_vertices());
-  internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
-  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-  internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(problem, visitor);
-  return mapping.run();
+  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                        internal::Exactness exactness) {
+    internal::Doubled_problem problem(std::move(surface), conditions, Flipping::to_Delaunay,
+                                      exactness);
+    problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
+    internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(problem, visitor);
+    return mapping.run();
+  };
+  return internal::with_digits_as_needed(std::move(input), find);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

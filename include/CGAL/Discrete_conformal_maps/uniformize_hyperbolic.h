@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
@@ -81,11 +82,12 @@ uniformize_hyperbolic(const Graph& g,
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   bool is_doubled = false;
-  const auto uniformized = [&](internal::Exactness exactness) {
-    Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-    const auto conditions =
-      internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
-    internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay,
+  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  const auto conditions =
+    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
+  const auto uniformized = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                               internal::Exactness exactness) {
+    internal::Doubled_problem problem(std::move(surface), conditions, Flipping::to_Delaunay,
                                       exactness);
     problem.check_hyperbolic();
     problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
@@ -96,10 +98,11 @@ uniformize_hyperbolic(const Graph& g,
     is_doubled = !problem.has_no_copies();
     return uniformization.finish();
   };
-  Hyperbolic_conformal_map map = uniformized(internal::Exactness::none);
+  Hyperbolic_conformal_map map = internal::with_digits_as_needed(std::move(input), uniformized);
   // Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
   if(is_doubled && map.status() == Map_status::not_glued)
-    map = uniformized(internal::Exactness::lengths);
+    map = uniformized(Intrinsic_triangulations::Intrinsic_triangulation<>(g, np),
+                      internal::Exactness::lengths);
   return map;
 }
 

@@ -39,6 +39,8 @@ constexpr double promised_rounded_angle = 1e-8;
 // Lengths in the plane, relative, and the shapes of boundaries, relative to their sizes: what cross
 // ratios may have.
 constexpr double promised_length = 1e-8;
+// Lengths of rounded surfaces, relative, against those of the exact surface.
+constexpr double promised_exact_length = 1e-9;
 // Positions on the unit sphere: some roundings.
 constexpr double inscribed = 1e-14;
 // A face with an angle that is off by more cannot be laid out in the plane.
@@ -76,7 +78,7 @@ double rounding_of_gradient()
   return roundings_of_gradient * static_cast<double>(std::numeric_limits<FT>::epsilon());
 }
 // Some roundings of one variable: steps, or distances from a bound, that are no more are none.
-constexpr double variable = 64 * unit;
+constexpr double roundings_of_variable = 64, variable = roundings_of_variable * unit;
 // The greatest rounding error of squared lengths and quotients of them, in units: ties are not
 // decided by less.
 constexpr double roundings_of_squares = 16;
@@ -106,8 +108,11 @@ constexpr double growth = 1e-9;
 // subtracting; weights of cocircular faces are negative by no more than that.
 constexpr double stiffness = 1e-10, negative_weight = 1e-6;
 // Variables of a Laplacian that are tied to each other by that many times the weights to others can
-// move as one.
-constexpr double group_ratio = 30;
+// move as one; not alone if they are not tied to others by more than a weight.
+// Vertices with a distance that is shorter in proportion to other edges have angles that scale
+// factors in `double` do not determine.
+constexpr double near_vertices = 1e-8;
+constexpr double group_ratio = 30, weight_of_group = 100;
 // The number of steps that are taken with more digits, on the exact surface, and of moves of groups
 // of vertices alone.
 constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100000;

@@ -64,9 +64,11 @@ private:
   template <typename Visitor>
   void unfold(Visitor& visitor)
   {
-    Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
-    if(search(rounded, tolerance::gradient, visitor))
+    if(m_problem.has_needles() && search_on_exact_surface(visitor))
       return;
+    Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
+    if(search(rounded, tolerance::gradient, visitor) || m_problem.is_measured())
+      return; // lengths of the exact surface come next
     const std::vector<Extended> start = is_lost(rounded.result())
                                           ? flat_start(m_problem, m_at_infinity, visitor)
                                           : std::vector<Extended>();
@@ -77,6 +79,35 @@ private:
       precise.set_start(rounded);
     if(!search(precise, tolerance::extended_gradient, visitor) && start.empty())
       search_beyond_range({}, visitor);
+  }
+
+  // Returns whether there is a good result, with needles of the exact surface.
+  template <typename Visitor>
+  bool search_on_exact_surface(Visitor& visitor)
+  {
+    Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
+    visitor.start(Flattening_stage::optimize);
+    rounded.minimize(tolerance::gradient, visitor);
+    Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
+    if(rounded.result().status != Minimization_status::not_finite)
+      precise.set_start_of_groups(rounded);
+    if(descend(precise, visitor))
+      return true;
+    Spherical_scale_factors<More_extended> most_precise(m_problem, m_at_infinity);
+    if(precise.result().status == Minimization_status::converged)
+      most_precise.set_start(precise);
+    return descend(most_precise, visitor);
+  }
+
+  // Returns whether there is a good result.
+  template <typename FT, typename Visitor>
+  bool descend(Spherical_scale_factors<FT>& scale, Visitor& visitor)
+  {
+    visitor.start(Flattening_stage::optimize);
+    scale.descend(visitor);
+    visitor.start(Flattening_stage::layout);
+    store_scale_factors(scale);
+    return is_good();
   }
 
   // whether the minimization has ended far from a minimum, so that more digits alone do not help
@@ -139,9 +170,12 @@ private:
   {
     m_above_bound.clear();
     m_u.clear();
+    m_result.in_plane.clear();
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       m_above_bound.push_back(static_cast<double>(scale.values()[v] - scale.bounds()[v]));
       m_u.push_back(static_cast<double>(scale.values()[v]));
+      m_result.in_plane.push_back(
+        {converted<Extended>(scale.values()[v]), m_above_bound.back() == 0});
     }
     if(std::is_same<FT, double>::value && is_good_in<double>(surface))
       return;

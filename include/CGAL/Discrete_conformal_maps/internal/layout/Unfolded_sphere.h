@@ -23,12 +23,20 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// The logarithmic scale factor of a vertex in the plane.
+struct Scale_in_plane
+{
+  Extended value;
+  bool is_at_bound;
+};
+
 // A sphere, or the double of a disk, unfolded into the plane from one of its vertices.
 struct Unfolded_sphere
 {
   Spherical_layout layout;
-  std::vector<double> log_scale;     // of the polyhedron, at the vertices of the surface itself
-  std::vector<Halfedge_index> flips; // from T^B to T^C
+  std::vector<double> log_scale;        // of the polyhedron, at the vertices of the surface itself
+  std::vector<Scale_in_plane> in_plane; // at the same vertices, or empty
+  std::vector<Halfedge_index> flips;    // from T^B to T^C
   Minimization_result minimization;
   double angle_error = std::numeric_limits<double>::infinity(); // in the plane, where it is flat
   double cross_ratio_error = std::numeric_limits<double>::infinity();

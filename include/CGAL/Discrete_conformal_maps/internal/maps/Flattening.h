@@ -112,6 +112,9 @@ public:
   {
     if(has_succeeded())
       m_builder.attempt([this] { m_scale.sharpen(m_visitor); });
+    const auto exact = exact_promises(m_problem, [this] { return m_scale.errors(); });
+    if(!exact.empty())
+      m_rounded_error = exact.back().error;
     m_layout.exists = flip() && m_scale.has_layout();
     if(m_layout.exists)
       find_cut_edges();
@@ -120,6 +123,7 @@ public:
     if(m_problem.is_exact())
       promises.push_back({"rounded_curvature", m_rounded_error, tolerance::promised_rounded_angle,
                           Map_status::wrong_curvature});
+    promises.insert(promises.end(), exact.begin(), exact.end());
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     auto map = m_builder.template map<Planar_conformal_map>(m_scale.cones(), std::move(m_layout));

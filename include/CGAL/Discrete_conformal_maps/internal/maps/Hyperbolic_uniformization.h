@@ -16,6 +16,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 #include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
 
 #include <algorithm>
@@ -69,11 +70,14 @@ public:
   Hyperbolic_conformal_map finish()
   {
     m_problem.complete();
+    const std::vector<Map_promise> exact =
+      exact_promises(m_problem, [this] { return m_scale.errors(); });
     m_layout.exists = m_builder.flip_if_in_range(m_scale);
     m_visitor.start(Flattening_stage::layout);
     if(!m_layout.exists || !m_builder.attempt([this] { lay_out(); }))
       leave_out();
     std::vector<Map_promise> promises = this->promises();
+    promises.insert(promises.end(), exact.begin(), exact.end());
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
       m_builder.find_crowded([this](Halfedge_index h) { return length_in_disk(h); });
@@ -247,7 +251,8 @@ private:
     }
   }
 
-  // Returns the error of the relation in the precision of the layout.
+  // Returns the error of the relation in the precision of the layout, or of generators as they are
+  // stored if that is greater.
   template <typename FT>
   double set_group(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut, std::size_t c)
   {
@@ -271,7 +276,7 @@ private:
     else {
       const double error = relation_error(group, motion);
       set_precise_generators(motion, error, group);
-      return error;
+      return greater_error(error, group.precise_relation_error);
     }
   }
 
@@ -285,7 +290,7 @@ private:
       group.precise_generators = rounded_to_digits(motion, ++group.known_digits);
       group.precise_relation_error = relation_error(group, group.precise_generators);
     } while(!(group.precise_relation_error <= 2 * error) &&
-            group.known_digits < std::numeric_limits<FT>::digits10);
+            group.known_digits < std::numeric_limits<FT>::max_digits10);
   }
 
   // zero stands for all digits

@@ -14,7 +14,10 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +99,8 @@ private:
       return sphere.is_good(tolerance::good_cross_ratio);
     };
     Unfolded_sphere best = unfolded(vertices.front());
+    if(m_problem.is_measured())
+      return best; // lengths of the exact surface come next
     if(!is_good(best) && m_problem.complete())
       best = unfolded(vertices.front());
     // vertices far apart in the order of areas are most likely far apart on the surface
@@ -110,6 +115,7 @@ private:
   // Takes the result of the unfolding, and what is promised about it.
   void store(Unfolded_sphere sphere)
   {
+    const std::vector<Map_promise> exact = promises_on_exact_surface(sphere);
     if(!sphere.is_good(tolerance::good_cross_ratio))
       m_builder.set_cause(sphere.cause);
     m_layout = std::move(sphere.layout);
@@ -128,6 +134,7 @@ private:
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
     add_promises(sphere.cross_ratio_error);
+    m_promises.insert(m_promises.end(), exact.begin(), exact.end());
   }
 
   void add_promises(double cross_ratio_error)
@@ -143,6 +150,37 @@ private:
     if(m_layout.is_disk)
       add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
     add("cross_ratio", cross_ratio_error, tolerance::cross_ratio, Map_status::not_conformal);
+  }
+
+  // Returns the errors on the exact surface, of which the problem has the lengths: of the scale
+  // factors of the plane at vertices that are not at their bounds. A polygon has none.
+  Scale_errors errors(const Unfolded_sphere& sphere)
+  {
+    if(sphere.in_plane.empty())
+      return {};
+    Symmetric_energy<Spherical_energy<Extended>> energy(
+      m_problem, m_problem.triangulation(), [&](const Doubled_problem::Triangulation& t) {
+        return Spherical_energy<Extended>(t.mesh(), m_problem.template lengths<Extended>(t),
+                                          sphere.layout.at_infinity);
+      });
+    std::vector<Extended> u;
+    Minimization_domain domain;
+    for(Vertex_index v : m_problem.surface().vertices()) {
+      const Scale_in_plane& scale = sphere.in_plane[v.idx()];
+      u.push_back(scale.value);
+      domain.is_fixed.push_back(scale.is_at_bound || v == sphere.layout.at_infinity ||
+                                m_problem.surface().is_isolated(v));
+    }
+    energy.set_origin(u);
+    energy.evaluate(Eigen::VectorXd::Zero(Eigen::Index(u.size())));
+    return scale_errors<true>(energy, domain);
+  }
+
+  std::vector<Map_promise> promises_on_exact_surface(const Unfolded_sphere& sphere)
+  {
+    if(!sphere.layout.exists)
+      return {};
+    return exact_promises(m_problem, [&] { return errors(sphere); });
   }
 
   // the greatest distance from the equator of a vertex on the boundary, and of others below it

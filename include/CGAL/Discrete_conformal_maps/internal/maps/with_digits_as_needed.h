@@ -10,35 +10,17 @@
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
-#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns whether an edge of T^B that has been flipped has another length on the exact surface, by
-// more than cross ratios may be wrong.
-inline bool has_wrong_lengths(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
-{
-  typedef Intrinsic_triangulations::Intrinsic_triangulation<>::Traits Traits;
-  Intrinsic_triangulations::Precise_lengths<Traits> exact(t);
-  const auto edges = t.mesh().edges();
-  return std::any_of(edges.begin(), edges.end(), [&](Edge_index e) {
-    const double length = t.length(e);
-    return !t.coordinates().is_shared(e) &&
-           !(std::abs(static_cast<double>(exact(t.mesh().halfedge(e)) - length)) <=
-             tolerance::promised_length / 4 * length);
-  });
-}
-
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the
-// input, and that is no success or has wrong lengths, returns that with lengths of the exact
-// surface.
+// input, its errors are measured on the exact surface; if that is no success, returns the map with
+// lengths of the exact surface.
 // \throws Numerical_error as `find()` does in the end
 template <typename Find>
 auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input,
@@ -49,8 +31,8 @@ auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> i
     return find(std::move(input), Exactness::none);
   std::optional<Map> rounded;
   try {
-    rounded = find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), Exactness::none);
-    if(rounded->status() == Map_status::success && !has_wrong_lengths(rounded->Delaunay()))
+    rounded = find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), Exactness::errors);
+    if(rounded->status() == Map_status::success)
       return std::move(*rounded);
   } catch(const Intrinsic_triangulations::Numerical_error&) {
   }

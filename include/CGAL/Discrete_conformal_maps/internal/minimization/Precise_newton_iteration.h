@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
 
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -34,6 +36,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // came from. So steps stay close to the path on which all entries of the gradient shrink in
 // proportion, from those of the start to zero: angles on it are between those of the start and
 // those that are prescribed.
+//
+// Variables may have lower bounds. At its bound, a variable may have a derivative that is greater
+// than that on the path, and is left out of the step then. Close to a bound, the slope can be like a
+// root, so that a derivative at the bound is known up to the root of a rounding error.
 template <typename Energy>
 class Precise_newton_iteration
 {
@@ -41,9 +47,13 @@ class Precise_newton_iteration
   typedef Eigen::VectorXd Vector;
 
 public:
-  Precise_newton_iteration(Energy& energy, const Minimization_domain& domain)
+  // \pre The scale factors of the energy are not below `lower_bound`, which may be empty: there are
+  //   no bounds then.
+  Precise_newton_iteration(Energy& energy, const Minimization_domain& domain,
+                           std::vector<FT> lower_bound = {})
     : m_energy(energy),
       m_variables(domain, energy.size()),
+      m_lower_bound(std::move(lower_bound)),
       m_solver(m_variables.indices(), energy.shared_order())
   {
     move_to(energy.scale_factors());
@@ -78,14 +88,35 @@ public:
 private:
   // The distance from the path, in parts of the greatest entry of the gradient there.
   static constexpr double greatest_distance = 0.01;
-  static constexpr int number_of_corrections = 4;
+  static constexpr int number_of_corrections = 10, number_of_trials = 10;
   // of the path, in one step
   static constexpr double least_part = 1e-7;
+  // of derivatives at bounds
+  inline static const double bound_error = std::sqrt(tolerance::rounding_of_gradient<FT>());
 
   void start_path()
   {
-    m_start = m_gradient;
+    m_start = excess(0);
     m_position = 1;
+  }
+
+  bool is_at_bound(std::size_t v) const
+  {
+    return !m_lower_bound.empty() && m_energy.scale_factor(v) == m_lower_bound[v];
+  }
+
+  // Returns what the gradient exceeds that at this position of the path. At bounds, nothing but a
+  // derivative that is certainly too small counts.
+  Vector excess(double position) const
+  {
+    Vector result = m_gradient;
+    if(position > 0)
+      result -= position * m_start;
+    if(!m_lower_bound.empty())
+      for(Eigen::Index v : m_variables.indices())
+        if(result[v] > -bound_error && is_at_bound(std::size_t(v)))
+          result[v] = 0;
+    return result;
   }
 
   void move_to(const std::vector<FT>& u)
@@ -95,8 +126,7 @@ private:
     ++m_result.evaluations;
     m_gradient = m_energy.gradient();
     m_variables.set_fixed_to_zero(m_gradient);
-    m_norm =
-      m_gradient.allFinite() ? max_norm(m_gradient) : std::numeric_limits<double>::infinity();
+    m_norm = m_gradient.allFinite() ? max_norm(excess(0)) : std::numeric_limits<double>::infinity();
     m_removed = m_gradient;
     m_variables.remove_means(m_gradient);
     m_removed -= m_gradient;
@@ -106,7 +136,7 @@ private:
   // better the step before has been.
   Minimization_status step()
   {
-    if(!factorize())
+    if(!factorize(m_position))
       return Minimization_status::not_finite;
     const std::vector<FT> base = m_energy.scale_factors();
     const Vector gradient = m_gradient;
@@ -138,25 +168,65 @@ private:
       greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start);
     double before = 8 * limit; // a step that is good needs no more than a correction
     for(int i = 0; i <= number_of_corrections; ++i) {
-      double now = max_norm(m_gradient - position * m_start);
+      double now = max_norm(excess(position));
       if(now > limit && !(now <= before / 2)) {
+        const std::vector<FT> base = m_energy.scale_factors();
         relax(position, limit);
-        now = max_norm(m_gradient - position * m_start);
+        if(!(max_norm(excess(position)) < now))
+          move_to(base);
+        now = max_norm(excess(position));
       }
       if(now <= limit)
         return true;
       before = now;
-      if(i < number_of_corrections) {
-        if(!factorize())
-          return false;
-        move(m_energy.scale_factors(), m_elimination.solve(position * m_start - m_gradient));
-      }
+      if(i < number_of_corrections && !correct(position))
+        return false;
     }
     return false;
   }
 
+  // Takes a step of Newton's method towards this position of the path. Returns whether there is one.
+  bool correct(double position)
+  {
+    if(!factorize(position))
+      return false;
+    const std::vector<FT> base = m_energy.scale_factors(),
+                          direction = m_elimination.solve(position * m_start - m_gradient);
+    const Vector before = m_gradient - position * m_start;
+    move(base, direction);
+    if(!m_lower_bound.empty())
+      shorten_step(base, direction, before, position);
+    return true;
+  }
+
+  // Shortens a step that goes so far beyond the minimum on its line that the slope is half of that
+  // before, again: where slopes are like a root, the next steps would go to and fro.
+  void shorten_step(const std::vector<FT>& base, std::vector<FT> direction, const Vector& before,
+                    double position)
+  {
+    for(int trial = 0; trial < number_of_trials; ++trial) {
+      const Vector change = change_from(base);
+      const double slope = before.dot(change), now = (m_gradient - position * m_start).dot(change);
+      if(!(slope < 0) || now <= -slope / 2)
+        return;
+      const double part = std::isfinite(now) ? (std::max)(0.1, slope / (slope - now)) : 0.1;
+      for(FT& x : direction)
+        x *= FT(part);
+      move(base, direction);
+    }
+  }
+
+  Vector change_from(const std::vector<FT>& base) const
+  {
+    Vector result(Eigen::Index(base.size()));
+    for(std::size_t v = 0; v < base.size(); ++v)
+      result[Eigen::Index(v)] = static_cast<double>(FT(m_energy.scale_factor(v) - base[v]));
+    return result;
+  }
+
   // Moves groups of variables as one, and then their parts, until the entries of the gradient are
-  // those on the path. How a group moves hardly depends on differences within it.
+  // those on the path. How a group moves hardly depends on differences within it. Variables that
+  // are not tied strongly to others may change by much, and steps of all are as good for them.
   void relax(double position, double limit)
   {
     if(!m_gradient.allFinite())
@@ -164,12 +234,13 @@ private:
     const Vector wanted = position * m_start + m_removed;
     std::vector<FT> u = m_energy.scale_factors();
     for(const auto& group : m_groups)
-      relax(group, wanted, limit / 4, u);
+      if(const double weight = outer_weight(group); weight > tolerance::weight_of_group)
+        relax(group, weight, wanted, limit / 4, u);
     move_to(u);
   }
 
-  void relax(const std::vector<std::size_t>& group, const Vector& all_wanted, double limit,
-             std::vector<FT>& u)
+  void relax(const std::vector<std::size_t>& group, double weight, const Vector& all_wanted,
+             double limit, std::vector<FT>& u)
   {
     double wanted = 0;
     for(std::size_t v : group)
@@ -181,9 +252,43 @@ private:
         values[i] = u[group[i]] + x;
       return m_energy.derivative_at(group, values) - wanted;
     };
-    const FT x = root_of_increasing<FT>(error, outer_weight(group), limit);
+    if(m_lower_bound.empty())
+      return move_group(group, root_of_increasing<FT>(error, weight, limit), u);
+    const FT least = least_move(group, u);
+    const auto error_within_bounds = [&](const FT& x) {
+      if(x > least)
+        return error(x);
+      const double at_least = error(least);
+      return at_least >= -limit ? 0 : at_least; // as far as the group may move
+    };
+    const FT x = root_of_increasing<FT>(error_within_bounds, weight, limit);
+    move_group(group, (std::max)(x, least), u);
+  }
+
+  // Returns how far a group can move down: a number that is not positive.
+  FT least_move(const std::vector<std::size_t>& group, const std::vector<FT>& u) const
+  {
+    FT result(m_lower_bound[group[0]] - u[group[0]]);
     for(std::size_t v : group)
-      u[v] += x;
+      result = (std::max)(result, FT(m_lower_bound[v] - u[v]));
+    return result;
+  }
+
+  void move_group(const std::vector<std::size_t>& group, const FT& x, std::vector<FT>& u) const
+  {
+    for(std::size_t v : group)
+      u[v] = in_bounds(v, u[v] + x);
+  }
+
+  // Variables some roundings from their bounds, or below them, are put there.
+  FT in_bounds(std::size_t v, const FT& u) const
+  {
+    if(m_lower_bound.empty())
+      return u;
+    const FT& bound = m_lower_bound[v];
+    const FT margin = tolerance::roundings_of_variable * std::numeric_limits<FT>::epsilon() *
+                      (bound < 0 ? FT(-bound) : bound);
+    return u - bound <= margin ? bound : u;
   }
 
   // Returns the sum of the weights between a group and other variables.
@@ -199,19 +304,33 @@ private:
     return result > 0 ? result : 1;
   }
 
-  bool factorize()
+  // Prepares for steps to this position of the path.
+  bool factorize(double position)
   {
     const auto& hessian = m_energy.Hessian();
     ++m_result.factorizations;
     return m_gradient.allFinite() && hessian.coeffs().allFinite() &&
            m_elimination.factorize(hessian, grounding(hessian, m_variables),
-                                   m_solver.order(hessian));
+                                   movable(m_solver.order(hessian), position));
+  }
+
+  // Returns the variables of `order` that no bound keeps from moving.
+  std::vector<Eigen::Index> movable(std::vector<Eigen::Index> order, double position) const
+  {
+    if(m_lower_bound.empty())
+      return order;
+    const Vector wrong = excess(position);
+    order.erase(
+      std::remove_if(order.begin(), order.end(),
+                     [&](Eigen::Index v) { return wrong[v] == 0 && is_at_bound(std::size_t(v)); }),
+      order.end());
+    return order;
   }
 
   void move(std::vector<FT> u, const std::vector<FT>& direction)
   {
     for(std::size_t v = 0; v < u.size(); ++v)
-      u[v] += direction[v];
+      u[v] = in_bounds(v, u[v] + direction[v]);
     move_to(u);
   }
 
@@ -225,6 +344,7 @@ private:
 
   Energy& m_energy;
   Free_variables m_variables;
+  std::vector<FT> m_lower_bound;                // none if it is empty
   std::vector<Variable_groups::Group> m_groups; // at the start
   Newton_direction::Solver m_solver;            // of which the order is used
   Laplacian_elimination<FT> m_elimination;

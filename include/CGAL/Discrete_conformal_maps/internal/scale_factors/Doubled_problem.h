@@ -14,6 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/metric_error.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
@@ -38,15 +39,6 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// What is decided on the exact surface, with more digits than `double` has: nothing; the flips to
-// T^B and its lengths; and also the flips to T^C, for the rounded numbers of the map.
-enum class Exactness
-{
-  none,
-  lengths,
-  decisions
-};
-
 // The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary
 // is doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
 // unknowns at the vertices of the surface only. Of the second copy, there is as much as the edges
@@ -64,8 +56,9 @@ public:
                   Vertex_circles circles = Vertex_circles())
     : Prescribed_curvatures(half.mesh(), condition),
       m_flipping(flipping),
+      m_is_measured(exactness == Exactness::errors),
       m_is_exact(exactness == Exactness::decisions),
-      m_has_exact_flips(exactness != Exactness::none),
+      m_has_exact_flips(m_is_exact || exactness == Exactness::lengths),
       m_has_needles(m_has_exact_flips && has_unknown_angles(half) && has_exact_metric(half)),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
@@ -106,6 +99,9 @@ public:
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
 
+  // whether errors of the map are measured on the exact surface, although T^B has rounded lengths
+  bool is_measured() const { return m_is_measured; }
+
   // whether the flips to T^C are decided exactly, too
   bool is_exact() const { return m_is_exact && has_precise_lengths(); }
 
@@ -130,6 +126,15 @@ public:
     }
     return has_precise_lengths();
   }
+
+  // Takes the lengths of T^B on the exact surface until they are dropped, and returns how far T^B
+  // and its rounded lengths are from that.
+  double take_exact_lengths()
+  {
+    m_precise_length = exact_lengths<Extended>(m_triangulation);
+    return metric_error(m_triangulation, m_precise_length);
+  }
+  void drop_exact_lengths() { m_precise_length.clear(); }
 
   // whether there are circles at the vertices
   bool has_radii() const { return m_circles.exist(); }
@@ -411,20 +416,9 @@ private:
     }
   }
 
-  // Returns the lengths of T^B on the exact surface.
-  template <typename FT>
-  static std::vector<FT> exact_lengths(const Triangulation& t)
-  {
-    Intrinsic_triangulations::Precise_lengths<Triangulation::Traits, FT> length(t);
-    std::vector<FT> result;
-    for(Edge_index e : t.mesh().edges())
-      result.push_back(length(t.mesh().halfedge(e)));
-    return result;
-  }
-
   Flipping m_flipping;
   Intrinsic_triangulations::Concurrency m_concurrency;
-  bool m_is_exact, m_has_exact_flips, m_has_needles;
+  bool m_is_measured, m_is_exact, m_has_exact_flips, m_has_needles;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges

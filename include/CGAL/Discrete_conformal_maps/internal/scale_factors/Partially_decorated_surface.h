@@ -70,6 +70,12 @@ public:
     m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); });
   }
 
+  // Takes other scale factors at some vertices, as `Penner_surface::scale_at()` does.
+  void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
+  {
+    m_surface.scale_at(vertices, u, [this](Halfedge_index h) { return is_Delaunay(h); });
+  }
+
 private:
   // Equation 4.16, where arcs at infinity vanish. A tie is decided in favor of edges to infinity:
   // they are the limit of triangulations with a horocycle there. The two tolerances differ, so that

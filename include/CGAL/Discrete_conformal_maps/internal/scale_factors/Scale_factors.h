@@ -21,6 +21,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/shift_to_zero.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,12 @@ public:
       sharpen_in<More_extended>(visitor);
   }
 
+  // Returns their errors, with more digits and with the lengths that the problem has now.
+  Scale_errors errors()
+  {
+    return m_is_wide ? errors_in<Wide_number<Extended>>() : errors_in<Extended>();
+  }
+
   // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the
   // values from now on. The triangulation of the problem may have been moved to `triangulation`.
   template <typename FT, typename Visitor>
@@ -208,6 +215,13 @@ private:
     const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
     return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
            tolerance::promised_length * shortest;
+  }
+
+  template <typename FT>
+  Scale_errors errors_in()
+  {
+    return scale_errors<Triangle<FT>::has_similar_ones>(
+      energy_at_start<FT>(m_problem.triangulation()), domain());
   }
 
   // Goes on from a gradient of this norm until no more than the rounding of `FT` is left.

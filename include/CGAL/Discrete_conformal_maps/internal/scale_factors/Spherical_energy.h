@@ -42,6 +42,23 @@ public:
 
   FT value() const;
 
+  // Returns the derivative by one variable, after some have been moved. The gradient has the angle
+  // defects, with pi instead of 2 pi on the boundary of the remaining surface: a vertex begins with
+  // two right angles for each half of an edge without a face.
+  double derivative(Vertex_index v) const
+  {
+    Angle_difference<FT> defect(FT(0));
+    for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
+      if(is_remaining(mesh().face(h))) {
+        const auto corner = Base::triangle({h, mesh().next(h), mesh().prev(h)}).corner(0);
+        defect.add_supplement(corner, Angle_difference<FT>::rounded_angle(corner));
+      }
+      if(is_remaining(Edge_index(h)))
+        defect.subtract_half_turn();
+    });
+    return defect.value();
+  }
+
 private:
   using Base::mesh;
 
@@ -51,8 +68,7 @@ private:
     return surface().is_remaining(i);
   }
 
-  // The gradient has the angle defects, with pi instead of 2 pi on the boundary of the remaining
-  // surface: a vertex begins with two right angles for each half of an edge without a face.
+  // as `derivative()`
   void sum_angles()
   {
     std::vector<Angle_difference<FT>> defect(Base::size(), Angle_difference<FT>(0));

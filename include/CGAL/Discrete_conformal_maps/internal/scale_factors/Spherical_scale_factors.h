@@ -8,18 +8,20 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Bounded_Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -67,7 +69,29 @@ public:
   void set_start(const Spherical_scale_factors<Other>& other)
   {
     for(std::size_t v = 0; v < m_u.size(); ++v)
-      m_u[v] = other.values()[v] == other.bounds()[v] ? m_bound[v] : FT(other.values()[v]);
+      m_u[v] = other.values()[v] == other.bounds()[v]
+                 ? m_bound[v]
+                 : (std::max)(m_bound[v], converted<FT>(other.values()[v]));
+  }
+
+  // Starts from rounded scale factors, which are equal at near vertices: rounding has left nothing
+  // of the angles between these.
+  void set_start_of_groups(const Spherical_scale_factors<double>& rounded)
+  {
+    set_start(rounded);
+    boost::disjoint_sets_with_storage<> groups(m_u.size());
+    for(std::size_t v = 0; v < m_u.size(); ++v)
+      groups.make_set(v);
+    join_near_vertices(groups);
+    std::vector<FT> sum(m_u.size(), FT(0));
+    std::vector<double> size(m_u.size(), 0);
+    for(std::size_t v = 0; v < m_u.size(); ++v) {
+      sum[groups.find_set(v)] += m_u[v];
+      ++size[groups.find_set(v)];
+    }
+    for(Vertex_index v : m_problem.surface().vertices())
+      if(const std::size_t root = groups.find_set(v.idx()); !is_fixed(v) && size[root] > 1)
+        m_u[v.idx()] = (std::max)(m_bound[v.idx()], FT(sum[root] / FT(size[root])));
   }
 
   // Starts from the scale factors of a metric that is flat far from infinity.
@@ -80,13 +104,28 @@ public:
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
-    Energy energy(
-      m_problem, m_problem.triangulation(), [this](const Doubled_problem::Triangulation& t) {
-        return Spherical_energy<FT>(t.mesh(), m_problem.template lengths<FT>(t), m_at_infinity);
-      });
+    Energy energy = make_energy();
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);
+    m_angle_error = angle_error(energy.gradient());
+  }
+
+  // Does the same with steps in all digits, for needles on the exact surface.
+  template <typename Visitor>
+  void descend(Visitor& visitor)
+  {
+    Energy energy = make_energy();
+    Minimization_domain domain;
+    for(Vertex_index v : m_problem.surface().vertices())
+      domain.is_fixed.push_back(is_fixed(v));
+    energy.set_origin(m_u);
+    energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
+    const Minimization_result last =
+      Precise_newton_iteration<Energy>(energy, domain, m_bound)
+        .run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits, visitor);
+    m_u = energy.scale_factors();
+    add_result(last);
     m_angle_error = angle_error(energy.gradient());
   }
 
@@ -95,6 +134,14 @@ private:
   // digits.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
+
+  Energy make_energy()
+  {
+    return {m_problem, m_problem.triangulation(), [this](const Doubled_problem::Triangulation& t) {
+              return Spherical_energy<FT>(t.mesh(), m_problem.template lengths<FT>(t),
+                                          m_at_infinity);
+            }};
+  }
 
   template <typename Visitor>
   void run(Energy& energy, double tolerance, bool stays_at_bounds, Visitor& visitor)
@@ -143,10 +190,11 @@ private:
   }
 
   // As if the neighbors of the vertex at infinity remained, with other scale factors like `first`,
-  // up to a constant.
+  // up to a constant. With needles, this is so small that scale factors of near vertices, some of
+  // which are neighbors of the vertex at infinity, differ as little as their bounds.
   std::vector<FT> start(const std::vector<Extended>& first) const
   {
-    FT sum(0), count(0);
+    FT sum(0), count(0), least = std::numeric_limits<FT>::infinity();
     std::vector<char> is_neighbor(m_bound.size(), 0);
     const Delta_complex& mesh = m_problem.triangulation().mesh();
     for(Halfedge_index h : mesh.halfedges())
@@ -155,14 +203,30 @@ private:
         is_neighbor[i] = 1;
         sum += m_bound[i] - converted<FT>(first[i]);
         count += 1;
+        least = (std::min)(least, FT(m_bound[i] - converted<FT>(first[i])));
       }
+    const FT level = m_problem.has_needles() ? least : sum / count;
     std::vector<FT> result(m_bound.size(), FT(0));
     for(Vertex_index v : m_problem.surface().vertices())
       if(const std::size_t i = v.idx(); !is_fixed(v))
-        result[i] = is_neighbor[i]
-                      ? m_bound[i]
-                      : (std::max)(m_bound[i], FT(converted<FT>(first[i]) + sum / count));
+        result[i] =
+          is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], FT(converted<FT>(first[i]) + level));
     return result;
+  }
+
+  // Joins vertices with an edge that is much shorter than others of its faces.
+  template <typename Sets>
+  void join_near_vertices(Sets& sets) const
+  {
+    const auto& t = m_problem.triangulation();
+    for(Edge_index e : t.mesh().edges()) {
+      const Halfedge_index h = t.mesh().halfedge(e);
+      const std::size_t v = m_problem.original(t.mesh().source(h)).idx(),
+                        w = m_problem.original(t.mesh().target(h)).idx();
+      if(t.length(e) < tolerance::near_vertices * t.length(Edge_index(t.mesh().next(h))) &&
+         v != m_at_infinity.idx() && w != m_at_infinity.idx())
+        sets.union_set(v, w);
+    }
   }
 
   bool is_fixed(Vertex_index v) const

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
@@ -44,6 +45,30 @@ inline bool has_unknown_angles(const Intrinsic_triangulations::Intrinsic_triangu
     return !(Flat_triangle<double>({length(0), length(1), length(2)}).angle_error() <=
              tolerance::known_input_angle);
   });
+}
+
+// What is computed on the exact surface, with more digits than `double` has: nothing; the errors of
+// the map; the flips to T^B and its lengths; and also the flips to T^C, for the rounded numbers of
+// the map.
+enum class Exactness
+{
+  none,
+  errors,
+  lengths,
+  decisions
+};
+
+// Returns the lengths of a triangulation on the exact surface of the input.
+// \throws Numerical_error if 1024 bits are too few
+template <typename FT>
+std::vector<FT> exact_lengths(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
+{
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<>::Traits Traits;
+  Intrinsic_triangulations::Precise_lengths<Traits, FT> length(t);
+  std::vector<FT> result;
+  for(Edge_index e : t.mesh().edges())
+    result.push_back(length(t.mesh().halfedge(e)));
+  return result;
 }
 
 // Returns the least and the greatest length of an edge.
