@@ -48,8 +48,8 @@ void insert_beside(Vertex_index v, const Point& p, Mesh& mesh, Portable_random& 
   mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = p;
 }
 
-// At vertices with x = 0, vertices are added at a distance of about d along x, for which coordinates
-// have room.
+// At vertices with x = 0, vertices are added at a distance of about d along x, for which
+// coordinates have room.
 Mesh with_near_vertices(Mesh mesh, double d, Portable_random& random)
 {
   std::vector<Vertex_index> places;
@@ -203,7 +203,8 @@ TEST(Needles, near_vertices_have_maps)
     }
 }
 
-// Expects the cross ratios of distances of vertices on two spheres to be equal, without some vertices.
+// Expects the cross ratios of distances of vertices on two spheres to be equal, without some
+// vertices.
 void check_same_sphere(const DCM::Spherical_conformal_map& map,
                        const DCM::Spherical_conformal_map& other,
                        const std::vector<Vertex_index>& vertices)

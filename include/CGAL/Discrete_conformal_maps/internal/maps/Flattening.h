@@ -9,15 +9,13 @@
 
 #include <CGAL/Discrete_conformal_maps/Cones.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
-#include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
-#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Spectral_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -356,22 +354,6 @@ private:
   std::vector<char> m_is_cut_edge;                  // edges of T^C that are not passed
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
-};
-
-// The layout that `kind` names.
-struct Named_layout
-{
-  template <typename FT>
-  void operator()(Unfolded_faces<FT>& faces, const Shared_order& order) const
-  {
-    switch(kind) {
-      case Layout::least_squares: return Least_squares_layout()(faces, order);
-      case Layout::spectral: return Spectral_layout()(faces, order);
-      case Layout::incremental: return Incremental_layout()(faces, order);
-    }
-  }
-
-  Layout kind;
 };
 
 // those to start from

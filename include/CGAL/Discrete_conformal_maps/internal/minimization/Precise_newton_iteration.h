@@ -38,8 +38,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // those that are prescribed.
 //
 // Variables may have lower bounds. At its bound, a variable may have a derivative that is greater
-// than that on the path, and is left out of the step then. Close to a bound, the slope can be like a
-// root, so that a derivative at the bound is known up to the root of a rounding error.
+// than that on the path, and is left out of the step then. Close to a bound, the slope can be like
+// a root, so that a derivative at the bound is known up to the root of a rounding error.
 template <typename Energy>
 class Precise_newton_iteration
 {
@@ -185,7 +185,8 @@ private:
     return false;
   }
 
-  // Takes a step of Newton's method towards this position of the path. Returns whether there is one.
+  // Takes a step of Newton's method towards this position of the path. Returns whether there is
+  // one.
   bool correct(double position)
   {
     if(!factorize(position))
