@@ -46,6 +46,9 @@ class Docstrings(unittest.TestCase):
 class Types(unittest.TestCase):
     @unittest.skipUnless(shutil.which("mypy"), "needs mypy")
     def test_package(self):
+        version = subprocess.run(["mypy", "--version"], capture_output=True, text=True, check=True)
+        if not version.stdout.startswith("mypy 1.0."):
+            self.skipTest("other versions of mypy and numpy object to other things")
         folder = Path(os.environ["INTRINSIC_PYTHON_DIR"])
         done = subprocess.run(
             ["mypy", "--config-file", str(folder / "mypy.ini"), "--cache-dir", os.devnull,
