@@ -88,7 +88,7 @@ public:
 private:
   // The distance from the path, in parts of the greatest entry of the gradient there.
   static constexpr double greatest_distance = 0.01;
-  static constexpr int number_of_corrections = 10, number_of_trials = 10;
+  static constexpr int number_of_corrections = 4, number_within_bounds = 10, number_of_trials = 10;
   // of the path, in one step
   static constexpr double least_part = 1e-7;
   // of derivatives at bounds
@@ -100,9 +100,10 @@ private:
     m_position = 1;
   }
 
+  bool has_bounds() const { return !m_lower_bound.empty(); }
   bool is_at_bound(std::size_t v) const
   {
-    return !m_lower_bound.empty() && m_energy.scale_factor(v) == m_lower_bound[v];
+    return has_bounds() && m_energy.scale_factor(v) == m_lower_bound[v];
   }
 
   // Returns what the gradient exceeds that at this position of the path. At bounds, nothing but a
@@ -112,7 +113,7 @@ private:
     Vector result = m_gradient;
     if(position > 0)
       result -= position * m_start;
-    if(!m_lower_bound.empty())
+    if(has_bounds())
       for(Eigen::Index v : m_variables.indices())
         if(result[v] > -bound_error && is_at_bound(std::size_t(v)))
           result[v] = 0;
@@ -167,26 +168,26 @@ private:
     const double limit =
       greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start);
     double before = 8 * limit; // a step that is good needs no more than a correction
-    for(int i = 0; i <= number_of_corrections; ++i) {
+    const int corrections = has_bounds() ? number_within_bounds : number_of_corrections;
+    for(int i = 0; i <= corrections; ++i) {
       double now = max_norm(excess(position));
       if(now > limit && !(now <= before / 2)) {
         const std::vector<FT> base = m_energy.scale_factors();
         relax(position, limit);
-        if(!(max_norm(excess(position)) < now))
+        if(has_bounds() && !(max_norm(excess(position)) < now))
           move_to(base);
         now = max_norm(excess(position));
       }
       if(now <= limit)
         return true;
       before = now;
-      if(i < number_of_corrections && !correct(position))
+      if(i < corrections && !correct(position))
         return false;
     }
     return false;
   }
 
-  // Takes a step of Newton's method towards this position of the path. Returns whether there is
-  // one.
+  // Takes a step of Newton's method to this position of the path. Returns whether there is one.
   bool correct(double position)
   {
     if(!factorize(position))
@@ -195,7 +196,7 @@ private:
                           direction = m_elimination.solve(position * m_start - m_gradient);
     const Vector before = m_gradient - position * m_start;
     move(base, direction);
-    if(!m_lower_bound.empty())
+    if(has_bounds())
       shorten_step(base, direction, before, position);
     return true;
   }
@@ -226,8 +227,8 @@ private:
   }
 
   // Moves groups of variables as one, and then their parts, until the entries of the gradient are
-  // those on the path. How a group moves hardly depends on differences within it. Variables that
-  // are not tied strongly to others may change by much, and steps of all are as good for them.
+  // those on the path. How a group moves hardly depends on differences within it. Within bounds,
+  // variables that are not tied strongly to others would move far, and steps of all are as good.
   void relax(double position, double limit)
   {
     if(!m_gradient.allFinite())
@@ -235,7 +236,8 @@ private:
     const Vector wanted = position * m_start + m_removed;
     std::vector<FT> u = m_energy.scale_factors();
     for(const auto& group : m_groups)
-      if(const double weight = outer_weight(group); weight > tolerance::weight_of_group)
+      if(const double weight = outer_weight(group);
+         !has_bounds() || weight > tolerance::weight_of_group)
         relax(group, weight, wanted, limit / 4, u);
     move_to(u);
   }
@@ -253,7 +255,7 @@ private:
         values[i] = u[group[i]] + x;
       return m_energy.derivative_at(group, values) - wanted;
     };
-    if(m_lower_bound.empty())
+    if(!has_bounds())
       return move_group(group, root_of_increasing<FT>(error, weight, limit), u);
     const FT least = least_move(group, u);
     const auto error_within_bounds = [&](const FT& x) {
@@ -284,7 +286,7 @@ private:
   // Variables some roundings from their bounds, or below them, are put there.
   FT in_bounds(std::size_t v, const FT& u) const
   {
-    if(m_lower_bound.empty())
+    if(!has_bounds())
       return u;
     const FT& bound = m_lower_bound[v];
     const FT margin = tolerance::roundings_of_variable * std::numeric_limits<FT>::epsilon() *
@@ -318,7 +320,7 @@ private:
   // Returns the variables of `order` that no bound keeps from moving.
   std::vector<Eigen::Index> movable(std::vector<Eigen::Index> order, double position) const
   {
-    if(m_lower_bound.empty())
+    if(!has_bounds())
       return order;
     const Vector wrong = excess(position);
     order.erase(
