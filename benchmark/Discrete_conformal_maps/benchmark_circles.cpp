@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How many steps and how much CPU time flattening takes with circles at the vertices, beside the
+// same without circles: random radii up to half the distance to the nearest vertex. And what circle
+// packings take. Arguments are names of closed meshes.
+
+#include "stages.h"
+
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/pack_circles.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+// Returns the CPU time of `f()` in seconds, the least of five times.
+template <typename Function>
+double seconds(const Function& f)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(int i = 0; i < 5; ++i) {
+    const std::clock_t start = std::clock();
+    f();
+    result = (std::min)(result, double(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return result;
+}
+
+std::vector<double> random_radii(const Mesh& mesh)
+{
+  IT::Intrinsic_triangulation<> t(mesh);
+  IT::make_Delaunay(t);
+  std::mt19937 random(1);
+  std::vector<double> result;
+  for(const IT::Vertex_index v : t.mesh().vertices()) {
+    double least = std::numeric_limits<double>::infinity();
+    IT::for_each_outgoing_halfedge(v, t.mesh(), [&](IT::Halfedge_index h) {
+      least = (std::min)(least, t.length(t.mesh().edge(h)));
+    });
+    result.push_back(std::uniform_real_distribution<double>(0, 1)(random) * least / 2);
+  }
+  return result;
+}
+
+// Returns the time with circles.
+double benchmark(const std::string& name, const Mesh& mesh)
+{
+  const std::vector<double> radii = random_radii(mesh);
+  const auto radius = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&](Mesh::Vertex_index v) { return radii[v.idx()]; });
+  DCM::Planar_conformal_map without, with;
+  const double before = seconds([&] { without = DCM::flatten(mesh); });
+  const double after =
+    seconds([&] { with = DCM::flatten(mesh, DCM::parameters::vertex_radius_map(radius)); });
+  std::printf("%-16s%8u%6zu%6zu%9.3f%9.3f%7.2f%10.1e%10s", name.c_str(), mesh.number_of_vertices(),
+              without.minimization().iterations, with.minimization().iterations, before, after,
+              after / before, with.max_curvature_error(), to_string(with.status()));
+  try {
+    DCM::Circle_packing packing;
+    const double packed = seconds([&] { packing = DCM::pack_circles(mesh); });
+    std::printf("%9.3f%6zu%10.1e", packed, packing.minimization().iterations,
+                packing.max_tangency_error());
+  } catch(const IT::Invalid_input&) { // neither a sphere nor a disk
+  }
+  return after;
+}
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if(arguments.empty())
+    for(const char* name : {"cow", "camel", "dino", "elephant", "bunny00", "armadillo"})
+      arguments.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+  std::printf("Factorization: %s\n%-16s%8s%6s%6s%9s%9s%7s%10s%10s%9s%6s%10s\n", factorization,
+              "mesh", "vertices", "steps", "with", "seconds", "with", "ratio", "curvature",
+              "status", "packing", "steps", "tangency");
+  for(const std::string& argument : arguments)
+    benchmark_file(argument, benchmark);
+}
