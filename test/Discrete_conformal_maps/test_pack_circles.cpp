@@ -242,6 +242,37 @@ TEST(Pack_circles, of_hexagonal_pieces_are_spirals)
   }
 }
 
+// A triangle in a triangle, and so on: circles shrink by a constant factor. Beyond the digits of
+// positions there is a status, and no exception.
+TEST(Pack_circles, of_nested_triangles_end_with_a_status)
+{
+  for(const std::size_t n : {30u, 60u, 200u, 400u}) {
+    std::vector<Point> points(n + 4);
+    std::vector<std::array<std::size_t, 3>> faces{{0, 2, 1}, {1, 2, 3}, {2, 0, 3}};
+    std::array<std::size_t, 3> last{0, 1, 3};
+    for(std::size_t v = 4; v < n + 4; ++v) {
+      const auto [a, b, c] = last;
+      const std::array<std::array<std::size_t, 3>, 3> parts{{{a, b, v}, {b, c, v}, {c, a, v}}};
+      last = parts[v % 3];
+      faces.push_back(parts[(v + 1) % 3]);
+      faces.push_back(parts[(v + 2) % 3]);
+    }
+    faces.push_back(last);
+    Mesh mesh;
+    for(std::size_t v = 0; v < n + 4; ++v)
+      mesh.add_vertex(Point(double(v), double(v * v % 53), double(v * 7 % 31)));
+    for(const auto& [a, b, c] : faces)
+      mesh.add_face(Mesh::Vertex_index(unsigned(a)), Mesh::Vertex_index(unsigned(b)),
+                    Mesh::Vertex_index(unsigned(c)));
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status() == DCM::Map_status::success, packing.max_tangency_error() < 1e-10);
+    if(n <= 60) {
+      EXPECT_EQ(packing.status(), DCM::Map_status::success);
+      check_tangencies(packing, mesh);
+    }
+  }
+}
+
 TEST(Pack_circles, refuse_other_surfaces)
 {
   EXPECT_THROW(DCM::pack_circles(embedded_torus(4, 4)), IT::Invalid_input);

@@ -25,3 +25,21 @@ claim "json('hexagon.json').disk" \
 rm hexagon.ply hexagon.svg hexagon.json
 
 refuses 'circles are packed on spheres and disks' pack two_components.mesh.off -o x.off
+
+# In nested triangles, circles shrink by a constant factor: no positions are good enough.
+awk 'BEGIN {
+  n = 404
+  print "OFF\n" n, 2 * n - 4, 0
+  for(v = 0; v < n; ++v) print v, v * v % 53, v * 7 % 31
+  print "3 0 2 1\n3 1 2 3\n3 2 0 3"
+  a = 0; b = 1; c = 3
+  for(v = 4; v < n; ++v) {
+    if(v % 3 == 0) { print 3, b, c, v "\n" 3, c, a, v; c = v }
+    if(v % 3 == 1) { print 3, c, a, v "\n" 3, a, b, v; a = b; b = c; c = v }
+    if(v % 3 == 2) { print 3, a, b, v "\n" 3, b, c, v; b = a; a = c; c = v }
+  }
+  print 3, a, b, c
+}' >nested.mesh.off
+expect 1 pack nested.mesh.off -o nested.ply
+says 'circles do not touch: '
+expect_files

@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -53,13 +54,18 @@ public:
   }
 
   // Takes the packing to the unit disk, or to the sphere. What touches is in balance: points on the
-  // unit circle, or on the sphere.
-  void balance()
+  // unit circle, or on the sphere. Returns whether rounding allows it.
+  bool balance()
   {
-    if(m_complex.apex().is_valid())
-      move_to_disk();
-    else
-      move_to_sphere();
+    try {
+      if(m_complex.apex().is_valid())
+        move_to_disk();
+      else
+        move_to_sphere();
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      return false;
+    }
   }
 
   // without that of the apex
@@ -181,10 +187,9 @@ inline Circle_packing packed(const Packing_complex& complex)
               .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
                 [&](Vertex_index v) { return condition[v.idx()]; })));
   Packed_circles circles(map, complex);
-  if(map.is_laid_out())
-    circles.balance();
-  const double error =
-    map.is_laid_out() ? circles.max_tangency_error() : std::numeric_limits<double>::quiet_NaN();
+  const double error = map.is_laid_out() && circles.balance()
+                         ? circles.max_tangency_error()
+                         : std::numeric_limits<double>::quiet_NaN();
   return {circles.circles(), complex.apex().is_valid(), error, packing_status(map.status(), error),
           map.minimization()};
 }
