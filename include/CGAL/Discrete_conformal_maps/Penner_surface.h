@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <cstddef>
@@ -114,10 +115,10 @@ public:
     set_scale_factors(u);
     if(m_flipping == Flipping::none)
       return;
-    const auto is_Delaunay = [this](Halfedge_index h) { return this->is_Delaunay(h); };
-    for(Edge_index e : mesh().edges())
-      m_stack.push_if(!is_Delaunay(mesh().halfedge(e)), e);
-    flip_waiting(is_Delaunay);
+    if(has_radii())
+      return flip_to_Delaunay([this](Halfedge_index h) { return this->is_Delaunay(h); });
+    const auto condition = m_geometry.is_locally_Delaunay_object();
+    flip_to_Delaunay([&](Halfedge_index h) { return condition(scaled_diamond(h)); });
   }
 
 #ifndef DOXYGEN_RUNNING
@@ -171,6 +172,14 @@ public:
   }
 
 private:
+  template <typename Is_good>
+  void flip_to_Delaunay(const Is_good& is_good)
+  {
+    for(Edge_index e : mesh().edges())
+      m_stack.push_if(!is_good(mesh().halfedge(e)), e);
+    flip_waiting(is_good);
+  }
+
   bool is_Delaunay(Halfedge_index h) const
   {
     return m_surface.of_diamond(m_geometry.is_locally_Delaunay_object(), h, m_scaled_length,
@@ -208,8 +217,9 @@ private:
   // Tangents of circles that touch are zero.
   bool is_length(Halfedge_index h, const FT& length) const
   {
-    const auto condition = m_geometry.is_length_object();
-    return condition(has_radii() && length == 0 ? scaled_decorated_length(h).length() : length);
+    const typename Intrinsic_triangulations::Ideal_geometry_traits<FT>::Is_length condition;
+    return condition(length) ||
+           (has_radii() && length == 0 && condition(scaled_decorated_length(h).length()));
   }
 
   Flipping m_flipping;
