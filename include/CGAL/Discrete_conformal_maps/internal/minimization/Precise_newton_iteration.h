@@ -91,6 +91,7 @@ private:
   static constexpr int number_of_corrections = 4, number_within_bounds = 10, number_of_trials = 10;
   // of the path, in one step
   static constexpr double least_part = 1e-7;
+  static constexpr double longest_step_within_bounds = 100;
   // of derivatives at bounds
   inline static const double bound_error = std::sqrt(tolerance::rounding_of_gradient<FT>());
 
@@ -148,8 +149,10 @@ private:
       std::vector<FT> direction = to_minimum;
       for(std::size_t v = 0; v < direction.size(); ++v)
         direction[v] += FT(position) * to_start[v];
-      move(base, direction);
       m_length = length(direction);
+      if(is_too_long(direction))
+        continue;
+      move(base, direction);
       if(has_reached(position)) {
         m_position = position;
         if(position == 0)
@@ -194,6 +197,8 @@ private:
       return false;
     const std::vector<FT> base = m_energy.scale_factors(),
                           direction = m_elimination.solve(position * m_start - m_gradient);
+    if(is_too_long(direction))
+      return false;
     const Vector before = m_gradient - position * m_start;
     move(base, direction);
     if(has_bounds())
@@ -335,6 +340,12 @@ private:
     for(std::size_t v = 0; v < u.size(); ++v)
       u[v] = in_bounds(v, u[v] + direction[v]);
     move_to(u);
+  }
+
+  // A step within bounds that is as long as that leads nowhere, by very many flips.
+  bool is_too_long(const std::vector<FT>& direction) const
+  {
+    return has_bounds() && !(length(direction) <= longest_step_within_bounds);
   }
 
   static double length(const std::vector<FT>& direction)
