@@ -7,6 +7,7 @@
 
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 
 // Small surfaces of the families of benchmark/workflow/hard_surfaces.py: whatever is a success has

@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -66,6 +68,24 @@ FT tangent_length(const FT& length, const FT& source_radius, const FT& target_ra
 }
 
 namespace internal {
+
+namespace square_roots {
+
+using std::sqrt;
+
+template <typename FT, typename = void>
+struct Has_square_root : std::false_type
+{};
+
+template <typename FT>
+struct Has_square_root<FT, std::void_t<decltype(FT(sqrt(std::declval<const FT&>())))>>
+  : std::true_type
+{};
+
+} // namespace square_roots
+
+// whether a number type has the function `sqrt()`
+using square_roots::Has_square_root;
 
 // Returns -det G for the Gram matrix G of three circles, as the square of the volume that their
 // vectors span. The sides ij, jk and ki are oriented.

@@ -103,15 +103,18 @@ public:
             radii[m_mesh.target(h).idx()]};
   }
 
-  // Calls `function` with the diamond of `h`, with radii if there are any.
+  // Calls `function` with the diamond of `h`, with radii if there are any. Flips with radii need
+  // square roots, which rational numbers do not have.
   template <typename Function>
   auto of_diamond(const Function& function, Halfedge_index h, const std::vector<FT>& length,
-                  const std::vector<FT>& radii) const
+                  [[maybe_unused]] const std::vector<FT>& radii) const
   {
-    if(!has_radii())
-      return function(diamond(h, length));
-    const auto edge = [&](Halfedge_index x) { return decorated_length(x, length, radii); };
-    return function(Intrinsic_triangulations::internal::diamond_of(edge, h, m_mesh));
+    if constexpr(Intrinsic_triangulations::internal::Has_square_root<FT>::value)
+      if(has_radii()) {
+        const auto edge = [&](Halfedge_index x) { return decorated_length(x, length, radii); };
+        return function(Intrinsic_triangulations::internal::diamond_of(edge, h, m_mesh));
+      }
+    return function(diamond(h, length));
   }
 
   // \pre `flip_status(h, mesh())` says that it is possible
