@@ -63,7 +63,7 @@ function(add_unit_tests name)
     target_link_libraries(${target} PRIVATE unit_test_dependencies)
     target_precompile_headers(${target} REUSE_FROM unit_tests_precompiled)
     # Templates are instantiated once for several files, each of which has its own namespace.
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 21)
   endforeach()
   add_dependencies(unit_tests ${name})
   add_dependencies(unit_tests_syntax ${name}_syntax)
