@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -97,24 +98,24 @@ class Threads(unittest.TestCase):
     def test_other_threads_run(self):
         """The lock is released: another thread takes it while one is in the compiled part."""
         V, F = intrinsic.shapes.folded_sphere(5)
-        finished, counts = threading.Event(), []
+        inside, finished, counts = threading.Event(), threading.Event(), []
 
         def count():
             n = 0
             while not finished.is_set():
-                n += 1
+                n += inside.is_set()
+                time.sleep(1e-4)  # gives the lock back
             counts.append(n)
 
+        T = intrinsic.Triangulation(V, F)
         interval = sys.getswitchinterval()
-        sys.setswitchinterval(1e9)  # threads change only where the lock is released
         other = threading.Thread(target=count)
+        other.start()
         try:
-            T = intrinsic.Triangulation(V, F)
-            sys.setswitchinterval(interval)
-            other.start()
-            sys.setswitchinterval(1e9)
+            sys.setswitchinterval(1e9)  # this thread loses the lock only where it releases it
+            inside.set()
             T.delaunay(exact=True)
-            finished.set()
+            inside.clear()
         finally:
             finished.set()
             sys.setswitchinterval(interval)
