@@ -107,7 +107,7 @@ public:
   /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded if more than a thousand flips for each
-  ///         edge and a hundred million are needed
+  ///         edge and a million are needed
   /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 up to rounding,
   ///       hence the triangle inequality
   void scale(const std::vector<FT>& u)
@@ -197,10 +197,13 @@ private:
   template <typename Is_good>
   void flip_waiting(const Is_good& is_good)
   {
-    Intrinsic_triangulations::flip_waiting(mesh(), m_stack, is_good, [this](Halfedge_index h) {
+    // All flips are recorded, so that the limit bounds memory as well.
+    const std::size_t limit = 1000000 + 1000 * mesh().num_edges();
+    const auto flip = [this](Halfedge_index h) {
       m_surface.flip(h);
       set_scaled_length(Edge_index(h));
-    });
+    };
+    Intrinsic_triangulations::flip_waiting(mesh(), m_stack, is_good, flip, limit);
   }
 
   void set_scaled_length(Edge_index e)

@@ -153,10 +153,10 @@ inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// flips edges, first those that wait in `stack`, then those around flipped ones, until
 /// `is_good(h)` for all that can be flipped. `flip(h)` is to turn the edge of `h`.
-/// \throws Flip_limit_exceeded if more flips are needed than `default_flip_limit()`
+/// \throws Flip_limit_exceeded if more than `limit` flips are needed
 template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
-                  const Flip& flip)
+                  const Flip& flip, std::size_t limit)
 {
   const auto never = [](Edge_index) { return false; };
   const auto stays = [&](Edge_index e) {
@@ -164,9 +164,17 @@ void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& i
     return is_good(h) || flip_status(h, mesh) != Operation_status::possible;
   };
   const auto flipped = [&](Halfedge_index h) { return flip(h), true; };
-  const auto result = internal::flip_within_limit(mesh, stack, default_flip_limit(mesh.num_edges()),
-                                                  never, stays, flipped);
+  const auto result = internal::flip_within_limit(mesh, stack, limit, never, stays, flipped);
   internal::check_flip_limit(!result.is_Delaunay());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsBlocks
+/// does the same with `default_flip_limit()`.
+template <typename Is_good, typename Flip>
+void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
+                  const Flip& flip)
+{
+  flip_waiting(mesh, stack, is_good, flip, default_flip_limit(mesh.num_edges()));
 }
 
 } // namespace CGAL::Intrinsic_triangulations
