@@ -74,7 +74,8 @@ public:
     /// returns the length of \f$kl\f$ by Ptolemy's relation (Equation 4.4).
     FT operator()(const Diamond<FT>& length) const
     {
-      return (length.ki * length.lj + length.jk * length.il) / length.ij;
+      return internal::Ptolemy_flip<FT>::flipped(length.ij, length.jk, length.ki, length.il,
+                                                 length.lj);
     }
   };
 
