@@ -56,10 +56,10 @@ public:
   /// makes traits without radii: all vertices are ideal.
   Hyperideal_geometry_traits() = default;
 
-  /// makes traits with radii.
+  /// makes traits with radii; without, if there are none.
   /// \param radii the radii of the circles, by the indices of vertices
   explicit Hyperideal_geometry_traits(std::vector<FT> radii)
-    : m_radii(std::make_shared<const std::vector<FT>>(std::move(radii)))
+    : m_radii(radii.empty() ? nullptr : std::make_shared<const std::vector<FT>>(std::move(radii)))
   {}
 
   /// returns whether there are radii.

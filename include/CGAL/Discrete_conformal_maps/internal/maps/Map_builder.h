@@ -278,9 +278,7 @@ private:
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(
       m_data.ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_problem.lengths<double>(m_data.ab))
-        .geom_traits(m_problem.has_radii()
-                       ? Discrete_conformal_map::Ideal_traits(m_problem.radii<double>())
-                       : Discrete_conformal_map::Ideal_traits()));
+        .geom_traits(Discrete_conformal_map::Ideal_traits(m_problem.radii<double>())));
     for(Halfedge_index h : flips)
       m_data.bc.flip(h);
     m_data.number_of_flips[2] = flips.size();

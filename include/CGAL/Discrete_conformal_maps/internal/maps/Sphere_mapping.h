@@ -14,8 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 
@@ -158,11 +157,7 @@ private:
   {
     if(sphere.in_plane.empty())
       return {};
-    Symmetric_energy<Spherical_energy<Extended>> energy(
-      m_problem, m_problem.triangulation(), [&](const Doubled_problem::Triangulation& t) {
-        return Spherical_energy<Extended>(t.mesh(), m_problem.template lengths<Extended>(t),
-                                          sphere.layout.at_infinity);
-      });
+    auto energy = spherical_energy<Extended>(m_problem, sphere.layout.at_infinity);
     std::vector<Extended> u;
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices()) {

@@ -27,6 +27,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// Returns the spherical energy of a surface, symmetric if it is doubled.
+template <typename FT>
+Symmetric_energy<Spherical_energy<FT>> spherical_energy(Doubled_problem& problem,
+                                                        Vertex_index at_infinity)
+{
+  return {problem, problem.triangulation(),
+          [&problem, at_infinity](const Doubled_problem::Triangulation& t) {
+            return Spherical_energy<FT>(t.mesh(), problem.template lengths<FT>(t), at_infinity);
+          }};
+}
+
 // The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
 // 4.4.4), at the vertices of the surface that has perhaps been doubled.
 template <typename FT>
@@ -80,8 +91,6 @@ public:
   {
     set_start(rounded);
     boost::disjoint_sets_with_storage<> groups(m_u.size());
-    for(std::size_t v = 0; v < m_u.size(); ++v)
-      groups.make_set(v);
     join_near_vertices(groups);
     std::vector<FT> sum(m_u.size(), FT(0));
     std::vector<double> size(m_u.size(), 0);
@@ -104,7 +113,7 @@ public:
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
-    Energy energy = make_energy();
+    Energy energy = spherical_energy<FT>(m_problem, m_at_infinity);
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);
@@ -115,7 +124,7 @@ public:
   template <typename Visitor>
   void descend(Visitor& visitor)
   {
-    Energy energy = make_energy();
+    Energy energy = spherical_energy<FT>(m_problem, m_at_infinity);
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices())
       domain.is_fixed.push_back(is_fixed(v));
@@ -134,14 +143,6 @@ private:
   // digits.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
-
-  Energy make_energy()
-  {
-    return {m_problem, m_problem.triangulation(), [this](const Doubled_problem::Triangulation& t) {
-              return Spherical_energy<FT>(t.mesh(), m_problem.template lengths<FT>(t),
-                                          m_at_infinity);
-            }};
-  }
 
   template <typename Visitor>
   void run(Energy& energy, double tolerance, bool stays_at_bounds, Visitor& visitor)
