@@ -226,6 +226,40 @@ TEST(Needles, near_vertices_have_maps)
     }
 }
 
+// Where several vertices are close to each other, their angles depend on scale factors like roots.
+TEST(Needles, clusters_have_maps)
+{
+  for(const double d : {1e-12, 1e-20, 1e-28})
+    for(std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(testing::Message() << d << ' ' << seed);
+      Portable_random random(seed);
+      Mesh mesh = terrain(4, random);
+      for(const double part : {1., 0.1, 0.01})
+        mesh = with_near_vertices(mesh, part * d, random);
+      check_success(DCM::flatten(mesh));
+      check_success(DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh)));
+      check_success(DCM::flatten(with_vertices_at_origin(sphere_at_origin(40, random), d, random)));
+    }
+}
+
+// A cone can be placed at one of several near vertices.
+TEST(Needles, may_have_cones)
+{
+  for(const double e : {1e-8, 1e-13, 1e-18})
+    for(std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(testing::Message() << e << ' ' << seed);
+      Mesh mesh = random_sphere(60, 3);
+      for(Vertex_index v : mesh.vertices())
+        if(const Point& p = mesh.point(v); p.z() > 0.7)
+          mesh.point(v) = Point(p.x(), p.y(), 3 * p.z());
+      mesh = with_needles(mesh, e, 6, seed);
+      const Planar_conformal_map map = DCM::flatten(mesh, DCM::parameters::maximum_log_scale(0.6));
+      check_success(map);
+      for(Vertex_index v : mesh.vertices())
+        EXPECT_LE(std::abs(map.log_scale(v)), 0.6);
+    }
+}
+
 // Expects the cross ratios of distances on two spheres to be equal, between some vertices.
 void check_same_sphere(const DCM::Spherical_conformal_map& map,
                        const DCM::Spherical_conformal_map& other,

@@ -256,16 +256,17 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 // Decides exactly which edges are Delaunay, and restarts from T1 where edges are bent.
 template <typename Traits, typename Visitor>
 Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor, Concurrency concurrency)
+                             Visitor& visitor, Concurrency concurrency,
+                             Tie_decisions ties = Tie_decisions::exact)
 {
   const double no_limit = std::numeric_limits<double>::infinity();
-  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency);
+  Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency, ties);
   if(result.end == Flipping_result::End::doubt) {
     if(!can_be_reset(tri))
       throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
     restart_from_input(tri, visitor);
     result.is_exact = true;
-    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency);
+    result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency, ties);
   }
   check_flip_limit(result.end == Flipping_result::End::limit);
   return result;

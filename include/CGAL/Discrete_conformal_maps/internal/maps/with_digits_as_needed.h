@@ -21,7 +21,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the
 // input, its errors are measured on the exact surface; if that is no success, returns the map with
 // lengths of the exact surface.
-// \throws Numerical_error as `find()` does in the end
+// \throws Error as `find()` does in the end
 template <typename Find>
 auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                            const Find& find)
@@ -34,13 +34,13 @@ auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> i
     rounded = find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), Exactness::errors);
     if(rounded->status() == Map_status::success)
       return std::move(*rounded);
-  } catch(const Intrinsic_triangulations::Numerical_error&) {
+  } catch(const Intrinsic_triangulations::Error&) { // such as flips without end
   }
   try {
     Map exact = find(std::move(input), Exactness::lengths);
     if(!rounded || exact.status() == Map_status::success)
       return exact;
-  } catch(const Intrinsic_triangulations::Numerical_error&) {
+  } catch(const Intrinsic_triangulations::Error&) {
     if(!rounded)
       throw;
   }

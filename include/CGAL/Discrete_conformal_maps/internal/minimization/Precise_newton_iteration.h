@@ -88,7 +88,7 @@ public:
 private:
   // The distance from the path, in parts of the greatest entry of the gradient there.
   static constexpr double greatest_distance = 0.01;
-  static constexpr int number_of_corrections = 4, number_within_bounds = 10, number_of_trials = 10;
+  static constexpr int number_of_corrections = 10, number_of_trials = 10;
   // of the path, in one step
   static constexpr double least_part = 1e-7;
   static constexpr double longest_step_within_bounds = 100;
@@ -164,27 +164,27 @@ private:
     return Minimization_status::rounding_limit;
   }
 
-  // Corrects the distance from a point of the path. Returns whether it is small now; not if it is
-  // NaN.
+  // Corrects the distance from a point of the path. Returns whether it is small now, or within its
+  // rounding error; not if it is NaN.
   bool has_reached(double position)
   {
     const double limit =
-      greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start);
+      (std::max)(greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start),
+                 m_energy.gradient_error());
     double before = 8 * limit; // a step that is good needs no more than a correction
-    const int corrections = has_bounds() ? number_within_bounds : number_of_corrections;
-    for(int i = 0; i <= corrections; ++i) {
+    for(int i = 0; i <= number_of_corrections; ++i) {
       double now = max_norm(excess(position));
       if(now > limit && !(now <= before / 2)) {
         const std::vector<FT> base = m_energy.scale_factors();
         relax(position, limit);
-        if(has_bounds() && !(max_norm(excess(position)) < now))
+        if(!(max_norm(excess(position)) < now))
           move_to(base);
         now = max_norm(excess(position));
       }
       if(now <= limit)
         return true;
       before = now;
-      if(i < corrections && !correct(position))
+      if(i < number_of_corrections && !correct(position))
         return false;
     }
     return false;
@@ -201,13 +201,13 @@ private:
       return false;
     const Vector before = m_gradient - position * m_start;
     move(base, direction);
-    if(has_bounds())
-      shorten_step(base, direction, before, position);
+    shorten_step(base, direction, before, position);
     return true;
   }
 
   // Shortens a step that goes so far beyond the minimum on its line that the slope is half of that
-  // before, again: where slopes are like a root, the next steps would go to and fro.
+  // before, again: where slopes are like a root, as of angles of needles that open, the next steps
+  // would go to and fro.
   void shorten_step(const std::vector<FT>& base, std::vector<FT> direction, const Vector& before,
                     double position)
   {

@@ -94,6 +94,15 @@ public:
   template <typename Entries>
   void collect_column(Vertex_index v, Entries& entries) const
   {
+    collect_column(
+      v, [v](Vertex_index w) { return w == v; }, entries);
+  }
+
+  // the same if the variables at all vertices for which `is_same()` holds are that of `v`: weights
+  // between these do not count, however great they are
+  template <typename Is_same, typename Entries>
+  void collect_column(Vertex_index v, const Is_same& is_same, Entries& entries) const
+  {
     if(mesh().is_isolated(v))
       return;
     double diagonal = 0;
@@ -103,9 +112,9 @@ public:
       const Vertex_index w = mesh().target(h);
       const auto tanh2 =
         static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(Edge_index(h))));
-      if(w != v)
+      if(!is_same(w))
         entries.emplace_back(static_cast<int>(w.idx()), (tanh2 - 1) * weight(h));
-      diagonal += (w == v ? 2 * tanh2 : 1 + tanh2) * weight(h);
+      diagonal += (is_same(w) ? 2 * tanh2 : 1 + tanh2) * weight(h);
     });
     entries.emplace_back(static_cast<int>(v.idx()), diagonal);
   }

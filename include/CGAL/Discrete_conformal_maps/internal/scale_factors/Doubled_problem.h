@@ -391,12 +391,13 @@ private:
   {
     m_flips.clear();
     Flip_record record{m_flips};
-    m_number_of_flips =
-      has_radii() ? m_circles.flip(m_triangulation, m_original, record)
-                  : Intrinsic_triangulations::make_Delaunay(
-                      m_triangulation,
-                      Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
-                        .visitor(std::ref(record)));
+    if(has_radii())
+      m_number_of_flips = m_circles.flip(m_triangulation, m_original, record);
+    else if(m_has_exact_flips)
+      m_number_of_flips = flip_exactly(m_triangulation, m_is_exact, record);
+    else
+      m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
+        m_triangulation, Intrinsic_triangulations::parameters::visitor(std::ref(record)));
     m_most_precise_length.clear();
     if(has_exceeded(m_flips))
       extend(0, {});

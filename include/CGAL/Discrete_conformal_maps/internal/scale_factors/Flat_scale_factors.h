@@ -66,14 +66,18 @@ public:
       start_from_estimate(energy, placement.estimate());
   }
 
-  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether
-  // it has.
+  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Returns
+  // whether it has. A cone at a vertex with near ones would move so far from these, in proportion,
+  // that nothing would be left of their angles: with needles, all scale factors start from zero.
   bool add_cone_if_beyond(double bound)
   {
     const std::size_t v = vertex_beyond(bound, values());
-    if(v != none)
-      add_cone(v);
-    return v != none;
+    if(v == none)
+      return false;
+    add_cone(v);
+    if(m_problem.has_needles())
+      start_from(std::vector<double>(m_problem.size(), 0));
+    return true;
   }
 
   // `minimizer`, but it ends where the scale factors of the minimum, which is not as far away as

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/Core>
@@ -16,6 +17,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -79,8 +81,8 @@ public:
   }
   void move_origin() { set_origin(scale_factors()); }
 
-  // Moves some variables alone, and returns the sum of the derivatives by them. Until `evaluate()`,
-  // other values are those before.
+  // Moves some variables alone, and returns the sum of the derivatives by them; NaN if a scaled
+  // length is not a length. Until `evaluate()`, other values are those before.
   double derivative_at(const std::vector<std::size_t>& variables, const std::vector<FT>& u)
   {
     if(m_next_copy.size() != m_problem.originals().size())
@@ -93,7 +95,11 @@ public:
         vertices.push_back(v);
         values.push_back(u[i]);
       }
-    m_energy->move_some(vertices, values);
+    try {
+      m_energy->move_some(vertices, values);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
     double result = 0;
     for(std::size_t v : variables)
       result +=
@@ -155,10 +161,11 @@ private:
   template <typename Entries>
   void collect_column(Vertex_index v, const std::vector<Vertex_index>& next, Entries& entries) const
   {
+    const auto is_copy = [&](Vertex_index w) { return m_problem.original(w) == v; };
     Entries column;
     for(Vertex_index w = v; w.is_valid(); w = next[w.idx()]) {
       column.clear();
-      m_energy->collect_column(w, column);
+      m_energy->collect_column(w, is_copy, column);
       for(const auto& [row, entry] : column) {
         if(w == v)
           entries.emplace_back(int(m_problem.originals()[std::size_t(row)].idx()),

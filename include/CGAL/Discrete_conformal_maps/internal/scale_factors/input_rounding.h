@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -57,6 +58,20 @@ enum class Exactness
   lengths,
   decisions
 };
+
+// Flips to Delaunay by exact decisions, and returns the number of flips. Unless `decides_ties`, an
+// edge that 1024 digits do not tell from a tie is one.
+template <typename Visitor>
+std::size_t flip_exactly(Intrinsic_triangulations::Intrinsic_triangulation<>& t, bool decides_ties,
+                         Visitor& visitor)
+{
+  using namespace Intrinsic_triangulations;
+  using Intrinsic_triangulations::internal::Tie_decisions;
+  return Intrinsic_triangulations::internal::flip_exactly(
+           t, default_flip_limit(t.mesh().num_edges()), visitor, Concurrency(),
+           decides_ties ? Tie_decisions::exact : Tie_decisions::by_digits)
+    .flips;
+}
 
 // Returns the lengths of a triangulation on the exact surface of the input.
 // \throws Numerical_error if 1024 bits are too few
