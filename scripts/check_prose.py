@@ -1,0 +1,330 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Checks sentences of the manuals, of README.md and the like, of public doc comments (///), and of the
+messages of the program: at most 25 words each, no pronoun in place of a noun ("that of"), no words
+other than those of the field. Prints file:line of each violation, and exits with 1 if there is any.
+
+Without arguments all files are checked, except those that scripts/prose_pending.txt lists: their
+sentences are still to be rewritten. With --pending these are checked instead; with --count, a line for
+each of them has its number of violations. Files that are named as arguments are always checked."""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PENDING = ROOT / "scripts" / "prose_pending.txt"
+MOST_WORDS = 25
+
+TEXTS = ["doc/**/*.txt", "README.md", "CHANGES.md", "CONTRIBUTING.md"]
+HEADERS = ["include/CGAL/*.h", "include/CGAL/*/*.h", "doc/*/Concepts/*.h"]
+SOURCES = ["demo/**/*.cpp", "demo/**/*.h"]
+
+# Pronouns and adverbs that stand for a noun: the noun is to be repeated.
+STAND_INS = [
+    (r"\bthat of\b", "repeat the noun"),
+    (r"\bthose (?:of|in|on|at|with|without|which|that|who|whose|from|to|for|by|above|below|alone|are|is)\b",
+     "repeat the noun"),
+    (r"\bthose(?=[.,;:)]|$)", "repeat the noun"),
+    (r"\b[Ww]hat is\b", "name the thing"),
+    (r"\bof which\b", "make two sentences, or write 'whose'"),
+    # "there is" states existence; elsewhere the word stands for a place that has a name.
+    (r"\b[Tt]here\b(?! (?:is|are|was|were|has|have|can|may|must|exists?|remains?|be)\b)",
+     "name the position"),
+]
+
+# Words for which the field has another one.
+DETERMINER = (r"(?:the|an?|its|their|same|exact|one|two|both|no|rounded|this|each|any|every|other|another|all|"
+              r"many|few|some|whose|these|those|of)")
+HOUSE_WORDS = [
+    (rf"\b{DETERMINER} places?\b", "position"),
+    (r"\banew\b|\bafresh\b", "again, or restart"),
+    (r"\btak(?:e|es|en|ing) \w+(?: \w+)? across\b|\btak(?:e|es|en|ing) across\b", "map or transfer"),
+    (r"\bspokes?\b", "outgoing halfedge"),
+    (r"\bin doubt\b|\ba doubt\b", "undecided, or the filter failed"),
+    (r"\bbut for rounding\b", "up to rounding"),
+    (r"\bno number\b", "NaN"),
+    (r"\bis welcome\b|\bare welcome\b", "is allowed"),
+    (r"\b(?:is|are|was|be) told\b|\btells?\b", "is notified of, returns, determines"),
+    (r"\b(?:as|the same as) above\b|\bthe same for\b", "write the sentence, or \\copydoc"),
+    (r"\blike ones\b", "name the things"),
+    (r"\bas wanted\b|\bif wanted\b", "optionally, or any number of times"),
+    (r"\bwhat they are\b|\bas they are\b", "unchanged"),
+    (r"\bon the way\b|\bon its way\b|\bin the way\b", "name the time or the position"),
+    (r"\bis gone\b|\bare gone\b", "is removed, or no longer exists"),
+    (r"\bcome to rest\b|\bhas come to\b", "ends with"),
+]
+RULES = [(re.compile(pattern), advice) for pattern, advice in STAND_INS + HOUSE_WORDS]
+
+
+class Block:
+    """Lines that make up a paragraph, an item of a list, a cell of a table, or a heading."""
+
+    def __init__(self):
+        self.words = []  # pairs of a word and its line
+
+    def add(self, text, line):
+        self.words += [(word, line) for word in text.split()]
+
+
+SENTENCE_END = re.compile(r"[.!?][)\"'*]*$|[.!?]</?\w+>$")
+ABBREVIATIONS = re.compile(r"(?:\b(?:e\.g|i\.e|cf|Fig|Figs|Eq|Eqs|Sec|Ch|No|vs|etc|al|resp)|\b[A-Z])\.$")
+
+
+def sentences(words):
+    """Sentences of a block, as lists of pairs of a word and its line."""
+    sentence = []
+    for i, (word, line) in enumerate(words):
+        sentence.append((word, line))
+        following = words[i + 1][0] if i + 1 < len(words) else ""
+        starts = not following or not following[0].islower()
+        if SENTENCE_END.search(word) and not ABBREVIATIONS.search(word) and starts:
+            yield sentence
+            sentence = []
+    if sentence:
+        yield sentence
+
+
+def count(sentence):
+    """Words of a sentence: dashes, operators and other marks are none."""
+    return sum(1 for word, _ in sentence if re.search(r"\w", word))
+
+
+INLINE = [
+    (re.compile(r"\\f\$.*?\\f\$", re.S), " F "),
+    (re.compile(r"``.+?``|`[^`]+`", re.S), "N"),
+    (re.compile(r"\\cgalCite\{[^}]*\}"), ""),
+    (re.compile(r"\\cgalFigureRef\{[^}]*\}"), "figure"),
+    (re.compile(r"[\\@](?:ref|subpage|link)\s+\S+?(?=[\s,;:)]|\.(?:\s|$))(?:\s+\"([^\"]*)\")?"),
+     lambda m: (m.group(1) or "N") + "\n" * m.group(0).count("\n")),
+    (re.compile(r"[\\@]copydoc\s+\S+"), "N"),
+    (re.compile(r"[\\@](?:anchor|image\s+html|c|p|a|e|b)\s+\S+"), "N"),
+    (re.compile(r"!\[([^\]]*)\]\([^)]*\)|\[([^\]]*)\]\([^)]*\)", re.S),
+     lambda m: m.group(1) or m.group(2) or "N"),
+    (re.compile(r"https?://\S+?(?=[),;]?(?:\s|$))"), "N"),
+    (re.compile(r"&\w+;"), "x"),
+    (re.compile(r"</?(?:b|i|em|sup|sub|a|code|br|p)\b[^>]*>"), ""),
+    (re.compile(r"<[^<>\n]*>"), " "),
+    (re.compile(r"\*\*|(?<!\w)\*(?=\w)|(?<=[\w.])\*(?!\w)"), ""),
+]
+
+
+def with_lines(pattern, replacement, text):
+    """Substitutes, and keeps the number of lines."""
+    def substitute(match):
+        new = replacement(match) if callable(replacement) else replacement
+        return new + "\n" * max(0, match.group(0).count("\n") - new.count("\n"))
+    return pattern.sub(substitute, text)
+
+
+COMMAND_BLOCK = re.compile(
+    r"^\s*[\\@](?:defgroup|ingroup|namespace|page|mainpage|section|subsection|subsubsection|addtogroup|"
+    r"tableofcontents|cgalExample|include|snippet|concept|cgalConcept|cgalHasModel|cgalModels|cgalRefines|"
+    r"cgalPkg\w+|cgalClassifiedRefPages|cgalCRPSection|cgalFigureBegin|cgalFigureEnd|file|headerfile|"
+    r"cgalNamedParams\w+|cgalParamNBegin|cgalParamNEnd|cgalParamType|cgalParamDefault|example|anchor|name|"
+    r"sa|see|relates|memberof|internal)\b.*$")
+ITEM = re.compile(r"^\s*(?:-#?|\*|\+|\d+\.)\s+")
+FIELD = re.compile(r"^\s*[\\@](?:t?param(?:\[\w+\])?\s+\S+|returns?|result|throws?\s+\S+|exception\s+\S+|pre|post|"
+                   r"note|warning|brief|details|invariant|remark|cgalParamDescription\{|retval\s+\S+|"
+                   r"deprecated|todo)\s*")
+
+
+def blocks_of(lines, is_markdown):
+    """Blocks of numbered lines of prose."""
+    block, previous_blank, in_code, in_list = Block(), True, False, False
+    result = []
+
+    def finish():
+        nonlocal block
+        if block.words:
+            result.append(block)
+        block = Block()
+
+    for number, line in lines:
+        stripped = line.strip()
+        if is_markdown and stripped.startswith("```"):
+            in_code = not in_code
+            finish()
+            continue
+        if in_code:
+            continue
+        if not stripped:
+            finish()
+            previous_blank = True
+            continue
+        indent = len(line) - len(line.lstrip())
+        if indent >= 4 and previous_blank and not in_list:
+            continue  # a block of code continues until a line that is not indented
+        is_item = ITEM.match(line)
+        if indent == 0:
+            in_list = bool(is_item)
+        in_list = in_list or bool(is_item)
+        previous_blank = False
+        if COMMAND_BLOCK.match(line) or (is_markdown and stripped.startswith("#")):
+            finish()
+            continue
+        if stripped.startswith("|"):
+            finish()
+            for cell in stripped.strip("|").split("|"):
+                if not re.fullmatch(r"\s*:?-+:?\s*", cell):
+                    block.add(cell, number)
+                    finish()
+            continue
+        if is_item:
+            finish()
+            line = ITEM.sub("", line)
+        if FIELD.match(line):
+            finish()
+            line = FIELD.sub("", line)
+        block.add(line, number)
+    finish()
+    return result
+
+
+def prepared(text):
+    """The text without code and bibliography, formulas and names as one word each."""
+    for begin, end in [("code", "endcode"), ("verbatim", "endverbatim"), ("htmlonly", "endhtmlonly")]:
+        pattern = re.compile(rf"^[ \t]*[\\@]{begin}\b.*?[\\@]{end}\b", re.S | re.M)
+        text = with_lines(pattern, "\n\n", text)
+    text = with_lines(re.compile(r"\\f\[.*?\\f\]\s?", re.S), "\n\n", text)
+    text = with_lines(re.compile(r"^- \\anchor cite_.*?(?=^- \\anchor|^\\|^\*/|\Z)", re.S | re.M), "\n", text)
+    text = with_lines(re.compile(r"^\\image html \S+ (\"[^\"]*\").*$", re.M),
+                      lambda m: m.group(1).strip('"'), text)
+    for pattern, replacement in INLINE:
+        text = with_lines(pattern, replacement, text)
+    return text
+
+
+def blocks_of_text(path):
+    text = path.read_text().replace("/*!", "").replace("*/", "")
+    lines = list(enumerate(prepared(text).split("\n"), 1))
+    return blocks_of(lines, path.suffix == ".md")
+
+
+def blocks_of_header(path):
+    """Blocks of comments that Doxygen reads, except headers' copyright."""
+    result, lines = [], []
+
+    def finish():
+        if lines:
+            first = lines[0][0]
+            text = prepared("\n".join(line for _, line in lines))
+            numbered = [(first + i, line) for i, line in enumerate(text.split("\n"))]
+            result.extend(blocks_of(numbered, False))
+            lines.clear()
+
+    in_block = False
+    for number, line in enumerate(path.read_text().split("\n"), 1):
+        stripped = line.strip()
+        if in_block or stripped.startswith(("/*!", "/**")):
+            in_block = "*/" not in stripped
+            lines.append((number, re.sub(r"^/\*[!*]|\*/$|^\*(?!/)", "", stripped)))
+        elif re.match(r"///(?!/)", stripped):
+            lines.append((number, re.sub(r"^///<? ?", "", stripped)))
+        else:
+            finish()
+            trailing = re.search(r"///< ?(.*)$", line)
+            if trailing:
+                lines.append((number, trailing.group(1)))
+                finish()
+    finish()
+    return result
+
+
+LITERAL = re.compile(r"\"((?:[^\"\\\n]|\\.)*)\"")
+RAW_LITERAL = re.compile(r"R\"(\w*)\(.*?\)\1\"", re.S)
+
+
+def blocks_of_source(path):
+    """Blocks of messages: string literals with at least five words, adjacent ones joined."""
+    text = with_lines(RAW_LITERAL, '""', path.read_text())
+    text = "\n".join("" if re.match(r"\s*(?://|#)", line) else line for line in text.split("\n"))
+    result, block, last = [], Block(), None
+    for match in LITERAL.finditer(text):
+        if last is None or text[last:match.start()].strip(" \n\t+") != "":
+            if len(block.words) >= 5:
+                result.append(block)
+            block = Block()
+        content = match.group(1).replace("\\n", " ").replace('\\"', '"')
+        block.add(content, text.count("\n", 0, match.start()) + 1)
+        last = match.end()
+    if len(block.words) >= 5:
+        result.append(block)
+    return result
+
+
+def violations(path):
+    """Pairs of a line and what is wrong in it."""
+    if path.suffix in [".txt", ".md"]:
+        blocks = blocks_of_text(path)
+    elif "demo" in path.relative_to(ROOT).parts[:1]:
+        blocks = blocks_of_source(path)
+    else:
+        blocks = blocks_of_header(path)
+    for block in blocks:
+        for sentence in sentences(block.words):
+            words = count(sentence)
+            if words > MOST_WORDS:
+                start = " ".join(word for word, _ in sentence[:6])
+                yield sentence[0][1], f"a sentence of {words} words: {start} ..."
+        text, starts = "", []
+        for word, line in block.words:
+            starts.append((len(text), line))
+            text += word + " "
+        for pattern, advice in RULES:
+            for match in pattern.finditer(text.rstrip()):
+                line = max(line for start, line in starts if start <= match.start())
+                yield line, f'"{match.group(0).strip()}": {advice}'
+
+
+def files(patterns):
+    for pattern in patterns:
+        for path in sorted(ROOT.glob(pattern)):
+            if "internal" not in path.parts and "license" not in path.parts:
+                yield path
+
+
+def pending():
+    if not PENDING.exists():
+        return []
+    lines = (line.split("#")[0].strip() for line in PENDING.read_text().split("\n"))
+    return [ROOT / line for line in lines if line]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="*", type=Path)
+    parser.add_argument("--pending", action="store_true", help="check the files that are still to be rewritten")
+    parser.add_argument("--count", action="store_true", help="print numbers of violations only")
+    arguments = parser.parse_args()
+
+    left_out = pending()
+    missing = [path for path in left_out if not path.exists()]
+    for path in missing:
+        print(f"{PENDING.relative_to(ROOT)}: {path.relative_to(ROOT)} does not exist")
+    chosen = [path.resolve() for path in arguments.files]
+    if not chosen:
+        chosen = [path for path in files(TEXTS + HEADERS + SOURCES) if (path in left_out) == arguments.pending]
+    total = 0
+    for path in chosen:
+        found = sorted(violations(path))
+        total += len(found)
+        name = path.relative_to(ROOT)
+        if arguments.count:
+            print(f"{len(found):5} {name}")
+        else:
+            for line, message in found:
+                print(f"{name}:{line}: {message}")
+        if arguments.pending and not found:
+            print(f"{name} has no violations: remove it from {PENDING.relative_to(ROOT)}")
+    if total:
+        print(f"check_prose: {total} violations in {len(chosen)} files", file=sys.stderr)
+    return 1 if total or missing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
