@@ -68,9 +68,9 @@ void add_to_scene(const Intrinsic_triangulation<Traits>& tri, const PointMap& po
 #if CGAL_VERSION_MAJOR >= 6 || defined(DOXYGEN_RUNNING)
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// adds \f$T_2\f$ on the surface of \f$T_1\f$ to `scene`: the faces of the common subdivision with
-/// a color for each face of \f$T_2\f$, the edges of \f$T_2\f$ in red over those of \f$T_1\f$ in
-/// gray. With CGAL 6 or later.
+/// adds \f$T_2\f$ on the surface of \f$T_1\f$ to `scene`. Faces of the common subdivision have a
+/// color for each face of \f$T_2\f$. Edges of \f$T_2\f$ are red, over gray edges of \f$T_1\f$. It
+/// needs CGAL 6 or later.
 ///
 /// \param tri the triangulation
 /// \param positions a readable property map from the vertices of \f$T_1\f$ to points of a kernel
@@ -89,10 +89,11 @@ void add_to_graphics_scene(const Intrinsic_triangulations::Intrinsic_triangulati
 #if defined(CGAL_USE_BASIC_VIEWER) || defined(DOXYGEN_RUNNING)
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// opens a new window and draws \f$T_2\f$ on the surface of \f$T_1\f$, as `add_to_graphics_scene()`
-/// does. It returns when the user closes the window. As other functions `draw()` of CGAL it
-/// requires `CGAL_Qt6` (`CGAL_Qt5` with CGAL 5), and is only available if the macro
-/// `CGAL_USE_BASIC_VIEWER` is defined, which the CMake target `CGAL::CGAL_Basic_viewer` does.
+/// opens a new window and draws \f$T_2\f$ on the surface of \f$T_1\f$, as
+/// `add_to_graphics_scene()` does. It returns when the user closes the window. As other functions
+/// `draw()` of CGAL it requires `CGAL_Qt6` (`CGAL_Qt5` with CGAL 5). It is only available if the
+/// macro `CGAL_USE_BASIC_VIEWER` is defined, which the CMake target `CGAL::CGAL_Basic_viewer`
+/// does.
 ///
 /// \param tri the triangulation
 /// \param positions a readable property map from the vertices of \f$T_1\f$ to points of a kernel

@@ -5,9 +5,9 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is a Euclidean geometry with lengths of type `double` in which decisions are exact: where
-/// lengths leave a doubt, they are derived from the exact metric of the input. Stored lengths have
-/// a relative error of at most \f$2^{-40}\f$, and the predicates on lengths take this into account.
+/// is a Euclidean geometry with lengths of type `double` and exact decisions. If lengths do not
+/// decide, decisions are derived from the exact metric of the input. Stored lengths have a
+/// relative error of at most \f$2^{-40}\f$, and the predicates on lengths take this into account.
 ///
 /// \cgalRefines{IntrinsicGeometryTraitsWithDistance}
 ///

@@ -18,7 +18,8 @@ public:
   /// `make_Delaunay()`.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
-  /// is called if lengths leave too much in doubt, or if edges are bent: \f$T_2\f$ has become
-  /// \f$T_1\f$ again, with the inserted vertices, and flipping restarts with exact decisions.
+  /// is called if lengths leave too many decisions undecided, or if edges are bent. \f$T_2\f$ has
+  /// been reset to \f$T_1\f$, with the inserted vertices, and flipping restarts with exact
+  /// decisions.
   void before_exact_flips();
 };

@@ -8,10 +8,10 @@
 /// lays out a strip of triangles and intersects its inner edges with the geodesic between its ends.
 ///
 /// The strip leaves the corner \f$a\f$ of a first triangle through the opposite side
-/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle, always through the last inner
+/// \f$\overrightarrow{ij}\f$. It passes triangle after triangle, always through the last inner
 /// edge, and ends at a corner \f$b\f$. All arguments are lengths of edges. The calls for one strip
-/// are `start()`, then any number of turns, then `finish()`; an object is used for many strips, one
-/// after the other.
+/// are `start()`, then any number of turns, then `finish()`. An object is used for many strips,
+/// one after the other.
 ///
 /// A model is default constructible.
 ///
@@ -23,14 +23,14 @@
 class GeodesicStrip
 {
 public:
-  /// where the geodesic meets an inner edge \f$\overrightarrow{ij}\f$. A model is copyable; it has
-  /// a member `along_line`, the barycentric coordinate on the geodesic from \f$a\f$ to \f$b\f$,
-  /// which the user may change, and a member `along_edge`, that on \f$\overrightarrow{ij}\f$. Both
-  /// are of type `FT` and in \f$[0,1]\f$. They need not be in order along the geodesic: the user
-  /// sees to that.
+  /// the position where the geodesic meets an inner edge \f$\overrightarrow{ij}\f$. A model is
+  /// copyable. It has a member `along_line`, the barycentric coordinate on the geodesic from
+  /// \f$a\f$ to \f$b\f$, which the user may change. It also has a member `along_edge`, the
+  /// coordinate on \f$\overrightarrow{ij}\f$. Both are of type `FT` and in \f$[0,1]\f$. They need
+  /// not be in order along the geodesic: the user ensures this.
   ///
-  /// Where barycentric coordinates are homogeneous coordinates, it has a positive member `scale` of
-  /// type `FT` too: the vector \f$(1-s)a + sb\f$ of the geodesic is `scale` times the vector
+  /// If barycentric coordinates are homogeneous coordinates, it also has a positive member `scale`
+  /// of type `FT`. Then the vector \f$(1-s)a + sb\f$ of the geodesic is `scale` times the vector
   /// \f$(1-t)i + tj\f$ of the edge. The maps between the two triangulations are then projective on
   /// the regions of the common subdivision. Without this member, the scale is 1 and the maps are
   /// linear.

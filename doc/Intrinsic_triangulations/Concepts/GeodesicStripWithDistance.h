@@ -5,8 +5,8 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// lays out a strip of triangles in which geodesics may start and end at any point of the first and
-/// the last triangle, and measures along the geodesic and along inner edges.
+/// lays out a strip of triangles. Geodesics may start and end at any point of the first and the
+/// last triangle. The strip measures along the geodesic and along inner edges.
 ///
 /// \cgalRefines{GeodesicStrip}
 ///

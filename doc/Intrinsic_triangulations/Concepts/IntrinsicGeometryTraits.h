@@ -5,8 +5,8 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// determines the geometry of an intrinsic triangulation: number types, the length of a flipped
-/// edge, the local Delaunay condition, and the layout of a strip of triangles.
+/// determines the geometry of an intrinsic triangulation. It provides number types, the length of
+/// a flipped edge, the local Delaunay condition, and the layout of a strip of triangles.
 ///
 /// A model is default constructible, copy constructible and assignable. The function objects are
 /// obtained from a constant object and called through a constant reference. `Diamond<FT>` holds the
@@ -61,8 +61,8 @@ public:
   /// length of an edge.
   typedef unspecified_type Is_length;
 
-  /// provides `bool operator()(const FT& a, const FT& b, const FT& c) const`, which returns whether
-  /// three lengths can be those of the sides of a triangle.
+  /// provides `bool operator()(const FT& a, const FT& b, const FT& c) const`, which returns
+  /// whether a triangle with these three side lengths exists.
   typedef unspecified_type Is_triangle;
 
   /// @}

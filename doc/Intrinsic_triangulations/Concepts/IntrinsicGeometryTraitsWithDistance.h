@@ -23,10 +23,10 @@ public:
   /// a model of `GeodesicStripWithDistance` with the same `FT`.
   typedef unspecified_type Geodesic_strip;
 
-  /// provides `FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p,
-  /// const std::array<FT, 3>& q) const`, which returns the distance of the points with barycentric
-  /// coordinates `p` and `q` in a triangle whose side `s` leads from corner `s` to the next and has
-  /// length `side[s]`.
+  /// provides `FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p, const
+  /// std::array<FT, 3>& q) const`. It returns the distance of the points with barycentric
+  /// coordinates `p` and `q` in a triangle. Side `s` of the triangle leads from corner `s` to the
+  /// next and has length `side[s]`.
   typedef unspecified_type Compute_distance;
 
   /// @}

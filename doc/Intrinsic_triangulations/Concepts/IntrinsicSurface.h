@@ -24,8 +24,8 @@ public:
   /// returns the connectivity, which lives as long as the surface.
   const CGAL::Intrinsic_triangulations::Delta_complex& mesh() const;
 
-  /// returns a map of the edge lengths, by value or by reference: a model of `ReadablePropertyMap`
-  /// with key type `CGAL::Intrinsic_triangulations::Edge_index` and a number type as value type. A
-  /// copy of it is valid as long as the surface is not changed.
+  /// returns a map of the edge lengths, by value or by reference. It is a model of
+  /// `ReadablePropertyMap` with key type `CGAL::Intrinsic_triangulations::Edge_index` and a number
+  /// type as value type. A copy of it is valid as long as the surface is not changed.
   unspecified_type length_map() const;
 };

@@ -5,9 +5,9 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// decides whether an edge \f$ij\f$ is locally Delaunay, by the lengths of a `Diamond`: those of the
-/// edge and of the four other sides of its faces \f$ijk\f$ and \f$jil\f$. For a border edge, two of
-/// the five lengths are unspecified.
+/// decides whether an edge \f$ij\f$ is locally Delaunay, by the lengths of a `Diamond`. They
+/// belong to the edge and the four other sides of its faces \f$ijk\f$ and \f$jil\f$. For a border
+/// edge, two of the five lengths are unspecified.
 ///
 /// A model is called through a constant reference.
 ///
@@ -24,9 +24,9 @@ public:
   /// `bool`; or `CGAL::Uncertain<bool>` in a model of `ExactIntrinsicGeometryTraits`.
   typedef unspecified_type Result;
 
-  /// returns whether the edge satisfies the local Delaunay condition. The condition must hold of
-  /// ties, and of an edge that has just been made by flipping one for which it does not hold;
-  /// otherwise `make_Delaunay()` may use up its flips. A result of type `CGAL::Uncertain<bool>` is
+  /// returns whether the edge satisfies the local Delaunay condition. The condition must hold for
+  /// ties. If it does not hold for an edge, it must hold for the flipped edge; otherwise
+  /// `make_Delaunay()` may use up its flips. A result of type `CGAL::Uncertain<bool>` is
   /// indeterminate if the lengths, within their errors, do not determine it.
   Result operator()(const Diamond<FT>& length) const;
 

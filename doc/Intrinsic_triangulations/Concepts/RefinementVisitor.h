@@ -23,8 +23,9 @@ public:
   /// `h` leads along the new edge.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
-  /// is called if lengths leave too much in doubt, or if edges are bent: \f$T_2\f$ has become
-  /// \f$T_1\f$ again, with the inserted vertices, and flipping restarts with exact decisions.
+  /// is called if lengths leave too many decisions undecided, or if edges are bent. \f$T_2\f$ has
+  /// been reset to \f$T_1\f$, with the inserted vertices, and flipping restarts with exact
+  /// decisions.
   void before_exact_flips();
 
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.
@@ -32,7 +33,7 @@ public:
   void after_insertion(CGAL::Intrinsic_triangulations::Vertex_index v,
                        const CGAL::Intrinsic_triangulations::Vertex_inserter<Traits>& inserter);
 
-  /// is called after the vertex `v` has been removed: the face `f` is in its place.
+  /// is called after the vertex `v` has been removed; the face `f` remains.
   void after_removal(CGAL::Intrinsic_triangulations::Vertex_index v,
                      CGAL::Intrinsic_triangulations::Face_index f);
 
@@ -40,8 +41,8 @@ public:
   /// `CGAL::Intrinsic_triangulations::Intrinsic_triangulation::collect_garbage()`).
   void after_renumbering();
 
-  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, without flips
-  /// and with the vertices only that it had at the start, and refinement restarts with exact
-  /// decisions.
+  /// is called if rounding leaves too many decisions undecided. \f$T_2\f$ has been reset to
+  /// \f$T_1\f$, without flips and only with the vertices that it had at the start. Then refinement
+  /// restarts with exact decisions.
   void before_exact_refinement();
 };

@@ -28,8 +28,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// stores the directions of all halfedges of \f$T_2\f$ in frames that do not change when edges are
-/// flipped: those of \f$T_1\f$.
+/// stores the directions of all halfedges of \f$T_2\f$ in the frames of \f$T_1\f$, which flips do
+/// not change.
 ///
 /// The angular coordinate of a halfedge is its normalized angle at its source (Section 2.3.2), as
 /// `angle_on_input()` gives it. The object is a visitor that keeps the angles up to date:
@@ -38,10 +38,11 @@ namespace CGAL::Intrinsic_triangulations {
 /// make_Delaunay(tri, parameters::visitor(std::ref(angles)));
 /// refine(tri, parameters::visitor(std::ref(angles)));
 /// \endcode
-/// A new halfedge goes between its two neighbors in the proportion of the two corners, so that the
-/// errors of angles do not grow with the number of flips, up to the rounding of each. After changes
-/// of `tri` by other means the functions below must be called, and `recompute()` after
-/// `Intrinsic_triangulation::collect_garbage()`, which renumbers halfedges.
+/// A new halfedge goes between its two neighbors in the proportion of the two corners. So the
+/// errors of angles do not grow with the number of flips, up to the rounding of each. After other
+/// changes of `tri` the functions below must be called. After
+/// `Intrinsic_triangulation::collect_garbage()`, which renumbers halfedges, `recompute()` must be
+/// called.
 ///
 /// The object refers to the triangulation. Memory: two numbers for each halfedge and one for each
 /// vertex.
@@ -76,9 +77,8 @@ public:
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// returns the normalized angle \f$\varphi\f$ of the direction in which the halfedge `h` of
-  /// \f$T_2\f$ leaves its source, in the frame of \f$T_1\f$: between 0 and \f$2\pi\f$, up to
-  /// rounding.
+  /// returns the normalized angle \f$\varphi\f$ in which the halfedge `h` of \f$T_2\f$ leaves its
+  /// source, in the frame of \f$T_1\f$. It is between 0 and \f$2\pi\f$, up to rounding.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
   /// returns the parallel transport \f$R_{ij}\f$ along the halfedge `h` of \f$T_2\f$ between the
@@ -88,12 +88,12 @@ public:
     return -std::polar(FT(1), angle(m_tri.mesh().opposite(h)) - angle(h));
   }
 
-  /// returns the frames of \f$T_1\f$ at its vertices; for those at inserted vertices see
+  /// returns the frames of \f$T_1\f$ at its vertices. For frames at inserted vertices see
   /// `angle_on_input()`.
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
-  /// computes all angles afresh, as the constructor does. To be called after \f$T_2\f$ has
-  /// been changed in other ways, or its elements have been renumbered.
+  /// computes all angles, as the constructor does. This function must be called after other
+  /// changes of \f$T_2\f$, or if its elements have been renumbered.
   void recompute()
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -103,8 +103,8 @@ public:
       m_angle[h.idx()] = angle_in_strip(h, courses(h));
   }
 
-  /// computes the angles of the edge of `h`, which has just been flipped, from its two faces; those
-  /// of \f$T_1\f$ if it is shared. Complexity: constant.
+  /// computes the angles of the edge of `h`, which has just been flipped, from its two faces. A
+  /// shared edge gets the angles of \f$T_1\f$. Complexity: constant.
   void after_flip(Halfedge_index h)
   {
     set_angle(h);
@@ -114,10 +114,10 @@ public:
   /// calls `recompute()`.
   void before_exact_flips() { recompute(); }
 
-  /// computes the angles of all edges at `v`, which has just been inserted. The direction of one of
-  /// them comes from the triangles of \f$T_1\f$ that it passes: a shared one, one that passes a
-  /// single triangle, or else the longest. Complexity: linear in the degree of `v` and the
-  /// crossings on this edge.
+  /// computes the angles of all edges at `v`, which has just been inserted. The direction of one
+  /// edge comes from the triangles of \f$T_1\f$ that it passes. This edge is shared, or passes a
+  /// single triangle, or is the longest. Complexity: linear in the degree of `v` and the crossings
+  /// on this edge.
   /// \param v the vertex
   /// \param inserter the object that has inserted it
   /// \throws Numerical_error if the layout of the edge has no positive finite length
@@ -130,8 +130,8 @@ public:
     for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
   }
 
-  /// gives the sides of the face `f`, which has taken the place of the vertex `v`, the angles of
-  /// \f$T_1\f$ if they are shared. Complexity: constant.
+  /// updates the sides of the face `f`, which has replaced the vertex `v`. Shared sides get the
+  /// angles of \f$T_1\f$. Complexity: constant.
   void after_removal(Vertex_index /* v */, Face_index f)
   {
     for(Halfedge_index h : sides(f, m_tri.mesh()))

@@ -26,12 +26,13 @@ namespace CGAL::Intrinsic_triangulations {
 /// (Section 3.3). Its faces are convex polygons with three to six corners, each part of one face of
 /// \f$T_1\f$ and one face of \f$T_2\f$.
 ///
-/// Vertices 0 to \f$|V| - 1\f$ are those of \f$T_2\f$, with their indices, among them those of
-/// \f$T_1\f$; vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is
-/// exact; the places of crossings are rounded, and in order along every edge.
+/// Vertices 0 to \f$|V| - 1\f$ are the vertices of \f$T_2\f$, with their indices, and include the
+/// vertices of \f$T_1\f$. Vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The
+/// connectivity is exact. Positions of crossings are rounded, and in order along every edge.
 ///
-/// The sides are those of the correspondence: `Side::input` for \f$T_1\f$, and `Side::intrinsic`
-/// for \f$T_2\f$. The object refers to the triangulation and is valid until that changes.
+/// The sides are the sides of the correspondence: `Side::input` for \f$T_1\f$, and
+/// `Side::intrinsic` for \f$T_2\f$. The object refers to the triangulation and is valid until that
+/// changes.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 /// \tparam Point the point type of the mesh
@@ -71,7 +72,7 @@ public:
     Builder(correspondence, concurrency_of(np), *this).build();
   }
 
-  /// returns the place of `v` on `side`. Complexity: constant.
+  /// returns the position of `v` on `side`. Complexity: constant.
   Surface_point<FT> place(Side side, Vertex_index v) const
   {
     const Trace_point<FT>& p = m_place[v.idx()];

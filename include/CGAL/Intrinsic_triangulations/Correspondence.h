@@ -22,20 +22,20 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their
-/// places.
+/// positions.
 ///
 /// The roles of the two triangulations are symmetric: every query takes the side on which it is
-/// asked. Orders and incidences are exact. Places are rounded, but never out of order: along every
-/// edge of either side they do not decrease. At faces that are so thin that rounded lengths would
-/// displace crossings by more than about \f$10^{-8}\f$ of a side, places are computed with more
-/// digits from the exact surface of \f$T_1\f$.
+/// asked. Orders and incidences are exact. Positions are rounded, and never decrease along an edge
+/// of either side. In very thin faces, rounded lengths would displace crossings by more than about
+/// \f$10^{-8}\f$ of a side. Positions on these faces are computed with more digits from the exact
+/// surface of \f$T_1\f$.
 ///
 /// An edge of \f$T_1\f$ consists of one or more parts: vertices that have been inserted on it lie
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
-/// The object refers to the triangulation and is valid until that changes.
-/// Memory: about 40 bytes for each edge and 32 for each crossing (with `double`), 40 in a geometry
-/// where crossings have scales, and up to twice as many where vertices have been inserted.
+/// The object refers to the triangulation and is valid until that changes. Memory: about 40 bytes
+/// for each edge and 32 for each crossing (with `double`). Crossings with scales, in other
+/// geometries, take 40 bytes. With inserted vertices memory is up to twice as large.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
@@ -63,9 +63,9 @@ public:
   struct Crossing
   {
     size_type id;          ///< its index among all crossings
-    Edge_point<FT> here;   ///< its place on the halfedge from which it is seen
-    Edge_point<FT> across; ///< its place on the halfedge of the other side that leaves the face of
-                           ///< the first one there
+    Edge_point<FT> here;   ///< its position on the halfedge from which it is seen
+    Edge_point<FT> across; ///< its position on the halfedge of the other side that leaves the face
+                           ///< of the first one
   };
 
   /// a part of an edge of \f$T_1\f$.
@@ -131,7 +131,7 @@ public:
   }
 
   /// returns the piece that ends at crossing `id` in the direction of `h`, a halfedge of the edge
-  /// of \f$T_1\f$ there, as a halfedge of a mesh in which these pieces are the first edges.
+  /// of \f$T_1\f$. The piece is a halfedge of a mesh in which these pieces are the first edges.
   /// Complexity: logarithmic in the number of parts of the edge.
   Halfedge_index piece_to(size_type id, Halfedge_index h) const
   {
@@ -155,7 +155,7 @@ public:
     return seen_from_input(h, m_order_on_input[part(e, 0).first + along_first_halfedge(h, p, n)]);
   }
 
-  /// returns the crossing with index `id`: its places on the first halfedges of its two edges.
+  /// returns the crossing with index `id`: its positions on the first halfedges of its two edges.
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
@@ -191,9 +191,9 @@ public:
     return !m_contains_inserted.empty() && m_contains_inserted[f.idx()];
   }
 
-  /// returns the halfedge of the other side that is the last outgoing halfedge at or clockwise from
-  /// the halfedge `h` of `side` around its source: `h` itself if its edge is shared, otherwise it
-  /// starts in the same corner. Null if the source lies inside a face of the other side.
+  /// returns the last outgoing halfedge of the other side at or clockwise from the halfedge `h` of
+  /// `side` around its source. It is `h` itself if its edge is shared; otherwise it starts in the
+  /// same corner. It is null if the source lies inside a face of the other side.
   Halfedge_index outgoing_before(Side side, Halfedge_index h) const
   {
     if(side == Side::input)

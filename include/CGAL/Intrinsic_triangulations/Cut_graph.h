@@ -37,9 +37,9 @@ public:
       m_is_open[Edge_index(entry).idx()] = 0;
   }
 
-  /// finds the seams: all open edges but those that are closed again, one after the other, from the
-  /// ends of their graph. Around a vertex with one open edge all faces fit, unless it is one of
-  /// those with `is_terminal`. Complexity: linear.
+  /// finds the seams: all open edges except edges that are closed again. Edges at the ends of the
+  /// graph of open edges are closed, one after the other. Around a vertex with one open edge all
+  /// faces fit, unless `is_terminal` holds for the vertex. Complexity: linear.
   void close_ends(const std::vector<char>& is_terminal)
   {
     m_is_seam = m_is_open;
@@ -69,8 +69,9 @@ public:
   /// returns whether `e` is a seam. \pre `close_ends()` has been called
   bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
 
-  /// calls `visit(h, first)` for the outgoing halfedges `h` of `v`. Those between which there is no
-  /// seam are one corner, of which `first` is the first one. Complexity: linear in the degree.
+  /// calls `visit(h, first)` for the outgoing halfedges `h` of `v`. Consecutive halfedges without
+  /// a seam between them are one corner, and `first` is the first of them. Complexity: linear in
+  /// the degree.
   /// \pre `close_ends()` has been called, and `v` is not isolated
   template <typename Visit>
   void for_each_corner(Vertex_index v, const Visit& visit) const

@@ -20,12 +20,12 @@ namespace CGAL::Intrinsic_triangulations {
 /// tangent of both circles that passes between them has a length \f$t_{ij}\f$ with
 /// \f$\ell_{ij}^2 = (r_i + r_j)^2 + t_{ij}^2\f$. For radii of zero it is the length of the edge.
 ///
-/// As vectors of M&ouml;bius geometry, circles have the scalar products
-/// \f$\langle v_i, v_i\rangle = r_i^2\f$ and \f$\langle v_i, v_j\rangle = -\eta_{ij}\f$, with
-/// \f$\eta_{ij} = (\ell_{ij}^2 - r_i^2 - r_j^2)/2 = t_{ij}^2/2 + r_i r_j\f$. The quotient
-/// \f$\eta_{ij}/(r_i r_j)\f$ is the inversive distance, which is 1 for circles that touch. All that
-/// follows from tangents and radii needs no differences, whereas \f$\eta_{ij}\f$ itself loses the
-/// digits in which circles that almost touch differ from circles that do.
+/// As vectors of M&ouml;bius geometry, circles have the scalar products \f$\langle v_i, v_i\rangle
+/// = r_i^2\f$ and \f$\langle v_i, v_j\rangle = -\eta_{ij}\f$, with \f$\eta_{ij} = (\ell_{ij}^2 -
+/// r_i^2 - r_j^2)/2 = t_{ij}^2/2 + r_i r_j\f$. The quotient \f$\eta_{ij}/(r_i r_j)\f$ is the
+/// inversive distance, which is 1 for circles that touch. Formulas in tangents and radii need no
+/// differences. In contrast, \f$\eta_{ij}\f$ does not resolve the distance of circles that almost
+/// touch.
 template <typename FT>
 struct Decorated_length
 {
@@ -36,7 +36,7 @@ struct Decorated_length
   /// returns the Gram coordinate \f$\eta_{ij}\f$.
   FT gram() const { return excess() + source_radius * target_radius; }
 
-  /// returns by how much the Gram coordinate exceeds that of circles that touch.
+  /// returns by how much the Gram coordinate exceeds the Gram coordinate of circles that touch.
   FT excess() const { return tangent * tangent / 2; }
 
   /// returns \f$\eta_{ij}^2 - r_i^2 r_j^2\f$, which is zero if and only if the circles touch.

@@ -31,9 +31,9 @@ struct Delaunay_certificate
 
   /// the edges whose local Delaunay condition remains undecided, see `certify_Delaunay()`.
   std::vector<Edge_index> possibly_non_Delaunay_edges;
-  /// the edges of which it remains undecided whether they are straight.
+  /// the edges for which it is undecided whether they are straight.
   std::vector<Edge_index> possibly_non_straight_edges;
-  /// the inserted vertices of which it remains undecided whether the faces around them are folded.
+  /// the inserted vertices for which it is undecided whether their faces are folded.
   std::vector<Vertex_index> possibly_folded_vertices;
 
   /// the number of edges that are Delaunay whatever the rounding of lengths.

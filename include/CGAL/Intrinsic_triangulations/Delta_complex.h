@@ -79,12 +79,13 @@ inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx()
 inline bool is_first_halfedge(Halfedge_index h) { return h.idx() % 2 == 0; }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the first halfedge of an edge; what is recorded along the edge has this direction.
+/// returns the first halfedge of an edge. Data along the edge is stored in this direction.
 inline Halfedge_index first_halfedge(Edge_index e) { return Halfedge_index(2 * e.idx()); }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns `x` if `h` is the first halfedge of its edge, otherwise the opposite of `x`: a halfedge
-/// that is recorded for the first halfedge of an edge, as seen from `h`. This is its own inverse.
+/// returns `x` if `h` is the first halfedge of its edge, otherwise the opposite of `x`. If `x` is
+/// recorded for the first halfedge of an edge, this is `x` as seen from `h`. The function is its
+/// own inverse.
 inline Halfedge_index oriented_like(Halfedge_index h, Halfedge_index x)
 {
   return Halfedge_index(x.idx() ^ (h.idx() & 1));
@@ -109,8 +110,8 @@ Halfedge_index previous_around_source(Halfedge_index h, const Surface_mesh<P>& m
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the first outgoing halfedge of `v`; at a boundary vertex the one with the boundary on
-/// its right, so that `next_around_source()` visits all of them.
+/// returns the first outgoing halfedge of `v`. At a boundary vertex it has the boundary on its
+/// right, so `next_around_source()` visits all outgoing halfedges.
 /// \pre `v` is not isolated
 template <typename P>
 Halfedge_index first_outgoing_halfedge(Vertex_index v, const Surface_mesh<P>& mesh)
@@ -182,7 +183,7 @@ Operation_status flip_status(Halfedge_index h, const Surface_mesh<P>& mesh)
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// turns the edge \f$ij\f$ of `h` counterclockwise into the other diagonal \f$kl\f$ of its two
-/// faces \f$ijk\f$ and \f$jil\f$: afterwards `h` leads from \f$l\f$ to \f$k\f$ and \f$i\f$ is on
+/// faces \f$ijk\f$ and \f$jil\f$. Afterwards `h` leads from \f$l\f$ to \f$k\f$, and \f$i\f$ is on
 /// its left. Complexity: constant.
 /// \pre `flip_status(h, mesh) == Operation_status::possible`
 template <typename P>
@@ -253,10 +254,10 @@ void set_halfedges_of_vertices(Surface_mesh<P>& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// inserts a vertex into the edge of `h` and joins it to the opposite corner of each incident face.
-/// If both sides are in one face, which then winds around a degree-1 vertex, that vertex is cut off
-/// by a loop and the quadrangle that remains by a diagonal. Complexity: constant.
-/// \returns the halfedge from the source of `h` to the new vertex; `h` leads on from there.
+/// inserts a vertex into the edge of `h` and joins it to the opposite corner of each incident
+/// face. If both sides are in one face, this face winds around a degree-1 vertex. Then a loop cuts
+/// off this vertex, and a diagonal divides the remaining quadrangle. Complexity: constant.
+/// \returns the halfedge from the source of `h` to the new vertex; `h` starts at the new vertex.
 template <typename P>
 Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
 {
@@ -287,8 +288,8 @@ Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the first part of an edge that has been split, of which `h` is the second part.
-/// Complexity: constant.
+/// returns the first part of an edge that has been split, if `h` is the second part. Complexity:
+/// constant.
 template <typename P>
 Halfedge_index first_part(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
@@ -369,10 +370,10 @@ Face_index remove_boundary_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// removes `v` with its three edges: an interior vertex leaves one face instead of three, a
-/// boundary vertex one face instead of two, with one border edge instead of two. Complexity:
-/// constant.
-/// \returns the face that takes the place.
+/// removes `v` with its three edges. An interior vertex leaves one face instead of three. A
+/// boundary vertex leaves one face instead of two, with one border edge instead of two.
+/// Complexity: constant.
+/// \returns the face that remains.
 /// \pre `removal_status(v, mesh) == Operation_status::possible`
 template <typename P>
 Face_index remove_degree_3_vertex(Vertex_index v, Surface_mesh<P>& mesh)

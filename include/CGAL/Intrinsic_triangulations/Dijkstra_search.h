@@ -19,9 +19,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// runs Dijkstra's algorithm on the vertices of a surface along edges, or on its faces across
-/// edges, step by step: the caller says where each step leads, and when the search ends. A search
-/// costs no more than what it reaches. Of equally close vertices (faces), the one with the least
-/// index comes first, and the path to it is the one that was found first.
+/// edges. It runs step by step: the caller determines where each step leads, and when the search
+/// ends. The time of a search depends only on the elements that it reaches. Among equally close
+/// vertices (faces), the one with the least index comes first. Its path is the path that was found
+/// first.
 ///
 /// \tparam Index `Vertex_index` or `Face_index`
 /// \tparam FT the number type of distances
@@ -55,7 +56,8 @@ public:
     return true;
   }
 
-  /// replaces the last halfedge of the path to `x` by that of another path of the same length.
+  /// replaces the last halfedge of the path to `x` by the last halfedge of another path of the
+  /// same length.
   /// \pre `!is_final(x)`
   void set_entry(Index x, Halfedge_index entry) { m_label[x.idx()].entry = entry; }
 
@@ -79,7 +81,8 @@ public:
     return m_label[x.idx()].round == m_round && m_label[x.idx()].is_final;
   }
 
-  /// returns the length of the last path to `x`, in this search or an earlier one that came there.
+  /// returns the length of the last path to `x`, in this search or an earlier one that reached
+  /// `x`.
   const FT& distance(Index x) const { return m_label[x.idx()].distance; }
 
   /// returns the last halfedge of this path.

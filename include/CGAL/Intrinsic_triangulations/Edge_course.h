@@ -16,9 +16,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// what a halfedge of \f$T_2\f$ crosses on \f$T_1\f$: the halfedges of \f$T_1\f$ through which it
-/// leaves faces, in order. They are stored elsewhere, or belong to this object: the reader cannot
-/// tell.
+/// the halfedges of \f$T_1\f$ through which a halfedge of \f$T_2\f$ leaves faces, in order. They
+/// are stored elsewhere or belong to this object; both cases have the same interface.
 ///
 /// A course is valid until the triangulation changes. It cannot be copied, since it may refer to
 /// itself; functions return it by value.
@@ -28,8 +27,8 @@ public:
   /// the type of the halfedges if they belong to the course.
   typedef boost::container::small_vector<Halfedge_index, 8> Exits;
 
-  /// refers to the `n` exits from `first` on, which are stored for the first halfedge of an edge;
-  /// the course is that of this halfedge, or of the opposite one if `is_reversed`.
+  /// refers to the `n` exits from `first` on, which are stored for the first halfedge of an edge.
+  /// The course belongs to this halfedge, or to the opposite one if `is_reversed`.
   Edge_course(const Halfedge_index* first, std::size_t n, bool is_reversed)
     : m_first(is_reversed ? first + n - 1 : first), m_step(is_reversed ? -1 : 1), m_size(n)
   {}

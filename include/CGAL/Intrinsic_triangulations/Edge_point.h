@@ -35,7 +35,7 @@ Edge_point<FT> edge_point(Halfedge_index h, const FT& t)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the place of `p` on the first halfedge of its edge.
+/// returns the position of `p` on the first halfedge of its edge.
 template <typename FT>
 FT place_on_first_halfedge(const Edge_point<FT>& p)
 {
@@ -62,17 +62,19 @@ Edge_point<FT> reversed_if_valid(const Edge_point<FT>& p, const Delta_complex& m
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// a point in a face, with barycentric coordinates that sum up to one and belong to the source of
-/// `halfedge(f)`, its target, and the target of the next halfedge, as in
-/// `CGAL::Polygon_mesh_processing::Face_location`. A point on an edge or at a vertex has
-/// coordinates that are exactly zero.
+/// a point in a face, with barycentric coordinates that sum up to one, as in
+/// `CGAL::Polygon_mesh_processing::Face_location`. They belong to the source of `halfedge(f)`, its
+/// target, and the target of the next halfedge. A point on an edge or at a vertex has coordinates
+/// that are exactly zero.
 ///
-/// This order differs from two others. `CGAL::vertices_around_face()` starts at the target of
-/// `halfedge(f)`: its vertices belong to the coordinates 1, 2, 0. `CGAL::Euler::add_face()` and
-/// `CGAL::Surface_mesh::add_face()` let `halfedge(f)` lead from the last of the given vertices to
-/// the first: these vertices, too, belong to the coordinates 1, 2, 0. `set_halfedge(f, h)` on the
-/// input makes the source of `h` the first corner, and `coordinates_from()` returns the coordinates
-/// that begin with the source of a given halfedge.
+/// This order differs from two others:
+/// - `CGAL::vertices_around_face()` starts at the target of `halfedge(f)`. Its vertices belong to
+///   the coordinates 1, 2, 0.
+/// - `CGAL::Euler::add_face()` and `CGAL::Surface_mesh::add_face()` let `halfedge(f)` lead from
+///   the last given vertex to the first. Their vertices also belong to the coordinates 1, 2, 0.
+///
+/// `set_halfedge(f, h)` on the input makes the source of `h` the first corner.
+/// `coordinates_from()` returns the coordinates that begin with the source of a given halfedge.
 template <typename FT>
 using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 
@@ -81,12 +83,12 @@ using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 typedef std::variant<Vertex_index, Edge_index, Face_index> Surface_element;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// a point where an edge of \f$T_1\f$ and an edge of \f$T_2\f$ meet: its place on both.
+/// a point where an edge of \f$T_1\f$ and an edge of \f$T_2\f$ meet: its position on both.
 template <typename FT>
 struct Trace_point
 {
-  Edge_point<FT> on_input;     ///< the place on \f$T_1\f$
-  Edge_point<FT> on_intrinsic; ///< the place on \f$T_2\f$
+  Edge_point<FT> on_input;     ///< the position on \f$T_1\f$
+  Edge_point<FT> on_intrinsic; ///< the position on \f$T_2\f$
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
@@ -141,7 +143,7 @@ std::size_t side_number(Halfedge_index h, const Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the place of `p` in the face of its halfedge.
+/// returns the position of `p` in the face of its halfedge.
 template <typename FT>
 Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
@@ -149,7 +151,7 @@ Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& me
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the place on `h` of a point that lies on this side of its face.
+/// returns the position on `h` of a point that lies on this side of its face.
 template <typename FT>
 Edge_point<FT> edge_point(Halfedge_index h, const Face_location<FT>& p, const Delta_complex& mesh)
 {
@@ -157,8 +159,8 @@ Edge_point<FT> edge_point(Halfedge_index h, const Face_location<FT>& p, const De
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the barycentric coordinates of a point in the face of `h`, beginning with that of the
-/// source of `h`.
+/// returns the barycentric coordinates of a point in the face of `h`, beginning with the
+/// coordinate of the source of `h`.
 template <typename FT>
 std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
                                    const Delta_complex& mesh)

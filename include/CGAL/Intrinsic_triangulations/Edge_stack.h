@@ -75,9 +75,9 @@ inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_comp
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// returns more flips than real data need: each edge is allowed a thousand, and a hundred million
-/// are for small triangulations that are sheared far (a ring of \f$n\f$ vertices takes \f$n^2\f$
-/// flips for each turn).
+/// returns more flips than real data need: a thousand for each edge, plus a hundred million. The
+/// constant allows small triangulations that are sheared far: a ring of \f$n\f$ vertices takes
+/// \f$n^2\f$ flips for each turn.
 inline std::size_t default_flip_limit(std::size_t number_of_edges)
 {
   return 100000000 + 1000 * number_of_edges;
@@ -151,8 +151,9 @@ inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// flips edges, first those that wait in `stack`, then those around flipped ones, until
-/// `is_good(h)` for all that can be flipped. `flip(h)` is to turn the edge of `h`.
+/// flips edges until `is_good(h)` holds for all that can be flipped. It starts with edges that
+/// wait in `stack`, and continues with edges around flipped ones. `flip(h)` must turn the edge of
+/// `h`.
 /// \throws Flip_limit_exceeded if more than `limit` flips are needed
 template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,

@@ -24,9 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// defines the geometry of triangles that are flat and Euclidean.
 ///
-/// With an exact number type every decision is exact. With a floating point type decisions have a
-/// one-sided tolerance of `rounding_unit()`: an edge is flipped only where that is certain for the
-/// stored lengths; see `Is_locally_Delaunay`.
+/// With an exact number type every decision is exact. With a floating-point type decisions have a
+/// one-sided tolerance of `rounding_unit()`. An edge is flipped only if the stored lengths decide
+/// with certainty; see `Is_locally_Delaunay`.
 ///
 /// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`
 /// \tparam Integer_ the signed integer type of normal coordinates
@@ -120,12 +120,12 @@ private:
 public:
   /// decides whether the edge \f$ij\f$ satisfies the local Delaunay condition (Equation 2.6).
   ///
-  /// The angles at \f$k\f$ and \f$l\f$ add up to more than \f$\pi\f$ if one of them, at \f$k\f$
-  /// say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating
-  /// point the tolerance is one-sided: an edge counts as non-Delaunay only if it is so for all
-  /// lengths within `rounding_unit()` of the stored ones. So four cocircular points are a tie and
-  /// ties are kept, an edge that has just been flipped is never flipped back, and a triangle of
-  /// zero area over its long side gives way.
+  /// The angles at \f$k\f$ and \f$l\f$ have a sum of more than \f$\pi\f$ if one of them, at
+  /// \f$k\f$ say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In
+  /// floating point the tolerance is one-sided. An edge counts as non-Delaunay only if it is
+  /// non-Delaunay for all lengths within `rounding_unit()` of the stored ones. So four cocircular
+  /// points are a tie, and ties are kept. An edge that has just been flipped is never flipped
+  /// back. The longest side of a triangle of zero area is flipped.
   /// \cgalModels `LocalDelaunayPredicate`
   struct Is_locally_Delaunay
   {
@@ -169,9 +169,9 @@ public:
     bool is_surely_less(const FT& x, const FT& y) const { return (1 + 10 * error) * x < y; }
   };
 
-  /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can be
-  /// flipped; in floating point, whether it is so for all lengths within `rounding_unit()` of the
-  /// stored ones.
+  /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can
+  /// be flipped. In floating point, it must be strictly convex for all lengths within
+  /// `rounding_unit()` of the stored ones.
   struct Is_convex
   {
     /// returns whether the diamond is convex.
@@ -185,10 +185,9 @@ public:
     }
   };
 
-  /// decides whether a number can be the length of an edge: it is positive, and its eighth power,
-  /// which occurs in the formulas of this class, is in the range of the type. For `double` it is
-  /// between
-  /// \f$2^{-127}\f$ and \f$2^{127}\f$.
+  /// decides whether a number can be the length of an edge. It must be positive, and its eighth
+  /// power must be in the range of the type, since it occurs in the formulas of this class. For
+  /// `double` the length is between \f$2^{-127}\f$ and \f$2^{127}\f$.
   struct Is_length
   {
     /// returns whether `length` can be the length of an edge.

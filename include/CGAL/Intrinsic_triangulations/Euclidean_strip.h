@@ -22,12 +22,12 @@ namespace CGAL::Intrinsic_triangulations {
 /// straight line between its ends (Algorithm 3).
 ///
 /// The strip leaves the corner \f$a\f$ of a first triangle through the opposite side
-/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. It
-/// can also start and end at other points of the first and last triangle. Directions of edges are
-/// turned by corner angles instead of being taken from differences of positions, so that a short
-/// edge in the strip does not spoil what follows. Every corner is placed along the edges that lead
-/// to it on the shorter way, so that a short line between long edges keeps all its digits. An
-/// object can be used again; it then allocates no memory.
+/// \f$\overrightarrow{ij}\f$, passes triangle after triangle, and ends at a corner \f$b\f$. It can
+/// also start and end at other points of the first and last triangle. Directions of edges are
+/// turned by corner angles, not computed from differences of positions. So a short edge in the
+/// strip does not spoil later triangles. The position of a corner follows from the edges that lead
+/// to it on the shorter way. So a short line between long edges keeps all its digits. An object
+/// can be used again; it then allocates no memory.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>
@@ -72,13 +72,13 @@ protected:
   /// \endcond
 
 public:
-  /// a crossing of the line with an inner edge: `along_line` is the barycentric coordinate on the
-  /// line from \f$a\f$ to \f$b\f$, `along_edge` that on \f$\overrightarrow{ij}\f$ (Equation 3.6).
+  /// a crossing of the line with an inner edge. `along_line` is the barycentric coordinate on the
+  /// line from \f$a\f$ to \f$b\f$, and `along_edge` on \f$\overrightarrow{ij}\f$ (Equation 3.6).
   /// Both are in \f$[0,1]\f$.
   struct Crossing
   {
-    FT along_line, ///< the place on the line
-      along_edge;  ///< the place on the edge
+    FT along_line, ///< the position on the line
+      along_edge;  ///< the position on the edge
   };
 
   /// starts a new strip in the triangle \f$aij\f$ that is left through \f$\overrightarrow{ij}\f$.
@@ -140,18 +140,20 @@ public:
   /// returns the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// returns whether the line certainly passes between the ends of all inner edges and its length
-  /// has a relative error of at most `tolerance`, if the errors of all corner angles, which cover
-  /// those of the sides, add up to at most `error`. A corner is displaced by no more than that
-  /// times the way along edges on which it was placed. \pre `finish()` has been called
+  /// returns whether the line certainly passes between the ends of all inner edges, and its length
+  /// has a relative error of at most `tolerance`. The errors of all corner angles, which cover the
+  /// errors of the sides, must have a sum of at most `error`. A corner is displaced by at most
+  /// `error` times the length of the edges that determine its position.
+  /// \pre `finish()` has been called
   bool is_certain(const FT& error, const FT& tolerance) const
   {
     const FT displacement = m_longest_way * error;
     return displacement <= tolerance * length() && is_straight(displacement);
   }
 
-  /// returns the angle at the start of the line from the direction to the first \f$i\f$
-  /// counterclockwise to the line; `FT` is a floating point type. \pre `finish()` has been called
+  /// returns the angle at the start of the line, counterclockwise from the direction to the first
+  /// \f$i\f$ to the line. `FT` is a floating-point type.
+  /// \pre `finish()` has been called
   FT angle() const
   {
     const Vector& i = m_edges.front().source;
@@ -173,7 +175,8 @@ public:
     return {on_line, along_edge(m, on_line)};
   }
 
-  /// returns the place on inner edge `m` that is closest to the point at `along_line` on the line.
+  /// returns the position on inner edge `m` that is closest to the point at `along_line` on the
+  /// line.
   /// \pre `finish()` has been called
   FT along_edge(std::size_t m, const FT& along_line) const
   {
@@ -183,7 +186,8 @@ public:
     return square > 0 ? clamped(dot(along_line * m_end - edge.source, ij) / square) : FT(0);
   }
 
-  /// returns the place on the line that is closest to the point at `along_edge` on inner edge `m`.
+  /// returns the position on the line that is closest to the point at `along_edge` on inner edge
+  /// `m`.
   /// \pre `finish()` has been called
   FT along_line(std::size_t m, const FT& along_edge) const
   {

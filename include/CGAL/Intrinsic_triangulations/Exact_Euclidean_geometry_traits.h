@@ -21,13 +21,13 @@ namespace CGAL::Intrinsic_triangulations {
 /// defines the geometry of flat Euclidean triangles with exact decisions and lengths of type
 /// `double`.
 ///
-/// The surface is that of the exact positions of the input's vertices, or of its exact squared edge
-/// lengths (`squared_edge_length_map`), or of its edge lengths, each taken as it is. Stored lengths
-/// are those of this surface with a relative error of at most \f$2^{-40}\f$, however many flips led
-/// to them. A decision is made by them if they leave no doubt; otherwise the triangles of
-/// \f$T_1\f$ that it depends on, which the integer coordinates determine, are laid out in numbers
-/// with error bounds, with increasing precision, and finally exactly. There is no tolerance: an
-/// edge is Delaunay if it is so on the exact surface, and ties are kept.
+/// The surface is given by the exact positions of the input's vertices, its exact squared edge
+/// lengths (`squared_edge_length_map`), or its edge lengths. Stored lengths are lengths on this
+/// surface, with a relative error of at most \f$2^{-40}\f$ after any number of flips. They make a
+/// decision if their error bounds allow it. Otherwise the triangles of \f$T_1\f$ on which it
+/// depends are laid out, as the integer coordinates determine. They are laid out in numbers with
+/// error bounds, with increasing precision, and finally exactly. No tolerance is used: an edge is
+/// Delaunay if it is Delaunay on the exact surface, and ties are kept.
 ///
 /// \tparam ExactNumber_ a model of `Field` and `RealEmbeddable` with exact signs, which has the
 ///   squared lengths of the input

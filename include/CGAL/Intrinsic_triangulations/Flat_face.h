@@ -109,8 +109,8 @@ public:
   /// returns the cotangent of the corner opposite to side `s`.
   FT cotangent(std::size_t s) const { return corner_product(s) / m_quadrupled_area; }
 
-  /// returns side `s` turned counterclockwise by a right angle, side 0 being on the x-axis: the
-  /// gradient of the hat function of the corner opposite to it, times the doubled area.
+  /// returns side `s` turned counterclockwise by a right angle, with side 0 on the x-axis. This is
+  /// the gradient of the hat function of the opposite corner, times the doubled area.
   std::array<FT, 2> turned_side(std::size_t s) const
   {
     const FT width = 2 * m_length[0], height = m_quadrupled_area / width;

@@ -21,19 +21,20 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// defines the geometry of hyperbolic triangles whose corners are decorated with circles: a corner
-/// with a positive radius is hyperideal, and one with radius zero is ideal (Lutz 2022). The length
-/// of an edge is the length of the tangent between its two circles, see `Decorated_length`.
+/// defines the geometry of hyperbolic triangles whose corners are decorated with circles (Lutz
+/// 2022). A corner with a positive radius is hyperideal, and a corner with radius zero is ideal.
+/// The length of an edge is the length of the tangent between its two circles, see
+/// `Decorated_length`.
 ///
 /// Without radii this is `Ideal_geometry_traits`, with the same results and no other operations.
 ///
-/// A flip takes the Gram coordinates of four circles, as vectors of \f$\mathbb{R}^{2,1}\f$, to
-/// those of the other diagonal. It generalizes Ptolemy's relation, keeps inversive distances, and
-/// commutes with scaling by vertices. Radii and tangents give it as a sum of products that are not
-/// negative: no digit is lost. It needs square roots.
+/// A flip maps the Gram coordinates of four circles, as vectors of \f$\mathbb{R}^{2,1}\f$, to the
+/// coordinates of the other diagonal. It generalizes Ptolemy's relation, keeps inversive
+/// distances, and commutes with scaling by vertices. Radii and tangents give it as a sum of
+/// products that are not negative, so no digit is lost. It needs square roots.
 ///
-/// Barycentric coordinates are those in the triangle of the vectors of the corners. One point has
-/// different coordinates in different triangles: it is the ray that counts.
+/// Barycentric coordinates are coordinates in the triangle of the vectors of the corners. One
+/// point has different coordinates in different triangles: only the ray counts.
 ///
 /// \tparam FT_ a floating point type
 /// \tparam Integer_ the signed integer type of normal coordinates
@@ -79,9 +80,10 @@ public:
     }
   };
 
-  /// decides whether the edge \f$ij\f$ satisfies the local weighted ideal Delaunay condition: the
-  /// polyhedron in the span of the vectors of its faces is convex there. Equality is a tie and
-  /// kept. If triangles with these lengths and radii exist, it is the weighted Delaunay condition.
+  /// decides whether the edge \f$ij\f$ satisfies the local weighted ideal Delaunay condition. The
+  /// polyhedron in the span of the vectors of its faces must be convex at the edge. Equality is a
+  /// tie and kept. If triangles with these lengths and radii exist, it is the weighted Delaunay
+  /// condition.
   ///
   /// Both sides of the condition are sums of positive terms. In floating point an edge counts as
   /// non-Delaunay only if it is so for all lengths and radii within `rounding_unit()` of the stored
@@ -112,8 +114,8 @@ public:
     bool operator()(const Decorated& edges) const { return edges.ij.determinant() > 0; }
   };
 
-  /// decides whether a number can be the length of a tangent: it is positive and finite, as in
-  /// `Ideal_geometry_traits`, or zero if there are circles, which can touch.
+  /// decides whether a number can be the length of a tangent. It must be positive and finite, as
+  /// in `Ideal_geometry_traits`. Between circles, which can touch, it may be zero.
   struct Is_length : Ideal_traits::Is_length
   {
     /// returns whether `length` can be the length of a tangent.

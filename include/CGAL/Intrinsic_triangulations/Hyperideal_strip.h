@@ -37,8 +37,9 @@ struct Decorated_flip
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// intersects the inner edges of a strip of triangles with circles at their corners with the
-/// geodesic between its ends, in the hyperbolic surface of `Hyperideal_geometry_traits`.
+/// intersects the inner edges of a strip with the geodesic between its ends, in the hyperbolic
+/// surface of `Hyperideal_geometry_traits`. The triangles of the strip have circles at their
+/// corners.
 ///
 /// Circles at the ends of the strip and at the ends of its inner edges have tangents that follow
 /// from flips. The four vectors of a crossing satisfy

@@ -43,15 +43,15 @@ struct Ideal_Delaunay_condition
 /// the signed distance of the two horocycles (Section 4.1.2). Any positive numbers are the lengths
 /// of a decorated triangle.
 ///
-/// Four operations suffice: with an exact number type every length and every decision is exact, for
-/// instance with `CGAL::Exact_rational`, or with `CGAL::Lazy_exact_nt<CGAL::Exact_rational>`, which
-/// puts a filter of intervals in front of it. With a floating point type an edge is flipped only
-/// where that is certain for the stored lengths; see `Is_locally_Delaunay`, and
-/// `certify_ideal_Delaunay()` for an exact check afterwards. There are no square roots.
+/// Four operations suffice. So with an exact number type every length and every decision is exact.
+/// Examples are `CGAL::Exact_rational`, and `CGAL::Lazy_exact_nt<CGAL::Exact_rational>`, which
+/// filters by intervals. With a floating-point type an edge is flipped only if the stored lengths
+/// decide with certainty; see `Is_locally_Delaunay`. `certify_ideal_Delaunay()` checks exactly
+/// afterwards. Square roots do not occur.
 ///
-/// Barycentric coordinates are those in the triangle of the light-like vectors of the corners, with
-/// \f$\langle q_i, q_j\rangle = -2\ell_{ij}^2\f$. One point has different coordinates in different
-/// triangles: it is the ray that counts.
+/// Barycentric coordinates are coordinates in the triangle of the light-like vectors of the
+/// corners, with \f$\langle q_i, q_j\rangle = -2\ell_{ij}^2\f$. One point has different
+/// coordinates in different triangles: only the ray counts.
 ///
 /// \tparam FT_ a model of `Field` and `RealEmbeddable`
 /// \tparam Integer_ the signed integer type of normal coordinates
@@ -86,10 +86,10 @@ public:
   /// is then \f$ \frac{\ell_{ij}^2}{\ell_{jk}\ell_{ki}} + \frac{\ell_{ij}^2}{\ell_{il}\ell_{lj}}
   /// \leq \frac{\ell_{jk}^2 + \ell_{ki}^2}{\ell_{jk}\ell_{ki}} +
   /// \frac{\ell_{il}^2 + \ell_{lj}^2}{\ell_{il}\ell_{lj}} \f$. All terms are positive. In floating
-  /// point an edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()`
-  /// of the stored ones: these change a term on the left by four such units and one on the right,
-  /// which is a sum of quotients of two lengths, by two. So an edge that has just been flipped is
-  /// never flipped back.
+  /// point an edge counts as non-Delaunay only if it is non-Delaunay for all lengths within
+  /// `rounding_unit()` of the stored ones. These change a term on the left by four such units. A
+  /// term on the right is a sum of quotients of two lengths, and changes by two. So an edge that
+  /// has just been flipped is never flipped back.
   /// \cgalModels `LocalDelaunayPredicate`
   struct Is_locally_Delaunay
   {
@@ -113,8 +113,8 @@ public:
     bool operator()(const Diamond<FT>&) const { return true; }
   };
 
-  /// decides whether a number can be the length of an edge: it is positive and finite, and so are
-  /// sums of two products of two such numbers.
+  /// decides whether a number can be the length of an edge. It must be positive and finite, and so
+  /// must be sums of two products of two such numbers.
   struct Is_length
   {
     /// returns whether `length` can be the length of an edge.

@@ -36,13 +36,13 @@ struct Ptolemy_flip
 /// intersects the inner edges of a strip of decorated ideal triangles with the geodesic between its
 /// ends.
 ///
-/// This computes what a layout in the light cone would give (Equations 4.6 to 4.9), but from Penner
-/// lengths alone: those between the ends of the strip and the ends of its inner edges follow from
-/// Ptolemy's relation, and the four light-like vectors of a crossing satisfy
-/// \f$ \alpha_a q_a + \alpha_b q_b = \alpha_i q_i + \alpha_j q_j \f$,
-/// where \f$\alpha_x\f$ is the product of the three Penner lengths among the other three. All terms
-/// are positive: no digit is cancelled, and with an exact number type every result is exact. An
-/// object can be used again; it then allocates no memory.
+/// The result equals the result of a layout in the light cone (Equations 4.6 to 4.9), but is
+/// computed from Penner lengths alone. Lengths between the ends of the strip and the ends of its
+/// inner edges follow from Ptolemy's relation. The four light-like vectors of a crossing satisfy
+/// \f$ \alpha_a q_a + \alpha_b q_b = \alpha_i q_i + \alpha_j q_j \f$. Here \f$\alpha_x\f$ is the
+/// product of the three Penner lengths among the other three. All terms are positive, so no digit
+/// is cancelled. With an exact number type every result is exact. An object can be used again; it
+/// then allocates no memory.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>

@@ -111,8 +111,8 @@ inline const Defect_description& defect_description(Defect_kind kind)
 /*!
 \ingroup PkgIntrinsicTriangulationsDiagnosis
 
-is the result of `diagnose()` and `diagnose_polygon_soup()`: what is wrong with a mesh and where,
-what is worth noting, and a few numbers about it.
+is the result of `diagnose()` and `diagnose_polygon_soup()`: the defects of a mesh with their
+elements, notes, and a few numbers about the mesh.
 
 All elements are given by their positions in the input, starting from 0.
 */

@@ -58,8 +58,8 @@ struct Face_split
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the
-/// edges and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation
-/// \f$T_1\f$ of the same surface run over it. They are independent of lengths and exact.
+/// edges and halfedges of a triangulation \f$T_2\f$. They encode how the edges of a triangulation
+/// \f$T_1\f$ of the same surface run over \f$T_2\f$. They are independent of lengths and exact.
 ///
 /// The curves of \f$T_1\f$ that cross a halfedge are counted from its source, starting with 0.
 ///
@@ -77,8 +77,8 @@ public:
   /// the type of the map of roundabouts.
   typedef Delta_complex::Property_map<Halfedge_index, size_type> Roundabout_map;
 
-  /// a crossing \f$\zeta\f$ of a curve of \f$T_1\f$ that leaves the face of `halfedge` through it;
-  /// it is crossing `number` as counted from the source of `halfedge`.
+  /// a crossing \f$\zeta\f$ of a curve of \f$T_1\f$ that leaves the face of `halfedge` through it.
+  /// Its index, counted from the source of `halfedge`, is `number`.
   struct Crossing
   {
     Halfedge_index halfedge; ///< the halfedge that is crossed
@@ -96,9 +96,9 @@ public:
   /// creates coordinates that are attached to no mesh.
   Integer_coordinates() = default;
 
-  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none
-  /// they are created, with every edge shared; if `mesh` is \f$T_1\f$, its roundabouts are the
-  /// indices of its own outgoing halfedges.
+  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. New maps have every
+  /// edge shared. If `mesh` is \f$T_1\f$, its roundabouts are the indices of its own outgoing
+  /// halfedges.
   explicit Integer_coordinates(Delta_complex& mesh)
     : m_n(mesh.template add_property_map<Edge_index, Integer>("e:normal_coordinate", -1).first),
       m_r(mesh.template add_property_map<Halfedge_index, size_type>("h:roundabout", 0).first)
@@ -151,8 +151,8 @@ public:
   }
 
   /// returns the number of outgoing halfedges of \f$T_1\f$ at or counterclockwise from `h` and
-  /// before the next outgoing halfedge of \f$T_2\f$: those that start in the corner at the source
-  /// of `h`, and the one along `h`.
+  /// before the next outgoing halfedge of \f$T_2\f$. These are the halfedges that start in the
+  /// corner at the source of `h`, and the halfedge along `h`.
   Integer outgoing_halfedges_from(Halfedge_index h, const Delta_complex& mesh) const
   {
     const int along = Intrinsic_triangulations::is_shared(m_n[edge_of(h)]);
@@ -166,9 +166,9 @@ public:
   /// Algorithms 1 and 2.
   /// @{
 
-  /// returns the first crossing of the curve that leaves the source of `outgoing`, counted from
-  /// `outgoing` as number `k` of those that start inside its corner. \pre
-  /// `k < curves_leaving(next(outgoing))`
+  /// returns the first crossing of curve `k` of the curves that leave the source of `outgoing`
+  /// inside its corner. Curves are counted from `outgoing`.
+  /// \pre `k < curves_leaving(next(outgoing))`
   Crossing first_crossing(Halfedge_index outgoing, const Integer& k,
                           const Delta_complex& mesh) const
   {
@@ -176,10 +176,10 @@ public:
     return {opposite_side, static_cast<Integer>(curves_around(mesh.prev(outgoing), mesh) + k)};
   }
 
-  /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends. Repeated,
-  /// it comes to an end for every curve that starts at a corner, if the crossings are possible in
-  /// every face: a crossing has at most one predecessor and the first has none, so that none
-  /// repeats.
+  /// moves `c` to the next crossing of its curve, and leaves it unchanged if the curve ends.
+  /// Repeated calls reach the end of every curve that starts at a corner, if the crossings are
+  /// valid in every face. A crossing has at most one predecessor and the first has none, so no
+  /// crossing repeats.
   Turn advance(Crossing& c, const Delta_complex& mesh) const
   {
     const Halfedge_index ji = mesh.opposite(c.halfedge);
@@ -210,8 +210,8 @@ public:
                               mesh, outgoing_halfedges);
   }
 
-  /// returns the outgoing halfedge of \f$T_1\f$ that is number `k` of those that start inside the
-  /// corner at the source of `outgoing`.
+  /// returns outgoing halfedge `k` of the halfedges of \f$T_1\f$ that start inside the corner at
+  /// the source of `outgoing`.
   Halfedge_index outgoing_in_corner(Halfedge_index outgoing, const Integer& k,
                                     const Delta_complex& mesh,
                                     const Outgoing_halfedges& outgoing_halfedges) const
@@ -223,8 +223,8 @@ public:
   }
 
   /// calls `visit(k, start)` for every curve that starts inside the corner at the source of
-  /// `outgoing`: it has index `k` there and runs along the outgoing halfedge `start` of \f$T_1\f$.
-  /// Complexity: linear in their number.
+  /// `outgoing`. The curve has index `k` in the corner, and runs along the outgoing halfedge
+  /// `start` of \f$T_1\f$. Complexity: linear in the number of these curves.
   template <typename Visit>
   void for_each_curve_end(Halfedge_index outgoing, const Delta_complex& mesh,
                           const Outgoing_halfedges& outgoing_halfedges, const Visit& visit) const
@@ -270,13 +270,13 @@ public:
   /// Complexity: constant.
   /// \param h a halfedge that is not a border halfedge
   /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target,
-  ///        and the target of the next halfedge; at most one of them is shared
+  ///   and the target of the next halfedge. At most one of them is shared
   /// \param outgoing the first outgoing halfedge of the new vertex if it is on an edge of
   /// \f$T_1\f$, otherwise
   ///   null
   /// \param mesh the mesh
-  /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which those of the new
-  /// vertex are added
+  /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which the outgoing
+  ///   halfedges of the new vertex are added
   /// \returns the new vertex
   /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
   Vertex_index split_face(Halfedge_index h, const Face_split<Integer>& at, Halfedge_index outgoing,
@@ -305,9 +305,9 @@ public:
   /// \param outgoing the first outgoing halfedge of \f$m\f$ if it is on an edge of \f$T_1\f$,
   /// otherwise null
   /// \param mesh the mesh
-  /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which those of \f$m\f$ are
-  /// added
-  /// \returns \f$m\f$; `h` leads on from there to \f$j\f$
+  /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which the outgoing
+  ///   halfedges of \f$m\f$ are added
+  /// \returns \f$m\f$; `h` leads from \f$m\f$ to \f$j\f$
   /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
   /// \pre the two sides of the edge are not in one face
   Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n,
@@ -332,8 +332,8 @@ public:
     return m;
   }
 
-  /// makes the edge of `h` shared: its ends are joined by an edge of \f$T_1\f$ that starts along
-  /// the outgoing halfedge with index `r_source` of one and `r_target` of the other.
+  /// makes the edge of `h` shared. An edge of \f$T_1\f$ joins its ends, and starts along the
+  /// outgoing halfedges with indices `r_source` and `r_target`.
   void set_shared(Halfedge_index h, size_type r_source, size_type r_target)
   {
     m_n[edge_of(h)] = Integer(-1);
@@ -348,9 +348,9 @@ public:
 
   /// @}
 
-  /// checks the numbers against each other: crossings possible in each face, boundary edges shared,
-  /// and the outgoing halfedges of both triangulations in step around every vertex. Complexity:
-  /// linear.
+  /// checks the numbers against each other. The crossings in each face must be valid, boundary
+  /// edges must be shared, and the outgoing halfedges of both triangulations must agree around
+  /// every vertex. Complexity: linear.
   bool is_valid(const Delta_complex& mesh, const Outgoing_halfedges& outgoing_halfedges) const
   {
     for(Edge_index e : mesh.edges())

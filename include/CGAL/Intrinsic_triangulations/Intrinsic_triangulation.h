@@ -57,10 +57,10 @@ class Vertex_reinserter;
 /// that change \f$T_2\f$ to `Triangulation_pair`, and keeps the integer coordinates consistent.
 /// \f$T_1\f$ never changes, and the mesh that it was made from is only read.
 ///
-/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, are indexed in the order of
-/// the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes halfedge
-/// \f$2e\f$. Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose
-/// places on \f$T_1\f$ are kept too; they come after those of the input.
+/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, have the order of the ranges
+/// `vertices(g)`, `edges(g)`, `faces(g)` of the input. `halfedge(e, g)` becomes halfedge \f$2e\f$.
+/// Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose positions on
+/// \f$T_1\f$ are stored, too. Their indices follow the indices of the input vertices.
 ///
 /// Copying takes linear time, moving constant time; an object that has been moved from may only be
 /// assigned to or destroyed.
@@ -131,19 +131,21 @@ public:
   /// \cgalNamedParamsEnd
   ///
   /// Complexity: linear.
-  /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than
-  ///         one vertex fan, a length is not positive and finite, or the triangle inequality fails
-  ///         in a face: with exact traits and without positions, exactly; lengths of type `double`
-  ///         that exceed it by rounding are shortened to those of a flat triangle
+  /// \throws Invalid_input in these cases:
+  /// - A face is not a triangle, an edge has no face, or a vertex has more than one vertex fan.
+  /// - A length is not positive and finite.
+  /// - The triangle inequality fails in a face. With exact traits and without positions it must
+  ///   hold exactly. Lengths of type `double` that exceed it by rounding error are shortened: the
+  ///   triangle becomes flat.
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values());
 
-  /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: both have lengths,
-  /// see `stored_length_map()`, `mesh` has `Integer_coordinates`, and `inserted` has the places of
-  /// the vertices that only `mesh` has, in their order. Lengths of `input` are exact unless
-  /// `metric` is. Constraints of `mesh`, see `stored_constraint_map()`, are kept. Complexity:
-  /// linear in the elements and crossings.
+  /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ that come from a file. Both
+  /// have lengths, see `stored_length_map()`, and `mesh` has `Integer_coordinates`. `inserted` has
+  /// the positions of the vertices that only `mesh` has, in their order. Lengths of `input` are
+  /// exact unless `metric` is. Constraints of `mesh`, see `stored_constraint_map()`, are kept.
+  /// Complexity: linear in the elements and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Surface_point<FT>> inserted = {},
@@ -173,8 +175,8 @@ public:
   /// sets whether the edge `e` must not be flipped.
   void set_constrained(Edge_index e, bool is_constrained) { m_is_constrained[e] = is_constrained; }
 
-  /// returns whether the edge of `h` is not constrained, lies in two faces, and their union is
-  /// strictly convex, so that `flip()` gives a triangulation of the surface again.
+  /// returns whether `flip()` of the edge of `h` gives a triangulation of the surface. The edge
+  /// must not be constrained, must lie in two faces, and their union must be strictly convex.
   bool is_flippable(Halfedge_index h) const
   {
     if constexpr(internal::Is_exact<Traits>::value)
@@ -199,8 +201,8 @@ public:
   }
 
   /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see
-  /// `flip_edge()`) and updates its length and integer coordinates. The coordinates are exact, and
-  /// an edge that is in \f$T_1\f$ too has its length there, to the bit. Complexity: constant; no
+  /// `flip_edge()`). It updates length and integer coordinates. The coordinates are exact. An edge
+  /// that is also in \f$T_1\f$ has its length in \f$T_1\f$, to the bit. Complexity: constant; no
   /// memory is allocated.
   /// \throws Numerical_error if the new length is not positive and finite
   /// \throws Overflow_error if the new normal coordinate is out of range
@@ -221,9 +223,9 @@ public:
     m_length[e] = m_coordinates.is_shared(e) ? shared_length(h) : length;
   }
 
-  /// computes the length of every edge of \f$T_2\f$ afresh, from the lengths of \f$T_1\f$ in the
-  /// strip of triangles that the edge passes. Where many flips have let rounding add up, this takes
-  /// it away: the strips are known exactly. Complexity: linear in the edges and crossings.
+  /// computes the length of every edge of \f$T_2\f$ again, from the lengths of \f$T_1\f$ in the
+  /// strip of triangles that the edge passes. This removes rounding errors of many flips, since
+  /// strips are known exactly. Complexity: linear in the edges and crossings.
   /// \throws Numerical_error if a length is not positive and finite
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   /// After an exception nothing has changed.
@@ -232,8 +234,8 @@ public:
     internal::with_lengths_in_strips(*this, [&](auto&& length) { this->set_lengths(length); });
   }
 
-  /// turns \f$T_2\f$ back into \f$T_1\f$, with its elements and without inserted vertices. Edges of
-  /// \f$T_1\f$ of which a part was constrained are constrained. Complexity: linear.
+  /// turns \f$T_2\f$ back into \f$T_1\f$, with its elements and without inserted vertices. An edge
+  /// of \f$T_1\f$ is constrained if a part of it was constrained. Complexity: linear.
   void reset_to_input()
   {
     std::vector<Edge_index> constrained;
@@ -284,10 +286,11 @@ public:
   /// parts of the edge of \f$T_1\f$; both parts of a constrained edge are constrained. Complexity:
   /// constant.
   /// \param h the halfedge from \f$i\f$ to \f$j\f$; afterwards it leads from \f$m\f$ to \f$j\f$
-  /// \param t the place of \f$m\f$ on it, between 0 and 1
+  /// \param t the position of \f$m\f$ on it, between 0 and 1
   /// \param n the normal coordinates of the new edges
   /// \param r the roundabouts of the halfedges from \f$m\f$ along these edges
-  /// \param q the place of \f$m\f$ on \f$T_1\f$; that of `point_on_shared()` if the edge is shared
+  /// \param q the position of \f$m\f$ on \f$T_1\f$; the result of `point_on_shared()` if the edge
+  ///   is shared
   /// \returns \f$m\f$
   /// \throws Numerical_error if an edge has no positive finite length
   /// \throws Overflow_error if a normal coordinate is out of range
@@ -313,11 +316,11 @@ public:
     return insert_into_edge(h, n, r, q, length);
   }
 
-  /// removes an inserted vertex that three edges, or on the boundary two faces, are left at (see
+  /// removes an inserted vertex that has three edges, or two faces on the boundary (see
   /// `remove_degree_3_vertex()`). If it lies on an edge of \f$T_1\f$ and both parts are edges of
-  /// \f$T_2\f$, the edge in their place is shared again. The elements are marked as removed, see
-  /// `collect_garbage()`. Complexity: constant.
-  /// \returns the face that takes the place
+  /// \f$T_2\f$, the edge that replaces them is shared again. The elements are marked as removed,
+  /// see `collect_garbage()`. Complexity: constant.
+  /// \returns the face that remains
   /// \pre `is_inserted(v)`, and `removal_status(v, mesh()) == Operation_status::possible`
   Face_index remove_degree_3_vertex(Vertex_index v)
   {
@@ -330,8 +333,8 @@ public:
     return f;
   }
 
-  /// gives the elements of \f$T_2\f$ consecutive numbers again after vertices have been removed;
-  /// those of the input keep theirs. Complexity: linear.
+  /// gives the elements of \f$T_2\f$ consecutive indices after vertices have been removed.
+  /// Elements of the input keep their indices. Complexity: linear.
   void collect_garbage()
   {
     auto place = add_property_map<Vertex_index>("v:inserted", Surface_point<FT>());

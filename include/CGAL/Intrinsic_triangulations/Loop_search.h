@@ -21,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// searches from one vertex after the other for loops along edges that do not bound.
 ///
 /// A loop that does not bound has an edge whose number, see `Loop_signatures`, is not zero.
-/// Searches begin at one end of each of these edges, the centers: the shortest loop through a
-/// vertex consists of two shortest paths from there and an edge between their ends.
+/// Searches begin at one end of each of these edges, the centers. The shortest loop through a
+/// vertex consists of two shortest paths from the vertex and an edge between their ends.
 ///
 /// \tparam Surface a model of `IntrinsicSurface`
 template <typename Surface>

@@ -48,11 +48,10 @@ std::vector<Halfedge_index> tree_loop(Halfedge_index h, const Entry& entry,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// computes a number for each edge, so that the exclusive or of the numbers of a closed curve
-/// depends on its homology class modulo 2 only. If it is not zero and boundary loops are filled,
-/// the curve does not separate its component. Random numbers stand for the generators of a
-/// `Tree_cotree`: a curve that bounds has zero, and another one has zero with probability
-/// \f$2^{-64}\f$.
+/// computes a number for each edge. The exclusive or of the numbers of a closed curve depends only
+/// on its homology class modulo 2. If it is not zero and boundary loops are filled, the curve does
+/// not separate its component. Random numbers represent the generators of a `Tree_cotree`. A curve
+/// that bounds has zero. Another curve has zero with probability \f$2^{-64}\f$.
 ///
 /// Each generator closes a curve across edges, along the tree of faces. The number of an edge is
 /// the exclusive or of the random numbers of all curves that cross it.

@@ -35,13 +35,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// a floating point number of type `double`, or with 2560 binary digits. A result has many digits
-/// if an operand has them, so that a computation takes as much time as with `double` but for what
-/// depends on such numbers. It has the operators, comparisons and functions of `double`, such as
-/// `sqrt()`.
+/// a floating-point number of type `double`, or with 2560 binary digits. A result has many digits
+/// if an operand has them. So a computation takes as much time as with `double`, except for
+/// numbers that depend on such operands. It has the operators, comparisons and functions of
+/// `double`, such as `sqrt()`.
 ///
-/// Coordinates of type `double` are multiples of \f$2^{-1074}\f$: the height of a triangle with
-/// sides of about one is zero or at least as much, and lengths with so many digits determine it.
+/// Coordinates of type `double` are multiples of \f$2^{-1074}\f$. So the height of a triangle with
+/// sides of about one is zero or at least as large. Lengths with so many digits determine it.
 class Multiprecision_float
 {
 public:

@@ -45,8 +45,9 @@ int is_shared(const Integer& n)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// returns the number \f$e\f$ of curves that start at a corner of a triangle and cross the opposite
-/// side (Equation 3.1), from the crossings of that side and of the two sides at the corner.
+/// returns the number \f$e\f$ of curves that start at a corner of a triangle and cross the
+/// opposite side (Equation 3.1). Arguments are the crossings of that side and of the two sides at
+/// the corner.
 template <typename Integer>
 Integer curves_leaving(const Integer& opposite, const Integer& right, const Integer& left)
 {
@@ -55,8 +56,8 @@ Integer curves_leaving(const Integer& opposite, const Integer& right, const Inte
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// returns the number \f$c\f$ of curves that cut off a corner of a triangle (Equation 3.2), from
-/// the crossings of the opposite side and of the two sides at the corner.
+/// returns the number \f$c\f$ of curves that cut off a corner of a triangle (Equation 3.2).
+/// Arguments are the crossings of the opposite side and of the two sides at the corner.
 template <typename Integer>
 Integer curves_around(const Integer& opposite, const Integer& right, const Integer& left)
 {
@@ -69,8 +70,8 @@ Integer curves_around(const Integer& opposite, const Integer& right, const Integ
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// returns whether three numbers of crossings are possible on the sides of a triangle (Section
-/// 3.1.1): if they obey the triangle inequality, their sum must be even.
+/// returns whether three numbers of crossings are valid on the sides of a triangle (Section
+/// 3.1.1). If they obey the triangle inequality, their sum must be even.
 template <typename Integer>
 bool are_valid_crossings(const Integer& a, const Integer& b, const Integer& c)
 {

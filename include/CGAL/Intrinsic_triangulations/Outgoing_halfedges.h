@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// right and ends at the border halfedge.
 ///
 /// A vertex that has been inserted on an edge of \f$T_1\f$ has two outgoing halfedges, the
-/// halfedges of that edge: each stands for the part that starts at the vertex. One that has been
-/// inserted in a face has none. Memory: eight bytes per vertex and four per halfedge.
+/// halfedges of that edge. Each represents the part that starts at the vertex. A vertex inserted
+/// in a face has none. Memory: eight bytes per vertex and four per halfedge.
 class Outgoing_halfedges
 {
 public:

@@ -43,8 +43,8 @@ public:
       m_long_corners(internal::exact_input(pair))
   {}
 
-  /// returns the length of the edge of `h`, with a relative error of at most \f$2^{-90}\f$ if its
-  /// type is `Double_double`, and of \f$2^{12}\f$ roundings of its type otherwise.
+  /// returns the length of the edge of `h`. Its relative error is at most \f$2^{-90}\f$ if its
+  /// type is `Double_double`, and otherwise at most \f$2^{12}\f$ roundings of its type.
   /// \throws Numerical_error if 1024 bits do not suffice
   Length operator()(Halfedge_index h)
   {

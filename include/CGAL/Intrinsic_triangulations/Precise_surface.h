@@ -52,11 +52,11 @@ with_scalar(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the surface of \f$T_2\f$ with lengths from the exact metric of \f$T_1\f$ on faces whose stored
-/// lengths do not determine the area (see `has_unresolved_areas()`), in 2560 binary digits. Other
-/// edges have their stored lengths. So cotangents, areas and angles of the thinnest faces are those
-/// of the exact metric, and faces of no area are recognized: operators leave them out, as no
-/// integral depends on them.
+/// the surface of \f$T_2\f$ with 2560 binary digits for lengths on faces whose stored lengths do
+/// not determine the area (see `has_unresolved_areas()`). These lengths come from the exact metric
+/// of \f$T_1\f$. Other edges have their stored lengths. So cotangents, areas and angles of the
+/// thinnest faces are exact up to these digits. Faces of no area are recognized, and operators
+/// leave them out, as no integral depends on them.
 ///
 /// Operators of this surface are matrices of `Multiprecision_float`. Their Cholesky factorization
 /// (`Factorization`) eliminates the rows of the thinnest faces with all digits, and the others in
@@ -164,8 +164,9 @@ auto with_resolved_areas(const Surface& surface, const Function& f)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// calls `f(surface)` with the surface of \f$T_2\f$: as a `Precise_surface` if its lengths do not
-/// determine the areas of faces (`has_unresolved_areas()`), and with the stored lengths otherwise.
+/// calls `f(surface)` with the surface of \f$T_2\f$. It is a `Precise_surface` if its lengths do
+/// not determine the areas of faces (`has_unresolved_areas()`). Otherwise it has the stored
+/// lengths.
 /// \returns what `f` returns, of one type for both
 template <typename Traits, typename Function>
 auto with_resolved_areas(const Intrinsic_triangulation<Traits>& tri, const Function& f)

@@ -40,12 +40,12 @@ inline const char* to_string(Refinement_status status)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns how many vertices `refine()` may insert unless it is given another number. If
-/// circumradii are bounded, that is 10,000,000. Otherwise it is 1,000,000 plus 20 for each face of
-/// \f$T_1\f$, with angles of more than 30 degrees, where refinement need not end, 100,000 plus as
-/// many, and never more than 10,000,000. Refinements of ordinary meshes to 32 degrees that end
-/// insert fewer than 8 vertices for each face; a narrow tube or strip takes as many as it is longer
-/// than wide, up to a factor.
+/// returns how many vertices `refine()` may insert by default. If circumradii are bounded, the
+/// limit is 10,000,000. Otherwise it is 1,000,000 plus 20 for each face of \f$T_1\f$. For angles
+/// of more than 30 degrees, refinement need not end, and the limit is 100,000 plus 20 for each
+/// face. It never exceeds 10,000,000. Refinements of ordinary meshes to 32 degrees that end insert
+/// fewer than 8 vertices for each face. A narrow tube or strip needs as many as its length divided
+/// by its width, up to a factor.
 /// \param faces the number of faces of \f$T_1\f$
 /// \param minimum_angle the least angle, in degrees
 /// \param maximum_circumradius the greatest circumradius
@@ -65,7 +65,7 @@ enum class Remaining_reason
 {
   at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
   beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a small-angle vertex, and
-                        ///< only edges of \f$T_1\f$ that end there cross it
+                        ///< only edges of \f$T_1\f$ that end at this vertex cross it
   insertion_limit,      ///< no more insertions were allowed
   no_room,              ///< rounded numbers leave no room for the new edges
   at_rounding,          ///< it is of the order of the rounding of coordinates on \f$T_1\f$ (only

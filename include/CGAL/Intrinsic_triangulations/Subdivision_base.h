@@ -31,8 +31,8 @@ struct Vertex_weights
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// returns a point as a convex combination of one vertex, of the ends of the edge on which it lies,
-/// or of the corners of its face. Complexity: constant.
+/// returns a point as a convex combination of one vertex, of the ends of its edge, or of the
+/// corners of its face. Complexity: constant.
 template <typename FT>
 Vertex_weights<FT> vertex_weights(const Surface_point<FT>& p, const Delta_complex& mesh)
 {
@@ -80,7 +80,7 @@ public:
   /// returns the connectivity of `side`.
   const Delta_complex& mesh(Side side) const { return *m_side[index(side)]; }
 
-  /// returns the vertex of `side` that `v` is; null if it is not a vertex there.
+  /// returns the vertex of `side` that equals `v`; null if `side` has no such vertex.
   Vertex_index parent_vertex(Side side, Vertex_index v) const
   {
     return v.idx() < mesh(side).number_of_vertices() ? v : Vertex_index();
@@ -92,20 +92,20 @@ public:
     return derived().parent_vertex(side, v).is_valid();
   }
 
-  /// returns the face of `side` of which `f` is a part.
+  /// returns the face of `side` that contains `f`.
   Face_index parent_face(Side side, Face_index f) const
   {
     return m_parent_face[index(side)][f.idx()];
   }
 
-  /// returns the halfedge of `side` of which `h` is a part; null if there is none.
+  /// returns the halfedge of `side` that contains `h`; null if `side` has no such halfedge.
   Halfedge_index parent_halfedge(Side side, Halfedge_index h) const
   {
     const Halfedge_index parent = m_parent_halfedge[index(side)][Edge_index(h).idx()];
     return parent.is_valid() ? oriented_like(h, parent) : parent;
   }
 
-  /// returns the edge of `side` of which `e` is a part; null if there is none.
+  /// returns the edge of `side` that contains `e`; null if `side` has no such edge.
   Edge_index parent_edge(Side side, Edge_index e) const
   {
     const Halfedge_index parent = m_parent_halfedge[index(side)][e.idx()];
@@ -129,8 +129,8 @@ public:
     return face_location(along == q.halfedge ? q : reversed(q, mesh(side)), mesh(side)).second;
   }
 
-  /// returns the place of the target of `h` in the parent of its face, with `coordinates(side, h)`.
-  /// The null face if `h` is a border halfedge.
+  /// returns the position of the target of `h` in the parent of its face, with `coordinates(side,
+  /// h)`. The face is null if `h` is a border halfedge.
   Face_location<FT> location(Side side, Halfedge_index h) const
   {
     if(m_mesh.is_border(h))

@@ -312,7 +312,8 @@ void write_points(const Subdivision_part<Subdivision>& part,
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// writes the positions of the vertices of a copied part of a subdivision on the first of its
-/// triangulations, if `np` has positions of that one. Complexity: linear.
+/// triangulations. It does nothing unless `np` has positions of that triangulation. Complexity:
+/// linear.
 ///
 /// \param part the part
 /// \param copy its copy

@@ -107,12 +107,12 @@ Length_of<Surface> curve_length(const Surface& surface,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// makes a curve through points, each of which shares a face with the next one. Between them it is
-/// straight; of several segments in different faces it takes the shortest. Complexity: linear, and
+/// makes a curve through points. Consecutive points must share a face. Between them the curve is
+/// straight. If several faces are possible, it takes the shortest segment. Complexity: linear, and
 /// quadratic in the degree of a vertex that is one of the points.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
-/// \param points a range of `Face_location` or `Surface_point`, such as the places of a
-///        `Surface_path`; to close the curve, the last is the first
+/// \param points a range of `Face_location` or `Surface_point`, such as the positions of a
+///   `Surface_path`; to close the curve, the last is the first
 /// \throws Invalid_input if a point shares no face with the next one
 template <typename Surface, typename PointRange>
 Surface_curve<Length_of<Surface>> curve_through(const Surface& surface, const PointRange& points)

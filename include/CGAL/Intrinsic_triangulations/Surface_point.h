@@ -19,8 +19,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// a vertex of a triangulation, as the source of a halfedge. On a path, the halfedge is that along
-/// which the path goes on, or on the left of which.
+/// a vertex of a triangulation, as the source of a halfedge. On a path, the path continues along
+/// the halfedge or on its left.
 struct Vertex_location
 {
   Halfedge_index halfedge; ///< the halfedge; null if the vertex is isolated
@@ -107,8 +107,8 @@ Face_location<FT> face_location(const Edge_location<FT>& p, const Surface_mesh<P
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns `p` in its face, or in the face of its halfedge, or of the opposite one on the boundary;
-/// the null face if it is an isolated vertex.
+/// returns `p` in its face, in the face of its halfedge, or in the face of the opposite halfedge
+/// on the boundary. The face is null if `p` is an isolated vertex.
 template <typename FT, typename P>
 Face_location<FT> face_location(const Surface_point<FT>& p, const Surface_mesh<P>& mesh)
 {

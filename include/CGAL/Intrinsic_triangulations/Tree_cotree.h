@@ -39,7 +39,7 @@ enum class Boundary_loops
 class Tree_cotree : public Cut_graph
 {
 public:
-  /// crosses as few edges as possible on the way to each face from the first face of its component.
+  /// crosses as few edges as possible from the first face of each component to each of its faces.
   /// Complexity: \f$O(n \log n)\f$.
   explicit Tree_cotree(const Delta_complex& mesh, Boundary_loops boundary = Boundary_loops::filled)
     : Tree_cotree(mesh, std::vector<double>(mesh.num_edges(), 1.), boundary, false)
@@ -69,8 +69,9 @@ public:
     return m_generators[component];
   }
 
-  /// returns the halfedges of the generators of a component, in the order in which a walk clockwise
-  /// around the tree crosses them: as if all vertices were one. \pre the component is closed
+  /// returns the halfedges of the generators of a component. Their order is the order in which a
+  /// walk clockwise around the tree crosses them, as if all vertices were one.
+  /// \pre the component is closed
   std::vector<Halfedge_index> relation(std::size_t component) const
   {
     std::vector<Halfedge_index> result;

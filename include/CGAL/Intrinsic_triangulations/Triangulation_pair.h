@@ -44,10 +44,10 @@ template <typename Traits>
 class Intrinsic_triangulation;
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// two triangulations \f$T_1\f$ and \f$T_2\f$ of one surface: connectivity and edge lengths of
-/// both, the integer coordinates (normal coordinates and roundabouts) that determine how the edges
-/// of \f$T_1\f$ run over \f$T_2\f$, and the places on \f$T_1\f$ of the vertices that only \f$T_2\f$
-/// has. The operations that change \f$T_2\f$ are those of `Intrinsic_triangulation`.
+/// two triangulations \f$T_1\f$ and \f$T_2\f$ of one surface, with connectivity and edge lengths
+/// of both. Integer coordinates (normal coordinates and roundabouts) determine how the edges of
+/// \f$T_1\f$ run over \f$T_2\f$. Vertices that only \f$T_2\f$ has are stored with their positions
+/// on \f$T_1\f$. The operations that change \f$T_2\f$ are members of `Intrinsic_triangulation`.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_>
@@ -68,8 +68,8 @@ public:
   typedef Delta_complex::size_type size_type;
   /// the type of the maps of edge lengths.
   typedef Delta_complex::Property_map<Edge_index, FT> Edge_length_map;
-  /// the type of the metric of \f$T_1\f$ as exact decisions see it: `Input_metric`, or an empty
-  /// class if the geometry is not Euclidean, or numbers are exact themselves.
+  /// the type of the exact metric of \f$T_1\f$: `Input_metric`. It is an empty class if the
+  /// geometry is not Euclidean, or if numbers are exact themselves.
   typedef internal::Input_metric_of<Traits> Metric;
 
   /// \name The Two Surfaces
@@ -148,7 +148,7 @@ public:
 
   /// returns the point of \f$T_1\f$ at `t` on the halfedge `h` of \f$T_2\f$.
   /// \pre the edge of `h` is shared and \f$0 < t < 1\f$
-  /// \throws Numerical_error if there is no number between the weights of its ends
+  /// \throws Numerical_error if the weights of its ends are adjacent numbers
   Edge_location<FT> point_on_shared(Halfedge_index h, const FT& t) const
   {
     if constexpr(internal::Is_exact<Traits>::value)
@@ -160,8 +160,9 @@ public:
     return edge_location(m_input.is_border(p.halfedge) ? reversed(p, m_input) : p);
   }
 
-  /// returns the first of the two outgoing halfedges of a vertex inserted on the edge of `along`,
-  /// null if `along` is null: the one on the boundary, or the first halfedge of its edge.
+  /// returns the first of the two outgoing halfedges of a vertex inserted on the edge of `along`;
+  /// null if `along` is null. It is the halfedge on the boundary, or the first halfedge of its
+  /// edge.
   Halfedge_index first_inserted_outgoing(Halfedge_index along) const
   {
     return along.is_valid()
@@ -188,7 +189,7 @@ public:
       internal::side_lengths(m_input.halfedge(p.first), input()), p.second, q.second);
   }
 
-  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ on
+  /// returns the position of the source of the halfedge `h` of \f$T_2\f$ on
   /// `input_outgoing_before(h)`, if that is not null.
   Edge_point<FT> start_on_outgoing(Halfedge_index h) const
   {
@@ -196,8 +197,9 @@ public:
     return {outgoing, outgoing.is_valid() ? place_along(outgoing, m_mesh.source(h)) : FT(0)};
   }
 
-  /// returns the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose
-  /// source it is unless it has been inserted. \pre it lies on the edge of `input`
+  /// returns the position of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$. `v`
+  /// is its source unless it has been inserted.
+  /// \pre it lies on the edge of `input`
   FT place_along(Halfedge_index input, Vertex_index v) const
   {
     return on_input_edge(input, v).weight[1];
@@ -213,9 +215,9 @@ public:
     return p.halfedge == input ? p : reversed(p);
   }
 
-  /// returns the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of
-  /// `at.halfedge`, which contains `v`, unless `v` lies inside a face. If `v` is a vertex of
-  /// \f$T_1\f$, its place is `at`.
+  /// returns the position of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$. This is the face
+  /// of `at.halfedge`, which contains `v`, unless `v` lies inside a face. If `v` is a vertex of
+  /// \f$T_1\f$, the result is `at`.
   Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
   {
     if(!is_inserted(v))
@@ -225,9 +227,9 @@ public:
     return face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)}, m_input);
   }
 
-  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into
-  /// which `h` leads, or which lies on its left if its edge is shared. \pre `h` is not a border
-  /// halfedge
+  /// returns the position of the source of the halfedge `h` of \f$T_2\f$ in a face of \f$T_1\f$.
+  /// `h` leads into this face, or the face lies on its left if its edge is shared.
+  /// \pre `h` is not a border halfedge
   Face_location<FT> input_location(Halfedge_index h) const
   {
     return input_location(m_mesh.source(h), {input_outgoing_before(h), FT(0)});
@@ -262,7 +264,7 @@ public:
   }
 
   /// returns the last outgoing halfedge of \f$T_1\f$ at or clockwise from the halfedge `h` of
-  /// \f$T_2\f$ around its source; null if the source lies inside a face of \f$T_1\f$.
+  /// \f$T_2\f$ around its source. It is null if the source lies inside a face of \f$T_1\f$.
   Halfedge_index input_outgoing_before(Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.source(h);
@@ -275,7 +277,7 @@ public:
   }
 
   /// returns the length of the part of an edge of \f$T_1\f$ between two points, `start` on one of
-  /// its halfedges and `end` on the other; the result is bitwise equal from both sides.
+  /// its halfedges and `end` on the other. The result is bitwise equal from both sides.
   FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
   {
     const bool is_first = is_first_halfedge(start.halfedge);
@@ -294,7 +296,7 @@ public:
   }
 
   /// returns the part of an edge of \f$T_1\f$ that coincides with the halfedge `h` of \f$T_2\f$.
-  /// Its length and its places lose no digits, however near its ends are to each other.
+  /// Its length and its positions lose no digits, however near its ends are to each other.
   /// \pre the edge of `h` is shared; `FT` is `double`
   internal::Part_of_input_edge part_of_input_edge(Halfedge_index h) const
   {

@@ -28,15 +28,16 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// a triangulation of a tufted cover, with the vertices of the soup in place of those of the cover:
-/// what operators, Poisson equations and the heat method need for functions with one value at each
-/// vertex of the soup, whatever the number of vertex fans there.
+/// a triangulation of a tufted cover, with the vertices of the soup instead of the vertices of the
+/// cover. Operators, Poisson equations and the heat method accept it. Functions on it have one
+/// value at each vertex of the soup, for any number of vertex fans.
 ///
-/// `cotan_laplacian()`, `mass_matrix()`, `lumped_mass_matrix()` and `divergence_matrix()` of it are
-/// sums over the cover times `share()`, by default one half, as the cover has two faces for each
-/// triangle. So areas are those of the soup. The Laplacian is positive semidefinite, as without a
-/// boundary a Delaunay triangulation has no negative weights. `gradient_matrix()` has two rows for
-/// each face of the cover. `Poisson_solver` and `Heat_distance` take this surface as any other.
+/// `cotan_laplacian()`, `mass_matrix()`, `lumped_mass_matrix()` and `divergence_matrix()` of it
+/// are sums over the cover times `share()`. By default `share()` is one half, as the cover has two
+/// faces for each triangle. So areas are areas of the soup. The Laplacian is positive
+/// semidefinite, as without a boundary a Delaunay triangulation has no negative weights.
+/// `gradient_matrix()` has two rows for each face of the cover. `Poisson_solver` and
+/// `Heat_distance` accept this surface like any other.
 ///
 /// Around a vertex faces need not form one vertex fan, so there are no tangent spaces: vectors live
 /// on the cover itself.
@@ -54,8 +55,8 @@ public:
                                        FT, const FT&>
     Length_map;
 
-  /// copies a triangulation of the mesh of `cover`. Edges and faces keep their indices; vertices
-  /// that have been inserted come after those of the soup. Complexity: linear.
+  /// copies a triangulation of the mesh of `cover`. Edges and faces keep their indices. Inserted
+  /// vertices come after the vertices of the soup. Complexity: linear.
   /// \param cover the cover
   /// \param surface a model of `IntrinsicSurface`: the second surface of an
   ///   `Intrinsic_triangulation` of the mesh of `cover`, for example
@@ -77,7 +78,8 @@ public:
       m_length.push_back(get(surface.length_map(), e));
   }
 
-  /// returns the connectivity. Its vertices are those of the soup, with any number of vertex fans.
+  /// returns the connectivity. Its vertices are the vertices of the soup, with any number of
+  /// vertex fans.
   const Delta_complex& mesh() const { return m_mesh; }
   /// returns the lengths of all edges.
   Length_map length_map() const { return Length_map(m_length.data()); }

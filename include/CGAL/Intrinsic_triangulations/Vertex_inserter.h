@@ -50,8 +50,8 @@ public:
   /// prepares changes of `tri`. Complexity: linear in the elements and crossings.
   /// \param tri the triangulation
   /// \param exact_decisions whether decisions are exact, as they always are with exact traits.
-  ///   `Traits` is `Euclidean_geometry_traits<double>` then, edges are straight, and lengths are
-  ///   those that `make_Delaunay()` computes with exact decisions.
+  ///   Then `Traits` is `Euclidean_geometry_traits<double>`, edges are straight, and lengths come
+  ///   from `make_Delaunay()` with exact decisions
   explicit Vertex_inserter(Triangulation& tri,
                            bool exact_decisions = internal::Is_exact<Traits>::value)
     : m_tri(tri),
@@ -83,15 +83,16 @@ public:
   const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
-  /// coordinate is zero. Whatever the rounding, the integer coordinates are those of a point in one
-  /// region between edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex
-  /// is on that edge of \f$T_1\f$. Complexity: linear in the crossings on the sides of the face.
+  /// coordinate is zero. With any rounding, the integer coordinates are valid: they belong to a
+  /// point in one region between edges of \f$T_1\f$ (Section 3.5.1). If `p` is on a shared edge,
+  /// the vertex is on that edge of \f$T_1\f$. Complexity: linear in the crossings on the sides of
+  /// the face.
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
-  /// \returns the vertex; one that was there already if two coordinates are zero
-  /// \throws Numerical_error if a new edge has no positive finite length, or with exact decisions,
-  ///   if no point near by has coordinates on \f$T_1\f$ that leave its edges straight and its faces
-  ///   positive; nothing has changed then.
+  /// \returns the vertex; the existing vertex if two coordinates are zero
+  /// \throws Numerical_error if a new edge has no positive finite length. With exact decisions it
+  ///   is also thrown if no near point has coordinates on \f$T_1\f$ that leave its edges straight
+  ///   and its faces positive. In both cases nothing has changed.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
     const Surface_point<FT> point = surface_point(p, m_tri.mesh());
@@ -112,14 +113,15 @@ public:
     return flip_status(h, m_tri.mesh()) != Operation_status::same_face;
   }
 
-  /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on
-  /// from there. With exact decisions, the rounded place of a vertex is not on an edge that is not
-  /// shared: it is inserted into the face beside it as by `insert()`, the edge is flipped if this
-  /// is possible, and `h` is the flipped edge. Complexity: linear in the crossings on the sides of
-  /// its faces.
+  /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` starts
+  /// at the new vertex. With exact decisions, the rounded position of a vertex is not on an edge
+  /// that is not shared. Then the vertex is inserted into the adjacent face as by `insert()`. The
+  /// edge is flipped if this is possible, and `h` is the flipped edge. Complexity: linear in the
+  /// crossings on the sides of its faces.
   /// \param h the halfedge
-  /// \param t the place
-  /// \param closeness if the point is closer to a crossing, it is put there
+  /// \param t the position
+  /// \param closeness if the distance of the point to a crossing is smaller, the vertex is
+  ///   inserted at the crossing
   /// \returns the vertex
   /// \throws Numerical_error as `insert()`; nothing has changed then.
   /// \pre `can_be_split(h)` and \f$0 < t < 1\f$
@@ -146,15 +148,15 @@ public:
     return with_decisions([&](auto& d) { return d.is_Delaunay(e); });
   }
 
-  /// removes the inserted vertex `v`: flips edges until three are left, the most convex first
-  /// (Section 3.5.2), and merges the faces there. The place of the vertex stays as garbage, see
-  /// `Intrinsic_triangulation::collect_garbage()`.
-  /// Complexity: in practice quadratic in the degree.
+  /// removes the inserted vertex `v`. It flips edges until three are left, the most convex first
+  /// (Section 3.5.2), and merges the three faces. The position of the vertex stays as garbage, see
+  /// `Intrinsic_triangulation::collect_garbage()`. Complexity: in practice quadratic in the
+  /// degree.
   /// \param v the vertex
   /// \param after_flip a function that is called with a halfedge of every flipped edge
-  /// \returns the face that takes its place; null if no more edges could be flipped, or 10,000
-  ///          flips were not enough: then the vertex stays, and the triangulation is valid, but
-  ///          perhaps not Delaunay
+  /// \returns the face that remains. It is null if no further edge could be flipped, or 10,000
+  ///   flips did not suffice. Then the vertex stays, and the triangulation is valid, but perhaps
+  ///   not Delaunay
   /// \pre `triangulation().is_inserted(v)`
   template <typename After_flip>
   Face_index remove(Vertex_index v, const After_flip& after_flip);

@@ -19,18 +19,18 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// computes the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the
-/// frame of \f$T_1\f$ there.
+/// frame of \f$T_1\f$ at the source.
 ///
-/// At a vertex of \f$T_1\f$ that is the frame of `Tangent_frames`. At a vertex that has been
-/// inserted on an edge of \f$T_1\f$ the real axis is along its first outgoing halfedge (see
-/// `Outgoing_halfedges`), and at one inside a face `f` it is along `halfedge(f)`, as in
-/// `trace_geodesic()`; the surface is flat there, and normalized angles are angles.
+/// At a vertex of \f$T_1\f$ the frame is the frame of `Tangent_frames`. At a vertex inserted on an
+/// edge of \f$T_1\f$ the real axis is along its first outgoing halfedge (see
+/// `Outgoing_halfedges`). At a vertex inside a face `f` it is along `halfedge(f)`, as in
+/// `trace_geodesic()`. The surface is flat at inserted vertices, and normalized angles are angles.
 ///
-/// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the
-/// corner comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that
-/// led to \f$T_2\f$ leave no trace in it. A shared edge has the angle of its twin, to the bit.
-/// Complexity: that of `trace_intrinsic_edge()`, and linear in the degree of the source in
-/// \f$T_1\f$. For many halfedges use `Angular_coordinates`.
+/// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The direction in the
+/// corner comes from the strip of triangles of \f$T_1\f$ that `h` passes. So the flips that led to
+/// \f$T_2\f$ have no influence on it. A shared edge has the angle of its twin, to the bit.
+/// Complexity: the complexity of `trace_intrinsic_edge()`, and linear in the degree of the source
+/// in \f$T_1\f$. For many halfedges use `Angular_coordinates`.
 /// \throws Numerical_error if the angles at the source have no positive finite sum, or if the
 ///         layout has no positive finite length
 template <typename Traits>

@@ -59,11 +59,10 @@ double smallest_angle_in_degrees(const Graph& g, LengthMap length)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// computes the curvature of the vertices of a
-/// triangulation: at an interior vertex \f$2\pi\f$ less the sum of the angles there, on the
-/// boundary \f$\pi\f$ less that sum, and zero at a vertex without faces. By the theorem of Gauss
-/// and Bonnet, all together are \f$2\pi\f$ times the Euler characteristic, that of the vertices
-/// without faces not counted. Complexity: linear.
+/// computes the curvature of the vertices of a triangulation. At an interior vertex it is
+/// \f$2\pi\f$ less its angle sum. On the boundary it is \f$\pi\f$ less the angle sum. At a vertex
+/// without faces it is zero. By the theorem of Gauss and Bonnet, the sum is \f$2\pi\f$ times the
+/// Euler characteristic, without isolated vertices. Complexity: linear.
 ///
 /// \param g a triangulation, a model of `FaceListGraph` and `VertexListGraph`
 /// \param length a readable property map from the edges of `g` to floating point numbers

@@ -16,20 +16,21 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// certifies in exact arithmetic that \f$T_2\f$ is a geodesic Delaunay triangulation of the surface
-/// of \f$T_1\f$, however it was made: every edge of \f$T_2\f$, laid out along the triangles of
-/// \f$T_1\f$ that the integer coordinates name, is a straight segment, and every edge that is not
-/// constrained satisfies the local Delaunay condition (Equation 2.6).
+/// certifies in exact arithmetic that \f$T_2\f$ is a geodesic Delaunay triangulation of the
+/// surface of \f$T_1\f$, however it was made. Integer coordinates determine the triangles of
+/// \f$T_1\f$ that an edge of \f$T_2\f$ passes. Laid out along them, every edge must be a straight
+/// segment. Every edge that is not constrained must satisfy the local Delaunay condition (Equation
+/// 2.6).
 ///
-/// The surface is that of the exact positions of the input's vertices, or of the exact squared
-/// lengths or lengths that it was given by. Inserted vertices lie at their barycentric coordinates
-/// divided by their sum, exactly; at each of them the faces must turn around once.
+/// The surface is given by the exact positions of the input's vertices, or by its exact squared
+/// lengths or lengths. Inserted vertices lie at their barycentric coordinates divided by their
+/// sum, exactly. Around each of them the faces must turn once.
 ///
-/// A decision is exact unless 1024 bits cannot tell its sign from zero and it involves more than
-/// twelve square roots that are independent over the rationals, as a tie of so many unrelated
-/// faces. Such a decision remains undecided: the certificate names its edge or vertex, and does not
-/// confirm the result. Roots of rational numbers that are multiples of products of others do not
-/// count.
+/// A decision remains undecided only if 1024 bits do not distinguish its sign from zero, and it
+/// involves more than twelve independent square roots. Independent means independent over the
+/// rationals: roots of rational numbers that are multiples of products of others do not count. A
+/// tie of so many unrelated faces is an example. The certificate names the edge or vertex of such
+/// a decision, and does not confirm the result.
 ///
 /// Complexity: linear in the edges and crossings, as long as decisions are made in floating point.
 /// A tie that involves \f$m\f$ independent square roots takes \f$3^m\f$ products.

@@ -35,9 +35,9 @@ struct Ideal_Delaunay_certificate
   std::vector<Edge_index> ties;               ///< the edges for which Equation 4.5 is an equality
   std::vector<Edge_index> non_Delaunay_edges; ///< the edges that violate Equation 4.5
 
-  /// an upper bound of how much the left side of Equation 4.5 exceeds the right side at an edge
-  /// that fails, relative to the right side; zero if no edge fails. Where rounding of `double` is
-  /// to blame it is of the order of \f$10^{-16}\f$ to \f$10^{-13}\f$.
+  /// an upper bound of how much the left side of Equation 4.5 exceeds the right side at a failing
+  /// edge, relative to the right side. It is zero if no edge fails. If rounding of `double` is the
+  /// cause, it is of the order of \f$10^{-16}\f$ to \f$10^{-13}\f$.
   double greatest_excess = 0;
 
   /// returns whether no edge violates Equation 4.5.
@@ -162,11 +162,11 @@ private:
 /// condition (Equation 4.5), however \f$T_2\f$ was made.
 ///
 /// The lengths of \f$T_1\f$ and the factors of vertices are taken as exact numbers. The stored
-/// lengths of \f$T_2\f$, which flips have rounded, are not used: the integer coordinates determine
+/// lengths of \f$T_2\f$, which flips have rounded, are not used. Integer coordinates determine
 /// exactly which triangles of \f$T_1\f$ an edge passes, and its length is a rational function of
-/// theirs. Intervals decide most edges, and rational numbers the others.
+/// their lengths. Intervals decide most edges, and rational numbers the others.
 ///
-/// An ideal triangulation all of whose edges pass is ideal Delaunay for these numbers: arcs of any
+/// An ideal triangulation is ideal Delaunay for these numbers if all its edges pass. Arcs of any
 /// triangulation are geodesics of the ideal polyhedron, and disjoint.
 ///
 /// A triangulation made with `double` can have edges that fail by rounding: `make_Delaunay()` flips
@@ -178,9 +178,8 @@ private:
 /// \param factor factors of all vertices, positive: they scale the length of an edge by the product
 ///        of the factors of its ends
 ///
-/// Complexity: linear in the edges and crossings for intervals; for an edge that they do not
-/// decide, the numbers of digits are linear in the number of triangles that it and the edges of its
-/// diamond pass.
+/// Complexity: linear in the edges and crossings for intervals. For an undecided edge, numbers of
+/// digits are linear in the number of triangles that it and the edges of its diamond pass.
 /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
 /// \pre no vertex has been inserted; `tri` has no garbage
 template <typename Ideal_traits>
@@ -201,7 +200,7 @@ Ideal_Delaunay_certificate certify_ideal_Delaunay(const Intrinsic_triangulation<
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
 /// decides exactly which edges of \f$T_2\f$ satisfy the local ideal Delaunay condition with the
-/// lengths of \f$T_1\f$ as they are: all factors are 1.
+/// unscaled lengths of \f$T_1\f$: all factors are 1.
 template <typename Ideal_traits>
 Ideal_Delaunay_certificate certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri)
 {

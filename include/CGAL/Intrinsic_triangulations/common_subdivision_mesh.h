@@ -15,7 +15,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// adds the common subdivision of both triangulations of a correspondence to a mesh of any type.
-/// Its vertices are those of \f$T_2\f$, in their order, then the crossings. Complexity: linear.
+/// Its vertices are the vertices of \f$T_2\f$, in their order, and then the crossings. Complexity:
+/// linear.
 ///
 /// \tparam Graph a model of `MutableFaceGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -43,13 +44,13 @@ namespace CGAL::Intrinsic_triangulations {
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part; null if
-///       there is none}
+///     \cgalParamDescription{gets for each edge of `out` the edge that contains it; null if no
+///       edge does}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_face_map}
-///     \cgalParamDescription{gets for each face of `out` the face of which it is a part}
+///     \cgalParamDescription{gets for each face of `out` the face that contains it}
 ///     \cgalParamType{as before, with faces and `Face_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -25,9 +25,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
-/// the convex polyhedron that has a given surface, as `convex_polyhedron()` finds it: an intrinsic
-/// triangulation of the surface, whose edges are straight lines on the polyhedron, and the
-/// positions of its vertices.
+/// the convex polyhedron that has a given surface, as a result of `convex_polyhedron()`. It is an
+/// intrinsic triangulation of the surface, whose edges are straight lines on the polyhedron, with
+/// the positions of its vertices.
 class Convex_polyhedron
 {
 public:
@@ -52,8 +52,8 @@ public:
   }
 #endif
 
-  /// returns the triangulation: \f$T_1\f$ is the input, and the faces of \f$T_2\f$ are triangles of
-  /// the polyhedron. So the correspondence of both, such as `Common_subdivision`, is that of the
+  /// returns the triangulation: \f$T_1\f$ is the input, and the faces of \f$T_2\f$ are triangles
+  /// of the polyhedron. So the correspondence of both, such as `Common_subdivision`, relates the
   /// input and the polyhedron.
   const Triangulation& triangulation() const { return m_triangulation; }
 
@@ -101,15 +101,15 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
-/// computes the convex polyhedron that has the surface of `g`. By Alexandrov's theorem there is
-/// exactly one, up to motions, if the surface is a sphere and no vertex has negative curvature; it
-/// may be a polygon with two sides. Vertices of zero curvature lie on its faces and edges.
+/// computes the convex polyhedron that has the surface of `g`. By Alexandrov's theorem exactly one
+/// exists, up to motions, if the surface is a sphere and no vertex has negative curvature. It may
+/// be a polygon with two sides. Vertices of zero curvature lie on its faces and edges.
 ///
-/// The pyramids over the triangles have a common apex. Its distances from the vertices are
-/// followed from large ones, where the curvature at each edge to the apex is nearly that of the
-/// vertex, to those where this curvature is zero (Bobenko and Izmestiev 2008). The triangulation is
-/// weighted Delaunay for the squares of the distances all the time. Newton's method takes
-/// derivatives in `double`; curvatures have twice as many digits.
+/// The pyramids over the triangles have a common apex \cgalCite{BI08}. If its distances from the
+/// vertices are large, the curvature at each edge to the apex is nearly the curvature of the
+/// vertex. The distances are followed from large ones to distances with zero curvature. The
+/// triangulation is always weighted Delaunay for the squares of the distances. Newton's method
+/// takes derivatives in `double`; curvatures have twice as many digits.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex is allowed
 /// \tparam NamedParameters a sequence of named parameters

@@ -156,21 +156,22 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// finds a curve of one triangulation on the other: its segments are cut at the edges of that.
 ///
-/// Their order and directions stay. Parts whose length is rounding error are left out. The sequence
-/// of faces that a segment passes is connected, however flat they are, and so are the sequences of
-/// segments with a common end: the order of the ends and of the crossings along edges determines
-/// which edges are crossed. In a face of \f$T_1\f$ with inserted vertices it also depends on which
-/// pieces of edges of \f$T_2\f$ the segment meets up to rounding. Rounding can only choose between
-/// curves that are equal up to rounding, such as the sides of an edge along which a curve runs;
-/// apart from that, there and back is the identity.
+/// The order and directions of segments stay. Parts whose length is rounding error are left out.
+/// The sequence of faces that a segment passes is connected, however flat they are. Sequences of
+/// segments with a common end are connected, too. The order of the ends and of the crossings along
+/// edges determines which edges are crossed. In a face of \f$T_1\f$ with inserted vertices it also
+/// depends on which pieces of edges of \f$T_2\f$ the segment meets up to rounding. Rounding can
+/// only choose between curves that are equal up to rounding, such as the sides of an edge along
+/// which a curve runs. Apart from that, mapping a curve to the other triangulation and back is the
+/// identity.
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one
 ///
-/// Complexity: linear in the edges that a segment meets up to rounding, with a logarithm of these.
-/// An end on an edge takes a logarithm of its crossings. An end inside a face takes a logarithm of
-/// the crossings of a face of \f$T_2\f$; in a face of \f$T_1\f$ it is linear in the regions of the
-/// subdivision on the way from a corner.
+/// Complexity: linear in the edges that a segment meets up to rounding, with a logarithm of their
+/// number. An end on an edge takes a logarithm of its crossings. An end inside a face takes a
+/// logarithm of the crossings of a face of \f$T_2\f$. In a face of \f$T_1\f$ it is linear in the
+/// regions of the subdivision between the end and a corner.
 template <typename Traits>
 Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,
                                                 Side side,
@@ -190,12 +191,12 @@ Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& co
 /// \param path a path with places as `Shortest_paths::path()` returns them: between two vertices it
 ///        follows an edge, and everywhere else a straight line in a face. It may bend at inserted
 ///        vertices and at places inside faces, too.
-/// \returns the path with its length, which stays, and its places on the other triangulation, in
-///   the form of `Shortest_paths::path()`. Where it passes a vertex of \f$T_2\f$ that has been
-///   inserted, there is a place in its face or on its edge of \f$T_1\f$; and where a place on
+/// \returns the path with its unchanged length and its positions on the other triangulation, in
+///   the form of `Shortest_paths::path()`. If it passes an inserted vertex of \f$T_2\f$, it has a
+///   position in the face or on the edge of \f$T_1\f$ that contains the vertex. If a position on
 ///   \f$T_1\f$ is the position of an inserted vertex, the path passes this vertex of \f$T_2\f$.
 ///
-/// Connectivity, rounding and complexity are those of `curve_across()` for curves.
+/// Connectivity, rounding and complexity are as in `curve_across()` for curves.
 /// \throws Invalid_input if two consecutive places that are not both vertices share no face
 template <typename Traits>
 Surface_path<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,

@@ -72,8 +72,8 @@ void diagnose_graph_lengths(const Graph& g, const Diagnosis_complex& complex, co
 /*!
 \ingroup PkgIntrinsicTriangulationsDiagnosis
 
-\brief examines a polygon soup, as read from a file, for everything that keeps it from being a
-surface on which an intrinsic triangulation can be built.
+\brief finds all defects of a polygon soup, as read from a file, that prevent an intrinsic
+triangulation.
 
 A face with a repeated vertex or an index out of range is reported and left out of all other checks.
 An index that is negative counts as out of range. Positions are rounded to `double`.

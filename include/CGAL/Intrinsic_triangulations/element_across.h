@@ -236,19 +236,19 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// finds the vertex, the edge or the face of one triangulation in which a point of the other one
-/// lies, by exact decisions: a vertex or an edge only if the point lies on it exactly, a face only
-/// if the point lies inside it.
+/// finds the vertex, edge or face of one triangulation that contains a point of the other one, by
+/// exact decisions. A vertex or an edge is returned only if the point lies on it exactly. A face
+/// is returned only if the point lies inside it.
 ///
 /// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
-/// \param p a point with barycentric coordinates that are not negative; the point is exactly that
-///        of these numbers divided by their sum
+/// \param p a point with barycentric coordinates that are not negative; the point has exactly
+///   these numbers divided by their sum
 ///
-/// Complexity: logarithmic in the number of crossings on the sides of the face, for each of them
-/// linear in those on one or two edges of \f$T_2\f$. In a face of \f$T_1\f$ that contains inserted
-/// vertices: as `point_across()`, and for every side of the regions that are looked at linear in
-/// its crossings.
+/// Complexity: logarithmic in the number of crossings on the sides of the face. For each of them
+/// it is linear in the crossings on one or two edges of \f$T_2\f$. In a face of \f$T_1\f$ that
+/// contains inserted vertices, the complexity is as for `point_across()`. Each side of the
+/// searched regions adds a term that is linear in its crossings.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
 /// \throws Numerical_error if a decision is not made by 1024 bits and involves more than twelve
 ///         independent square roots, or edges of \f$T_2\f$ are bent

@@ -20,18 +20,18 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// encloses the places at which an edge of \f$T_2\f$ crosses edges of \f$T_1\f$ on the exact
-/// surface, however many flips led to \f$T_2\f$. More and more digits are used until the intervals
-/// are narrow enough.
+/// encloses the positions at which an edge of \f$T_2\f$ crosses edges of \f$T_1\f$ on the exact
+/// surface, after any number of flips. More and more digits are used until the intervals are
+/// narrow enough.
 ///
 /// \param correspondence the crossings
 /// \param e the edge of \f$T_2\f$
-/// \param width the greatest width of an interval; if it is less than the spacing of numbers of
-///        type `double`, at most one of them lies inside the interval
-/// \returns for each crossing, from the source of the first halfedge of `e` on, the places on the
-///   first halfedges of both edges, as `Correspondence::crossing()` returns them rounded.
-///   Intervals are wider than requested only if 1024 bits do not suffice: where two edges run
-///   along each other, in faces without area, any place that they share is a crossing.
+/// \param width the greatest width of an interval. If it is less than the spacing of numbers of
+///   type `double`, at most one of them lies inside the interval
+/// \returns for each crossing, from the source of the first halfedge of `e` on, intervals for its
+///   positions on the first halfedges of both edges. `Correspondence::crossing()` returns them
+///   rounded. Intervals are wider than requested only if 1024 bits do not suffice. If two edges
+///   run along each other, in faces without area, any position that they share is a crossing.
 ///
 /// Complexity: linear in the crossings of `e`.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
@@ -47,12 +47,13 @@ enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// encloses the places of one crossing, as `enclose_crossings()` does for those of an edge.
+/// encloses the positions of one crossing, as `enclose_crossings()` does for all crossings of an
+/// edge.
 ///
 /// \param correspondence the crossings
 /// \param id the index of the crossing
 /// \param width the greatest width of an interval, see `enclose_crossings()`
-/// \returns the places on the first halfedges of both edges
+/// \returns the positions on the first halfedges of both edges
 ///
 /// Complexity: linear in the crossings of the edge of \f$T_2\f$.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
@@ -68,19 +69,19 @@ Trace_point<Interval_nt<>> enclose_crossing(const Correspondence<Traits>& corres
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// how far rounded places of crossings can be from the exact ones.
+/// the distance between rounded and exact positions of crossings.
 struct Place_certificate
 {
-  /// the greatest distance, along an edge of either triangulation, of a rounded place from the
-  /// farther end of the interval that encloses it; relative to the longest edge of \f$T_1\f$
+  /// the greatest distance, along an edge of either triangulation, of a rounded position from the
+  /// farther end of the interval that encloses it. It is relative to the longest edge of \f$T_1\f$
   double greatest_error = 0;
-  /// the number of crossings of edges that run along each other in faces without area, which have
-  /// no exact place
+  /// the number of crossings of edges that run along each other in faces without area, whose exact
+  /// position is undefined
   std::size_t indefinite = 0;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// compares the places of all crossings with intervals that enclose them, see
+/// compares the positions of all crossings with intervals that enclose them, see
 /// `enclose_crossings()`.
 ///
 /// Complexity: linear in the edges and crossings.

@@ -15,7 +15,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// base of all exceptions of the package; `what()` describes the error and its place.
+/// base of all exceptions of the package; `what()` describes the error and its position.
 class Error : public std::runtime_error
 {
 public:
@@ -31,13 +31,13 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// vertices of negative curvature keep a surface from being that of a convex polyhedron.
+/// vertices of negative curvature show that a surface is not the surface of a convex polyhedron.
 class Negative_curvature : public Invalid_input
 {
   std::vector<std::size_t> m_vertices;
 
 public:
-  /// makes an error of these vertices, at least one, the first of which has this curvature.
+  /// makes an error of these vertices, at least one. The first of them has this curvature.
   Negative_curvature(const std::vector<std::size_t>& vertices, double curvature)
     : Invalid_input("vertex " + std::to_string(vertices.front()) + " has negative curvature, " +
                     std::to_string(curvature) + " radians" +

@@ -30,29 +30,31 @@ namespace CGAL::Intrinsic_triangulations {
 /// sides of the face, on the surface, and may lead beyond the face too.
 ///
 /// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
-/// interior vertex (to within `rounding_unit()`), it goes on with half of the angles there on
-/// either side. A vertex on the boundary is boundary. If the end is within rounding of an edge or a
-/// vertex, it is put there, with coordinates that are exactly zero.
+/// interior vertex (within `rounding_unit()`), it continues with half of the angles of the vertex
+/// on either side. A vertex on the boundary counts as boundary. If the end is within rounding of
+/// an edge or a vertex, it snaps to it, with coordinates that are exactly zero.
 ///
-/// Directions are turned by corner angles and points are kept as barycentric coordinates, so that
-/// thin triangles on the way are no problem: end and length are accurate to rounding of the longest
-/// edge for every face passed. But geodesics on either side of a vertex with curvature part there:
-/// what passes a vertex at the distance of such errors has an end on one of its two sides.
+/// Directions are turned by corner angles, and points are kept as barycentric coordinates. So thin
+/// triangles cause no loss: end and length are accurate to rounding of the longest edge for every
+/// face passed. Geodesics on either side of a vertex with curvature diverge. A geodesic that
+/// passes a vertex at the distance of such errors ends on one of its two sides.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
 /// \param source the start: a vertex that is not isolated, or a `Face_location` with coordinates
 ///        that are not negative and sum up to one
 /// \param vector the tangent vector
-/// \param at_boundary whether the geodesic stops at the boundary or goes on along it; in the latter
-///        case it stays on the boundary until its length is used up
-/// \param path an output iterator for `Edge_point`s: where the geodesic crosses an edge, the
-///        halfedge through which it leaves a face; where it passes a vertex, one that ends there
-///        (and on the boundary one that starts there, if the geodesic slides against the halfedges
-///        of the faces). Start and end are not part of it.
+/// \param at_boundary whether the geodesic stops at the boundary or continues along it. A geodesic
+///   that continues stays on the boundary until its length is used up
+/// \param path an output iterator for `Edge_point`s. If the geodesic crosses an edge, it receives
+///   the halfedge through which it leaves a face. If the geodesic passes a vertex, it receives a
+///   halfedge that ends at the vertex. On the boundary it receives a halfedge that starts at the
+///   vertex if the geodesic slides against the halfedges of the faces. Start and end are not part
+///   of it.
+///
 /// Complexity: linear in the faces passed, and the degrees of vertices hit.
-/// \throws Numerical_error if the angles at a vertex on the way have no positive finite sum, or the
-///         length is so great that steps vanish beside it
+/// \throws Numerical_error if the angles at a vertex that it passes have no positive finite sum,
+///   or the length is so great that steps vanish beside it
 template <typename Surface, typename Source, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, const Source& source,
                                             const std::complex<Length_of<Surface>>& vector,
@@ -92,8 +94,7 @@ Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// follows the geodesic on one of the two triangulations of `tri` that starts at a vertex of
-/// \f$T_2\f$. On \f$T_1\f$ this may be an inserted vertex; for the frame there see
-/// `angle_on_input()`.
+/// \f$T_2\f$. On \f$T_1\f$ this may be an inserted vertex; for its frame see `angle_on_input()`.
 template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<typename Traits::FT>
 trace_geodesic(const Intrinsic_triangulation<Traits>& tri, Side side, Vertex_index v,

@@ -52,12 +52,11 @@ inline void check_simplicial(const Delta_complex& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// returns \f$T_2\f$ as a mesh in space, if it is
-/// simplicial: the vertices at their places on the surface of \f$T_1\f$, the edges straight, the
-/// faces flat. All elements keep their indices. So the surface is another one, close to the first
-/// where the faces are small; the common subdivision is the surface itself. `refine()` makes a
-/// triangulation simplicial on request. Complexity: linear in the sum of the squared
-/// degrees.
+/// returns \f$T_2\f$ as a mesh in space, if it is simplicial. Vertices are at their positions on
+/// the surface of \f$T_1\f$, edges are straight, and faces are flat. All elements keep their
+/// indices. So the surface differs, but is close to the original if the faces are small. The
+/// common subdivision is the surface itself. `refine()` makes a triangulation simplicial on
+/// request. Complexity: linear in the sum of the squared degrees.
 ///
 /// \param pair the two triangulations
 /// \param positions a readable property map from the vertices of \f$T_1\f$ to points of a kernel

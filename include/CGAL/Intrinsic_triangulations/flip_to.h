@@ -72,8 +72,8 @@ private:
 /// (Mosher's algorithm, Algorithm 4). Constraints stay, for they are on edges of \f$T_1\f$.
 /// Complexity: finite; in practice below the number of crossings.
 /// \returns the number of flips
-/// \throws Overflow_error if a normal coordinate on the way is out of range; nothing has changed
-///   then.
+/// \throws Overflow_error if an intermediate normal coordinate is out of range; nothing has
+///   changed then.
 /// \pre no vertex has been inserted
 template <typename Traits>
 std::size_t flip_to_input(Intrinsic_triangulation<Traits>& tri)
@@ -101,17 +101,18 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
-/// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
-/// `rebase()`. Lengths and constraints become those of \f$T_3\f$; the indices of edges
-/// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the
-/// three triangulations with each other.
+/// integer coordinates alone (Section 3.4). These are the coordinates of \f$T_3\f$ over \f$T_2\f$,
+/// see `rebase()`. Lengths and constraints become lengths and constraints of \f$T_3\f$. Indices of
+/// edges and faces may differ. Complexity: finite; in practice below the numbers of crossings of
+/// the three triangulations with each other.
 ///
-/// Where vertices have been inserted, `tri` becomes a copy of `target`: its vertices are inserted,
-/// edges are flipped, and vertices that are not in it are removed, see `rebase()`.
-/// \returns the number of flips until all edges of \f$T_3\f$ are there
+/// If vertices have been inserted, `tri` becomes a copy of `target`, see `rebase()`. Vertices of
+/// `target` are inserted, edges are flipped, and vertices that are not in `target` are removed.
+/// \returns the number of flips until all edges of \f$T_3\f$ exist
 /// \throws Invalid_input if the two do not have the same input
 /// \throws Numerical_error as `rebase()` if vertices have been inserted
-/// \throws Overflow_error if a normal coordinate on the way is out of range
+/// \throws Overflow_error if an intermediate normal coordinate is out of range
+///
 /// After an exception nothing has changed.
 template <typename Traits>
 std::size_t flip_to(Intrinsic_triangulation<Traits>& tri,

@@ -65,7 +65,7 @@ Concurrency concurrency_of(const NamedParameters& np)
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the number of elements that a thread takes at once. Chunks do not depend on the number of
-/// threads, and what is computed for one depends on no other.
+/// threads, and the result of one chunk depends on no other.
 constexpr std::size_t chunk_size = 1024;
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
@@ -113,9 +113,9 @@ private:
 #endif
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// calls `f(begin, end)` for the chunks of 0, ..., n - 1, in any order and at the same time if
-/// `concurrency` is parallel; otherwise one after the other. If calls throw, then the exception of
-/// the first chunk comes out.
+/// calls `f(begin, end)` for the chunks of 0, ..., n - 1. If `concurrency` is parallel, calls are
+/// in any order and at the same time; otherwise one follows the other. If calls throw, the
+/// exception of the first chunk is thrown.
 template <typename Function>
 void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
 {

@@ -28,9 +28,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
-/// returns the matrix that takes the values of a function that is linear on the faces of `side`, at
-/// the vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum
-/// up to one and have at most three entries, which are not negative. Complexity: linear.
+/// returns the matrix that maps values at the vertices of one triangulation to values at the
+/// vertices of the subdivision. The function is linear on the faces of `side`. Rows sum up to one
+/// and have at most three entries, which are not negative. Complexity: linear.
 /// \tparam Subdivision a class derived from `Subdivision_base`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param side the triangulation on whose faces the function is linear
@@ -195,10 +195,10 @@ values_at_vertices(const Intrinsic_triangulation<Traits>& tri, Side from,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
-/// finds the function that is linear on the faces of the other triangulation and closest, in the
-/// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is
-/// the function itself where that is possible. A vertex without faces, or whose faces all have zero
-/// area, gets the value of the function there. Complexity: linear in the faces and crossings, and a
+/// finds the piecewise linear function on the other triangulation that is closest, in the
+/// \f$L^2\f$ norm, to a piecewise linear function on `from`. It has the same integral, and is the
+/// function itself if that is possible. At a vertex without faces of positive area, it has the
+/// value of the function at this vertex. Complexity: linear in the faces and crossings, and a
 /// sparse Cholesky factorization.
 /// \param correspondence the crossings of both
 /// \param from the triangulation on whose faces `values` is linear

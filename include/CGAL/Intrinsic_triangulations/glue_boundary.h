@@ -84,14 +84,14 @@ void join_targets(Halfedge_index h, Vertex_index v, const Surface_mesh<P>& parts
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
-/// glues sides of surfaces, such as those of a polygon in the plane, until no boundary is left. A
-/// glued edge has the mean of both lengths. Vertices are numbered in the order of the first of
-/// those that they have been. Complexity: linear.
+/// glues sides of surfaces, for example the sides of a polygon in the plane, until no boundary is
+/// left. A glued edge has the mean of both lengths. Vertices are numbered in the order of the
+/// first of the vertices that were glued. Complexity: linear.
 ///
 /// \param mesh the parts, triangulated, without removed elements
 /// \param length a readable property map from the edges of `mesh` to numbers of type `double`
 /// \param pairs the halfedges that become opposite, each on the boundary and with a face on its
-///   left: the source of one becomes the target of the other
+///   left. The source of one becomes the target of the other
 /// \throws Invalid_input if a boundary edge is not in a pair, or more than once, or a halfedge of a
 ///   pair is not on the boundary
 template <typename P, typename LengthMap>

@@ -203,24 +203,25 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// finds short loops along edges that are a basis of the first homology group: every closed curve
+/// finds short loops along edges that are a basis of the first homology group. Every closed curve
 /// is homologous to exactly one integer combination of them.
 ///
-/// The loops are chosen by increasing length, each of which is no combination of those before
-/// (Erickson and Whittlesey 2005). They consist of two shortest paths from a base vertex and an
-/// edge between their ends. Every loop of a shortest basis meets one of the base vertices. Searches
-/// from all base vertices end after visits of \f$2^{22}\f$ vertices in all. If they have come to
-/// the end before, which takes at most as many base vertices times vertices, no basis of loops
-/// along edges is shorter. `Edge_paths` shortens the loops to geodesics.
+/// The loops are chosen by increasing length; no loop is a combination of earlier ones
+/// \cgalCite{EW05}. They consist of two shortest paths from a base vertex and an edge between
+/// their ends. Every loop of a shortest basis meets one of the base vertices. Searches from all
+/// base vertices together end after visits of \f$2^{22}\f$ vertices. If they finish before, no
+/// basis of loops along edges is shorter. This takes at most as many visits as base vertices times
+/// vertices. `Edge_paths` shortens the loops to geodesics.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \returns the halfedges of each loop, each starting where the one before ends. For a component of
 ///          genus \f$g\f$ these are \f$2g\f$ loops, or \f$2g+b-1\f$ if it has \f$b>0\f$ boundary
 ///          components. The shortest come first.
 ///
-/// Complexity: \f$O(n \log n)\f$ for each base vertex. There are at most as many as edges that the
-/// generators of the dual group cross, and on large surfaces no more than the visits allow. Which
-/// loops are found is decided by rounded lengths; that they are a basis is decided by integers.
+/// Complexity: \f$O(n \log n)\f$ for each base vertex. The number of base vertices
+/// is at most the number of edges that the generators of the dual group cross. On large surfaces
+/// the visits limit it. Rounded lengths decide which loops are found. Integers decide that they are
+/// a basis.
 template <typename Surface>
 std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface)
 {
@@ -232,13 +233,13 @@ std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface)
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// finds such loops that are short in another measure, as after they have been shortened.
 ///
-/// The shortest loops along edges, up to 1.5 times as long as those of a shortest basis, are
-/// measured: at most \f$4k + 16\f$ beside a shortest basis of \f$k\f$ loops. By increasing measure
-/// each loop is chosen that is no combination of those before.
+/// The shortest loops along edges are measured: at most \f$4k + 16\f$ beside a shortest basis of
+/// \f$k\f$ loops. They are up to 1.5 times as long as the loops of a shortest basis. By increasing
+/// measure each loop is chosen that is no combination of earlier ones.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \param measure a function of the halfedges of a loop that returns a number
-/// \returns the loops, those of the least measure first
+/// \returns the loops, beginning with the least measure
 template <typename Surface, typename Measure>
 std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface,
                                                         const Measure& measure)

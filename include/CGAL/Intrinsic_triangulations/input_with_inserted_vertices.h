@@ -284,10 +284,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// makes \f$T_1\f$ a triangulation with the vertices of \f$T_2\f$: its edges are cut at the
-/// vertices that have been inserted there, and its faces are triangulated. So no edge of the result
-/// crosses one of \f$T_1\f$, and each face lies in one of them: it is flat in space if the input
-/// is. Flipped to be Delaunay, it is a refined triangulation again.
+/// makes \f$T_1\f$ a triangulation with the vertices of \f$T_2\f$. Its edges are cut at inserted
+/// vertices, and its faces are triangulated. So no edge of the result crosses an edge of
+/// \f$T_1\f$. Each face lies in a face of \f$T_1\f$, and is flat in space if the input is. Flipped
+/// to be Delaunay, it is a refined triangulation again.
 ///
 /// Vertices keep their indices and places, and so do edges and faces if nothing has been inserted.
 /// No edge is constrained. Complexity: linear, and \f$O(n \log n)\f$ in the vertices in a face.

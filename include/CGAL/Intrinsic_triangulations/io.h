@@ -312,11 +312,11 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// writes `tri` with its correspondence, exactly: what `read_intrinsic_triangulation()` makes of it
-/// has the same elements with the same indices, and the same lengths to the bit. The format is
-/// described in the user manual (\ref Intrinsic_triangulations_file_format). The number type of the
-/// traits must be a floating point type. What is exact stays exact: positions, and squared lengths
-/// that are rational; for squared lengths in other fields, what is read is exact for its lengths.
+/// writes `tri` with its correspondence, exactly. `read_intrinsic_triangulation()` restores the
+/// same elements with the same indices, and the same lengths to the bit. The format is described
+/// in the user manual (\ref Intrinsic_triangulations_file_format). The number type of the traits
+/// must be a floating-point type. Exact positions stay exact, and so do squared lengths that are
+/// rational. For squared lengths in other fields, the lengths count as exact after reading.
 /// Complexity: linear.
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
 /// \returns whether the stream is good after that.

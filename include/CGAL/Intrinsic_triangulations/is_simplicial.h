@@ -15,7 +15,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns whether the ends of the edge of `h` are two vertices, and those of no other edge.
+/// returns whether the ends of the edge of `h` are two vertices, and no other edge has these ends.
 /// Complexity: linear in the degree of the source.
 inline bool is_simplicial(Halfedge_index h, const Delta_complex& mesh)
 {

@@ -101,8 +101,8 @@ private:
 /// computes the curves on which a function that is linear on faces has a given value.
 ///
 /// Vertices whose value is the level count as above it. The curves cross edges, are straight on
-/// faces, and separate the vertices above from those below; which edges they cross is decided by
-/// comparisons alone. They are simple and disjoint, except at edges without length.
+/// faces, and separate the vertices above from the vertices below. Comparisons alone decide which
+/// edges they cross. They are simple and disjoint, except at edges without length.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths, \f$T_1\f$ or
 ///        \f$T_2\f$; `curve_across()` finds each curve on the other triangulation

@@ -140,11 +140,11 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// triangulates the neighborhood of each point of a
-/// cloud: the nearest points are projected to the plane in which they vary most and triangulated
-/// there (Delaunay); the triangles around the point itself are kept. Where neighborhoods agree,
-/// each triangle comes three times, once for each of its corners, so that the share of a
-/// `Tufted_surface` of all of them is one sixth \cgalCite{SC20}.
+/// triangulates the neighborhood of each point of a cloud. The nearest points are projected to the
+/// plane in which they vary most, and triangulated in this plane (Delaunay). The triangles around
+/// the point itself are kept. If neighborhoods agree, each triangle occurs three times, once for
+/// each of its corners. So the share of a `Tufted_surface` of all of them is one sixth
+/// \cgalCite{SC20}.
 ///
 /// Complexity: \f$O(n k \log k)\f$ for \f$n\f$ points, beside searching.
 /// \param points a random access range of points with coordinates of type `double`; of equal ones

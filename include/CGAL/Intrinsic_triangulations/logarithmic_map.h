@@ -205,12 +205,12 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face the real axis is
 /// along `halfedge(source.first)`.
 ///
-/// The shortest path is found among all, by unfolding faces along the views from the source, from
-/// edge lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at
-/// a vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
-/// Behind such a vertex there may be points to which no straight line leads. A straight path may
-/// touch the boundary, where `At_boundary::slide` leads on. Of several shortest paths any one is
-/// taken.
+/// The shortest path is found among all, from edge lengths alone, by unfolding faces along the
+/// views from the source. `trace_geodesic()` of the vector ends at `target`, unless the path
+/// bends. It bends at a vertex with an angle sum of more than \f$2\pi\f$, or of more than
+/// \f$\pi\f$ on the boundary. Behind such a vertex, points may exist to which no straight line
+/// leads. A straight path may touch the boundary; `At_boundary::slide` continues along it. Of
+/// several shortest paths any one is taken.
 ///
 /// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
@@ -218,9 +218,10 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 ///        and faces that meet themselves are allowed
 /// \param source a vertex that is not isolated, or a `Face_location` that is not at a vertex
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
+///
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
-/// up to the distance of `target`; these can be quadratic in the number of faces or more, but tend
-/// to be some dozens for each face within that distance.
+/// up to the distance of `target`. The number of views can be quadratic in the number of faces or
+/// more. It tends to be some dozens for each face within that distance.
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
 template <typename Surface, typename Source>
 Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Source& source,

@@ -332,22 +332,25 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
 /// With `Exact_Euclidean_geometry_traits`, or with lengths of type `double` and the parameter
-/// `exact_decisions`, it is decided exactly which edges are Delaunay: by the stored lengths and
-/// bounds for their errors, and where these leave doubts, on the surface of \f$T_1\f$.
+/// `exact_decisions`, all decisions about Delaunay edges are exact. Stored lengths decide if the
+/// bounds of their errors allow it. Otherwise the surface of \f$T_1\f$ decides.
 /// `certify_Delaunay()` confirms the result. At the beginning edges that are not in \f$T_1\f$ are
-/// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and
+/// laid out. If one is bent, \f$T_2\f$ is reset to \f$T_1\f$, with the inserted vertices, and
 /// flipping restarts.
 ///
-/// If lengths of type `double` do not determine the angles of \f$T_1\f$
-/// (`has_unresolved_angles()`), decisions are made so, too, as long as edges do not cross very many
-/// others, except that an edge counts as Delaunay if 1024 binary digits do not tell it from a tie;
-/// lengths are then correct to nearly all digits.
+/// Decisions are also exact if lengths of type `double` do not determine the angles of \f$T_1\f$
+/// (`has_unresolved_angles()`). This holds as long as edges do not cross very many others. In this
+/// case an edge counts as Delaunay if 1024 binary digits do not distinguish it from a tie. Lengths
+/// are then correct to nearly all digits.
 ///
-/// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips
-/// than edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from
-/// \f$T_1\f$ and flipping continues. If that does not suffice, or there were more than ten million
-/// flips plus a thousand for each edge, flipping with lengths of type `double` restarts from
-/// \f$T_1\f$ with exact decisions.
+/// Otherwise rounded lengths decide, up to `rounding_unit()`. They are recomputed from \f$T_1\f$
+/// and flipping continues in two cases:
+/// - There were more flips than edges.
+/// - Rounding has left a flipped edge non-Delaunay.
+///
+/// If that does not suffice, flipping with lengths of type `double` restarts from \f$T_1\f$ with
+/// exact decisions. It also restarts after more than ten million flips plus a thousand for each
+/// edge.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -383,14 +386,15 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: linear in the edges and flips. The number of flips has no bound in the number of
-/// edges, since a geodesic triangulation can be sheared without end; on real meshes it is about
+/// Complexity: linear in the edges and flips. No function of the number of edges bounds the number
+/// of flips, since a geodesic triangulation can be sheared without end. On real meshes it is about
 /// the number of edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
-/// \throws Numerical_error if a flipped length is not positive and finite, an exact decision
-///         involves too many square roots (see `certify_Delaunay()`), or rounding of the lengths
-///         prevents the postcondition and exact decisions are not possible
+/// \throws Numerical_error in these cases:
+/// - A flipped length is not positive and finite.
+/// - An exact decision involves too many square roots (see `certify_Delaunay()`).
+/// - Rounding of the lengths prevents the postcondition, and exact decisions are not possible.
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`

@@ -41,7 +41,7 @@ bool is_weighted_Delaunay(const Intrinsic_triangulation<Traits>& tri, const Weig
 }
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
-/// what `make_weighted_Delaunay()` has come to.
+/// the result of `make_weighted_Delaunay()`.
 template <typename FT>
 struct Weighted_Delaunay_result
 {
@@ -49,8 +49,9 @@ struct Weighted_Delaunay_result
   std::size_t flips = 0;
   /// the vertices that others hide, as their weights are too small, in increasing order.
   std::vector<Vertex_index> hidden_vertices;
-  /// the weights of the vertices of \f$T_2\f$, by index, for which it is weighted Delaunay: those
-  /// that were given, and for hidden vertices the least with which others do not hide them.
+  /// the weights of the vertices of \f$T_2\f$, by index, for which it is weighted Delaunay.
+  /// Visible vertices have their given weights. Hidden vertices have the least weight with which
+  /// others do not hide them.
   std::vector<FT> weights;
 
   /// returns `weights` as a property map, which refers to this object.
@@ -182,15 +183,15 @@ std::size_t flip_with_weights(Intrinsic_triangulation<Traits>& tri,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
-/// flips edges of `tri` until it is weighted Delaunay for the weights of its vertices: the surface
-/// of lifted points \f$(x, |x|^2 - w)\f$, developed over any two neighboring faces, is convex.
-/// Boundary and constrained edges stay. The weights may have any sign; if all are equal the result
-/// is Delaunay.
+/// flips edges of `tri` until it is weighted Delaunay for the weights of its vertices. Then the
+/// surface of lifted points \f$(x, |x|^2 - w)\f$, developed over any two neighboring faces, is
+/// convex. Boundary and constrained edges stay. The weights may have any sign; if all are equal
+/// the result is Delaunay.
 ///
-/// A vertex whose weight is too small is hidden by others: there is no triangulation with this
-/// vertex that is weighted Delaunay. Then the weight is raised to the least with which others do
-/// not hide the vertex, so that it lies in a face or on an edge of the weighted Delaunay
-/// triangulation of the other vertices, and all its edges are ties. The result names such vertices.
+/// A vertex whose weight is too small is hidden by others: no triangulation with this vertex is
+/// weighted Delaunay. Then the weight is raised to the least weight with which others do not hide
+/// the vertex. All edges of the vertex then are ties. It lies in a face or on an edge of the
+/// weighted Delaunay triangulation of the other vertices. The result names such vertices.
 ///
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
 /// there were more flips than edges, lengths are recomputed from \f$T_1\f$.

@@ -18,9 +18,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// adds one small number to all edge lengths, so that in every face each triangle inequality holds
-/// with a slack of at least `epsilon` times the mean length (Section 3.7). Nothing changes if it
-/// already holds. Edges of zero length become positive. Complexity: linear.
+/// adds one small number to all edge lengths (Section 3.7). Then every triangle inequality has a
+/// slack of at least `epsilon` times the mean length. Nothing changes if it already holds. Edges
+/// of zero length become positive. Complexity: linear.
 ///
 /// \param g a model of `FaceListGraph` and `HalfedgeListGraph` with triangular faces
 /// \param length a readable and writable property map from the edges of `g` to a floating point

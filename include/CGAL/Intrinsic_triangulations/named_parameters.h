@@ -31,14 +31,14 @@ typedef CGAL::internal_np::edge_is_constrained_t edge_is_constrained_map_t;
 namespace parameters {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// names a readable property map from the edges of the input to their lengths; it takes the place
-/// of vertex positions.
+/// names a readable property map from the edges of the input to their lengths; it replaces vertex
+/// positions.
 template <typename Map>
 auto edge_length_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// names a readable property map from the edges of the input to their squared lengths, which exact
-/// traits take as they are; it takes the place of vertex positions.
+/// traits take as exact numbers. It replaces vertex positions.
 template <typename Map>
 auto squared_edge_length_map(const Map& map);
 
@@ -99,17 +99,17 @@ template <typename Map>
 auto input_point_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// names a writable property map for the vertices of which those of a subdivision are copies.
+/// names a writable property map for the vertices that the vertices of a subdivision copy.
 template <typename Map>
 auto parent_vertex_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// names a writable property map for the edges of which the edges of a subdivision are parts.
+/// names a writable property map for the edges that contain the edges of a subdivision.
 template <typename Map>
 auto parent_edge_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// names a writable property map for the faces of which the faces of a subdivision are parts.
+/// names a writable property map for the faces that contain the faces of a subdivision.
 template <typename Map>
 auto parent_face_map(const Map& map);
 

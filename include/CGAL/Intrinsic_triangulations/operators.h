@@ -132,13 +132,13 @@ Eigen::SparseMatrix<FT> laplacian_of(const Delta_complex& mesh, std::vector<FT> 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for every
-/// function \f$u\f$ that is linear on the faces. An edge that joins two vertices has the weight
-/// \f$\frac{1}{2}(\cot\alpha + \cot\beta)\f$ with the angles opposite to it; parallel edges add up,
-/// and a loop contributes nothing. \f$L\f$ is symmetric and positive semidefinite, its kernel are
-/// the functions that are constant on every component. If the triangulation is Delaunay, weights
-/// are not negative, save those of border edges opposite to an obtuse angle. The row of an isolated
-/// (or removed) vertex is empty. Complexity: linear.
+/// computes the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for
+/// every function \f$u\f$ that is linear on the faces. An edge that joins two vertices has the
+/// weight \f$\frac{1}{2}(\cot\alpha + \cot\beta)\f$ with the angles opposite to it. Parallel edges
+/// add up, and a loop contributes nothing. \f$L\f$ is symmetric and positive semidefinite. Its
+/// kernel consists of the functions that are constant on every component. If the triangulation is
+/// Delaunay, weights are not negative, except weights of border edges opposite to an obtuse angle.
+/// The row of an isolated (or removed) vertex is empty. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 /// \throws Numerical_error if the area of a face is zero, or it or a cotangent is out of range;
 ///         `make_Delaunay()` often resolves such faces, `mollify()` always
@@ -222,10 +222,10 @@ auto gradient_matrix(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the matrix that takes a vector field that is constant on every face, with components as
-/// in `gradient_matrix()`, to its divergence integrated against the hat functions:
-/// \f$-\int \langle X, \nabla\varphi_i\rangle\f$. Its product with the gradient is \f$-L\f$, up to
-/// rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface is subtracted.
+/// computes the matrix that maps a vector field to its divergence integrated against the hat
+/// functions: \f$-\int \langle X, \nabla\varphi_i\rangle\f$. The field is constant on every face,
+/// with components as in `gradient_matrix()`. Its product with the gradient is \f$-L\f$, up to
+/// rounding (`cotan_laplacian()`). At the boundary, the flow out of the surface is subtracted.
 /// Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`; its faces may have zero area
 template <typename Surface>

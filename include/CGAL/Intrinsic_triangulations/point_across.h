@@ -42,16 +42,17 @@ void trace_sides(Face_index f, const Intrinsic_triangulation<Traits>& tri,
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// finds the point `p` of one triangulation on the other.
 ///
-/// The map is linear on the regions of the common subdivision, or projective in a geometry whose
-/// crossings have scales (see the concept `GeodesicStrip`), and continuous; a vertex goes to the
-/// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity up
-/// to rounding.
+/// The map is continuous, and linear on the regions of the common subdivision. In a geometry whose
+/// crossings have scales (see the concept `GeodesicStrip`) it is projective on them. A vertex maps
+/// to the vertex, exactly, and a point of a shared edge to that edge. Mapping a point to the other
+/// triangulation and back is the identity up to rounding.
 /// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
+///
 /// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of
-/// \f$T_1\f$ that contains inserted vertices: linear in the regions of the subdivision on the way
-/// from a corner, and logarithmic in their crossings.
+/// \f$T_1\f$ that contains inserted vertices, it is linear in the regions of the subdivision
+/// between the point and a corner. It is logarithmic in their crossings.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& correspondence,
                                                 Side side,
@@ -68,8 +69,9 @@ Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& co
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// finds a single point `p` of one triangulation on the other, without a correspondence: the sides
-/// of its face are traced. Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for
-/// these sides; if `p` is on \f$T_1\f$ and vertices have been inserted, that of `Correspondence`.
+/// of its face are traced. Complexity: the complexity of `trace_input_edge()` or
+/// `trace_intrinsic_edge()` for these sides. If `p` is on \f$T_1\f$ and vertices have been
+/// inserted, it is the complexity of `Correspondence`.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(const Intrinsic_triangulation<Traits>& tri,
                                                 Side side,

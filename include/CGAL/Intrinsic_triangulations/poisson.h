@@ -35,9 +35,9 @@ class Heat_method;
 /// the matrix is factorized once.
 ///
 /// Values can be prescribed at vertices (Dirichlet). On the rest of the boundary the normal
-/// derivative is zero. On a component where nothing is prescribed there is a solution only if the
-/// integral of \f$f\f$ vanishes, and it can be shifted: there \f$f\f$ is replaced by \f$f\f$ less
-/// its mean, and the solution has mean zero.
+/// derivative is zero. On a component without prescribed values, a solution exists only if the
+/// integral of \f$f\f$ vanishes, and it can be shifted. On such a component \f$f\f$ is replaced by
+/// \f$f\f$ less its mean, and the solution has mean zero.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 ///
@@ -76,9 +76,9 @@ public:
 
   /// solves with prescribed values. Complexity: linear in the size of the factorization.
   /// \param moments the integrals \f$\int f \varphi_i\f$ against the hat functions: the product of
-  ///        `mass_matrix()` with the values of \f$f\f$, or what `divergence_matrix()` gives; they
-  ///        have no influence where values are prescribed
-  /// \param values the values; only those at the vertices where they are prescribed are read
+  ///   `mass_matrix()` with the values of \f$f\f$, or the result of `divergence_matrix()`. They
+  ///   have no influence at vertices with prescribed values
+  /// \param values the values; only values at vertices where they are prescribed are read
   Vector solve(const Vector& moments, const Vector& values) const
   {
     Vector result = Vector::Zero(m_area.size());
@@ -216,7 +216,7 @@ private:
 /// \param density the values of \f$f\f$ at the vertices
 /// \param is_fixed a readable property map from the vertices to `bool`: where values are
 ///   prescribed; by default nowhere
-/// \param values the values; only those at the vertices where they are prescribed are read
+/// \param values the values; only values at vertices where they are prescribed are read
 /// \returns the values of \f$u\f$ at the vertices; zero at an isolated one
 /// \throws Numerical_error as the constructor of `Poisson_solver`
 template <typename Surface, typename FT,

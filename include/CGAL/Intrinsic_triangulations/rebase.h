@@ -45,31 +45,36 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// drops the input \f$T_1\f$ that two triangulations have in common: returns \f$T_3\f$, the second
-/// triangulation of `tri`, over \f$T_2\f$, the second one of `base`, as its input. So tracing, the
-/// common subdivision and all other functions work between these two.
+/// drops the input \f$T_1\f$ that two triangulations have in common. It returns \f$T_3\f$, the
+/// second triangulation of `tri`, over \f$T_2\f$, the second triangulation of `base`, as its
+/// input. So tracing, the common subdivision and all other functions work between these two.
 ///
-/// The integer coordinates of \f$T_2\f$ over \f$T_3\f$ follow from those of \f$T_1\f$ over both,
-/// by flips (Section 3.4), without a length. The elements have the indices that they have in
-/// `base` and `tri`. Lengths and constraints are taken over; an edge of both has its length in
-/// `base`. With exact traits the lengths of \f$T_2\f$, as they are stored, are the exact metric of
-/// the result. Complexity: linear in the flips from \f$T_2\f$ and from \f$T_3\f$ to \f$T_1\f$, see
+/// The integer coordinates of \f$T_2\f$ over \f$T_3\f$ follow from the coordinates of \f$T_1\f$
+/// over both, by flips (Section 3.4), without a length. The elements have the indices that they
+/// have in `base` and `tri`. Lengths and constraints are copied; an edge of both has its length in
+/// `base`. With exact traits the stored lengths of \f$T_2\f$ are the exact metric of the result.
+/// Complexity: linear in the flips from \f$T_2\f$ and from \f$T_3\f$ to \f$T_1\f$, see
 /// `flip_to_input()`.
 ///
-/// Where vertices have been inserted, those at the same place on \f$T_1\f$ are the same vertices.
-/// Those that only \f$T_2\f$ has are inserted into \f$T_3\f$, and those that only \f$T_3\f$ has
-/// are inserted vertices of the result, with places on \f$T_2\f$. Vertices have the indices that
-/// they have in `base`, and other elements new ones. Within a face of \f$T_1\f$ integer
-/// coordinates do not determine the way around inserted vertices. Therefore the flips lead over
-/// the Delaunay triangulation of all these vertices, which straight edges identify, with their
-/// ends and the edges of \f$T_1\f$ that they cross; ties are allowed. Lengths are computed afresh
-/// on \f$T_2\f$. Complexity: that of `make_Delaunay()` for both and of `Correspondence`, times the
-/// greatest number of times that a face is split, and \f$O(n \log n)\f$ in the edges.
+/// Inserted vertices at equal positions on \f$T_1\f$ are the same vertices. Vertices that only
+/// \f$T_2\f$ has are inserted into \f$T_3\f$. Vertices that only \f$T_3\f$ has are inserted
+/// vertices of the result, with positions on \f$T_2\f$. Vertices have the indices that they have
+/// in `base`, and other elements have new indices.
+///
+/// Within a face of \f$T_1\f$ integer coordinates do not determine how curves wind around inserted
+/// vertices. Therefore the flips lead over the Delaunay triangulation of all these vertices; ties
+/// are allowed. Straight edges identify it, by their ends and the edges of \f$T_1\f$ that they
+/// cross. Lengths are recomputed on \f$T_2\f$.
+///
+/// Complexity with inserted vertices: a product, plus \f$O(n \log n)\f$ in the edges. The first
+/// factor is the complexity of `make_Delaunay()` for both and of `Correspondence`. The second
+/// factor is the greatest number of times that a face is split.
 /// \throws Invalid_input if the two do not have the same input, or the lengths of the two are too
 ///   different to be rounded ones of one surface
-/// \throws Numerical_error if rounding puts a vertex that one of the two has on another element of
-///   \f$T_1\f$ in the other one, or the two Delaunay triangulations differ by more than ties
-/// \throws Overflow_error if a normal coordinate on the way is out of range
+/// \throws Numerical_error if rounding moves a vertex of one triangulation to another element of
+///   \f$T_1\f$ in the other one. It is also thrown if the two Delaunay triangulations differ by
+///   more than ties
+/// \throws Overflow_error if an intermediate normal coordinate is out of range
 /// \pre the two have no garbage, see `Intrinsic_triangulation::collect_garbage()`
 template <typename Traits>
 Intrinsic_triangulation<Traits> rebase(const Intrinsic_triangulation<Traits>& base,

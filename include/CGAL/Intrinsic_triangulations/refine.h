@@ -40,8 +40,9 @@ struct Default_refinement_visitor : Default_flip_visitor
   void after_removal(Vertex_index /* v */, Face_index /* f */) {}
   /// is called after elements have been renumbered.
   void after_renumbering() {}
-  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, with the
-  /// vertices that it had at the start, and refinement restarts with exact decisions.
+  /// is called if rounding leaves too many decisions undecided. \f$T_2\f$ has been reset to
+  /// \f$T_1\f$, with the vertices that it had at the start, and refinement restarts with exact
+  /// decisions.
   void before_exact_refinement() {}
 };
 
@@ -273,37 +274,43 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds or is
-/// excused: Chew's second algorithm (Algorithm 5), in which a circumcenter is inserted, or the
-/// boundary or constrained edge that hides it is split in the middle. The surface and the vertices
-/// of the input stay as they are.
+/// excused. The surface and the vertices of the input do not change. This is Chew's second
+/// algorithm (Algorithm 5, \cgalCite{Che93}). It inserts circumcenters, or splits the boundary or
+/// constrained edge in front of a circumcenter at its midpoint.
 ///
-/// Vertices with an angle sum of less than 60 degrees (90 if \f$T_2\f$ is to be simplicial: three
-/// faces must be there), or less than 60 degrees between two boundary or constrained edges, are
-/// narrow: no triangulation has large angles there. A face that violates
-/// the bound on angles, and only this one, is excused if exactly one of its corners is narrow, or
-/// if there is a small-angle vertex \f$v\f$ such that it lies in faces of \f$T_1\f$ at \f$v\f$ and
-/// is crossed only by edges of \f$T_1\f$ that end at \f$v\f$. (In Section 3.6 it must lie in one
-/// face of \f$T_1\f$ at a small-angle vertex.)
+/// After any status, \f$T_2\f$ is Delaunay, and the result names every face that violates a bound.
 ///
-/// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
-/// without small-angle vertices and constrained edges (Theorem 3). With boundary, constrained edges
-/// or small-angle vertices this is an open question on surfaces; the manual has what was measured.
-/// Only `maximum_number_of_insertions` guarantees an end: beyond 30 degrees vertices may be
-/// inserted without end, and the default is small.
+/// Excused faces. A vertex is narrow if its angle sum is less than 60 degrees (90 if \f$T_2\f$ is
+/// to be simplicial, since three faces are needed). It is also narrow if two boundary or
+/// constrained edges enclose less than 60 degrees. No triangulation has large angles at a narrow
+/// vertex. A face that violates the bound on angles, and only this one, is excused in two cases:
+/// - Exactly one of its corners is narrow.
+/// - It lies in faces of \f$T_1\f$ at one small-angle vertex \f$v\f$, and all edges of \f$T_1\f$
+///   that cross it end at \f$v\f$. (In Section 3.6 it must lie in one face of \f$T_1\f$ at a
+///   small-angle vertex.)
 ///
-/// With lengths of type `double` that do not determine the angles of \f$T_1\f$
-/// (`has_unresolved_angles()`), decisions are exact. With others, they are in doubt if a face
-/// outlives the insertion of its circumcenter, a place or a length is lost, edges are bent at the
-/// end, or a face is left that nothing excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the
-/// vertices that had been inserted at the start, and refinement restarts with exact decisions. At
-/// the end lengths are computed afresh, and it is decided exactly which edges are Delaunay, as by
+/// Termination. In exact arithmetic it is proven for angles of up to 30 degrees on closed surfaces
+/// without small-angle vertices and constrained edges (Theorem 3). Otherwise this is an open
+/// question on surfaces; the manual has measurements. Only `maximum_number_of_insertions`
+/// guarantees an end. Beyond 30 degrees insertions may never end, so the default is small.
+///
+/// Decisions. They are exact if lengths of type `double` do not determine the angles of \f$T_1\f$
+/// (`has_unresolved_angles()`). Otherwise lengths decide. Refinement restarts with exact decisions
+/// in these cases:
+/// - A face remains after the insertion of its circumcenter.
+/// - A position or a length cannot be computed.
+/// - Edges are bent at the end.
+/// - A face violates a bound without an excuse.
+///
+/// Then \f$T_2\f$ has been reset to \f$T_1\f$, with the vertices that had been inserted at the
+/// start. At the end lengths are recomputed, and decisions about Delaunay edges are exact, as in
 /// `make_Delaunay()`.
 ///
-/// With exact decisions it is decided exactly which edges are Delaunay, on which
-/// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex
-/// gets coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if
-/// its edges are straight then and its faces positive; otherwise points farther inside the face
-/// are tried; if none of them is possible, the bad face is left, with the reason `at_rounding`.
+/// Exact decisions determine which edges are Delaunay, and on which side of an edge a new vertex
+/// lies. They also determine which edges can be flipped to remove a vertex. A new vertex has
+/// coordinates of type `double` on \f$T_1\f$, and lies exactly at them. It is inserted only if its
+/// edges are then straight and its faces positive. Otherwise points farther inside the face are
+/// tried. If none of them is possible, the bad face is left, with the reason `at_rounding`.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -343,7 +350,7 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the number of flips that are allowed before the first insertion, and
-///       after each; there, a thousand for each edge at most}
+///       after each insertion. After an insertion it is a thousand for each edge at most}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{as for `make_Delaunay()`}
 ///   \cgalParamNEnd
@@ -356,8 +363,8 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: an insertion takes time that depends on the faces around the new vertex and the
-/// crossings on them; beyond that linear in the elements and crossings.
+/// Complexity: the time of an insertion depends on the faces around the new vertex and the
+/// crossings on them. In addition, time is linear in the elements and crossings.
 /// \returns what has been done, how it ended, and the faces that violate the bounds, with the
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`

@@ -15,8 +15,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// gives each vertex its halfedge, as for one thread: from either half of the halfedges, the
-/// first one to a vertex or one at the border is noted.
+/// gives each vertex its halfedge, with the same result as one thread. From either half of the
+/// halfedges, the first one to a vertex or at the border is noted.
 template <typename P>
 void set_halfedges_of_vertices(Surface_mesh<P>& mesh, Concurrency concurrency)
 {

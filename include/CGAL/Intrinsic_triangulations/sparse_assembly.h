@@ -48,9 +48,9 @@ void combine(Indexed_entries<Scalar>& entries)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// makes `matrix` the one whose row, or whose column if it is stored by columns, with index i has
-/// the entries that `collect(i, entries)` adds, in any order, to `Indexed_entries`. Rows are
-/// collected in chunks, at the same time if `concurrency` is parallel.
+/// makes `matrix` from its rows, or from its columns if it is stored by columns. `collect(i,
+/// entries)` adds the entries of row i to `Indexed_entries`, in any order. Rows are collected in
+/// chunks, at the same time if `concurrency` is parallel.
 template <typename Matrix, typename Collect>
 void assemble(Concurrency concurrency, std::size_t rows, std::size_t columns,
               const Collect& collect, Matrix& matrix)
@@ -107,7 +107,7 @@ Eigen::SparseMatrix<Scalar> selection_matrix(std::size_t size,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// returns the matrix with these entries, in any order; entries at one place add up.
+/// returns the matrix with these entries, in any order; entries at equal indices add up.
 template <typename Scalar>
 Eigen::SparseMatrix<Scalar> matrix_of(const std::vector<Eigen::Triplet<Scalar>>& entries,
                                       std::size_t rows, std::size_t columns)

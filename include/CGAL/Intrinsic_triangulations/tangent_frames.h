@@ -27,8 +27,8 @@ class Tufted_surface;
 /// a frame of the tangent space at every vertex of a triangulated surface (Section 2.3.2).
 ///
 /// A tangent vector at a vertex is a complex number. Its argument is a normalized angle: the angle
-/// on the surface, counterclockwise from `first_outgoing_halfedge()`, scaled so that once around is
-/// \f$2\pi\f$, or from one border edge to the other \f$\pi\f$.
+/// on the surface, counterclockwise from `first_outgoing_halfedge()`, times a scale. A full turn
+/// is \f$2\pi\f$; the angle from one border edge to the other is \f$\pi\f$.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 /// Memory: a number for each vertex and halfedge.
@@ -55,7 +55,7 @@ public:
         set_frame(v, surface);
   }
 
-  /// A vertex of a soup has no tangent space; those of its tufted cover have.
+  /// A vertex of a soup has no tangent space; vertices of its tufted cover have one.
   template <typename F>
   explicit Tangent_frames(const Tufted_surface<F>& surface) = delete;
 
@@ -66,9 +66,9 @@ public:
   /// returns the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
   const FT& angle_sum(Vertex_index v) const { return m_angle_sum[v.idx()]; }
 
-  /// what the angle sum lacks of \f$2\pi\f$, or of \f$\pi\f$ on the boundary: the Gaussian
-  /// curvature of `v`, or the geodesic curvature of the boundary there. The sum over a surface
-  /// without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
+  /// \f$2\pi\f$ less the angle sum, or \f$\pi\f$ less the angle sum on the boundary. This is the
+  ///   Gaussian curvature of `v`, or the geodesic curvature of the boundary at `v`. The sum over a
+  ///   surface without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
   FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }
 
   /// returns the factor that makes angles of the surface at `v` normalized angles:

@@ -32,9 +32,9 @@ std::complex<FT> turned_across(Side side, const std::complex<FT>& vector, const 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// takes a tangent vector at the vertex `v` of \f$T_2\f$ from the frame of one triangulation to
-/// that of the other. The frame of \f$T_2\f$ is that of `Tangent_frames`, for that of \f$T_1\f$ see
-/// `angle_on_input()`.
+/// transforms a tangent vector at the vertex `v` of \f$T_2\f$ from the frame of one triangulation
+/// to the frame of the other. The frame of \f$T_2\f$ is the frame of `Tangent_frames`. For the
+/// frame of \f$T_1\f$ see `angle_on_input()`.
 ///
 /// Both are frames of one tangent space: the vectors differ by a rotation. On the boundary they are
 /// equal.
@@ -42,7 +42,8 @@ std::complex<FT> turned_across(Side side, const std::complex<FT>& vector, const 
 /// \param side the triangulation in whose frame `vector` is
 /// \param v a vertex, not isolated
 /// \param vector the vector
-/// Complexity: that of `angle_on_input()` for one halfedge.
+///
+/// Complexity: the complexity of `angle_on_input()` for one halfedge.
 /// \throws Numerical_error as `angle_on_input()`
 template <typename Traits>
 std::complex<typename Traits::FT>

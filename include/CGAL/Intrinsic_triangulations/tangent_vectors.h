@@ -39,10 +39,10 @@ std::complex<FT> at_vertex(const Surface& surface, Halfedge_index outgoing,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// takes a tangent vector from the frame of a face to that of one of its vertices.
+/// transforms a tangent vector from the frame of a face to the frame of one of its vertices.
 ///
 /// Its angle from `outgoing` is normalized (Section 2.3.2). A vector that points away from the
-/// corner is the opposite of one that points into it, so that the direction in which a geodesic
+/// corner is the opposite of a vector that points into it. So the direction in which a geodesic
 /// arrives becomes the direction in which it continues.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param outgoing the halfedge of the face whose source is the vertex; it determines the corner if
@@ -64,8 +64,8 @@ tangent_vector_at_vertex(const Surface& surface, Halfedge_index outgoing,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithm of `p` at the source of `outgoing`: the tangent vector there that leads
-/// straight through the face to `p`, its length times \f$e^{\mathbf{i}\varphi}\f$ with the
+/// computes the logarithm of `p` at the source of `outgoing`: the tangent vector that leads
+/// straight through the face to `p`. It is the length times \f$e^{\mathbf{i}\varphi}\f$, with the
 /// normalized angle \f$\varphi\f$ counterclockwise from `first_outgoing_halfedge()`.
 ///
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
@@ -86,8 +86,8 @@ std::complex<Length_of<Surface>> logarithm(const Surface& surface, Halfedge_inde
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithm of `q` at `p`, a point of one face with it: the vector from `p` to `q` in
-/// the frame of the face. Complexity: constant.
+/// computes the logarithm of `q` at `p`, two points of one face: the vector from `p` to `q` in the
+/// frame of the face. Complexity: constant.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param p, q points with barycentric coordinates that sum up to one
 /// \pre `p` and `q` are in one face

@@ -52,10 +52,10 @@ bool has_resolved_area(Face_index f, const Surface& surface)
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// returns whether a face is so thin that its edge lengths, rounded to `double`, do not determine
-/// its angles: four times its area is less than \f$2^{-24}\f$ squared perimeters. Rounding of the
-/// lengths changes an angle by the roundoff, divided by this quotient. Decisions about such a
-/// surface must be derived from the exact metric. `false` if lengths are not of type `double`.
-/// Complexity: linear.
+/// its angles. Then four times its area is less than \f$2^{-24}\f$ squared perimeters. Rounding of
+/// the lengths changes an angle by the roundoff, divided by this quotient. Decisions about such a
+/// surface must be derived from the exact metric. The result is `false` if lengths are not of type
+/// `double`. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 template <typename Surface>
 bool has_unresolved_angles(const Surface& surface)
@@ -66,9 +66,10 @@ bool has_unresolved_angles(const Surface& surface)
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// returns whether a face is so thin that its edge lengths in `double` do not determine its area
-/// and its cotangents to eight digits: its longest side is shorter than both others together by
-/// less than \f$2^{-22}\f$ perimeters. Operators of such a surface must be computed with more
-/// digits, see `Precise_surface`. `false` if lengths are not of type `double`. Complexity: linear.
+/// and its cotangents to eight digits. Then its longest side is shorter than both others together
+/// by less than \f$2^{-22}\f$ perimeters. Operators of such a surface must be computed with more
+/// digits, see `Precise_surface`. The result is `false` if lengths are not of type `double`.
+/// Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 template <typename Surface>
 bool has_unresolved_areas(const Surface& surface)

@@ -27,17 +27,21 @@ constexpr bool is_rounded()
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// returns the relative error that a decision grants to every length: 0 for exact number types; for
-/// floating point 16 units in the last place, while a length comes from fewer than ten roundings.
+/// returns the relative error of each length that a decision allows. It is 0 for exact number
+/// types, and 16 units in the last digit for floating point. A length comes from fewer than ten
+/// roundings.
 ///
-/// All decisions about lengths and directions use it: whether an edge is Delaunay or can be
-/// flipped, whether lengths obey the triangle inequality, whether a geodesic hits a vertex, and
-/// whether barycentric coordinates sum up to 1. It is relative: to the lengths that are compared,
-/// to a whole turn or angle sum, or to 1. The other tolerances of the package, in this header too,
-/// choose where vertices are inserted, which edges are flipped to remove them, which computations
-/// are repeated with more digits, and when a search goes over all regions of a face; none of them
-/// decides what is Delaunay. Bounds of rounding errors, which are derived from a formula, stand
-/// with that formula.
+/// All decisions about lengths and directions use it:
+/// - whether an edge is Delaunay or can be flipped;
+/// - whether lengths obey the triangle inequality;
+/// - whether a geodesic hits a vertex;
+/// - whether barycentric coordinates sum up to 1.
+///
+/// It is relative: to the lengths that are compared, to a full turn or angle sum, or to 1. The
+/// other tolerances in this header decide nothing about Delaunay edges. They choose where vertices
+/// are inserted, which edges are flipped to remove them, and which computations are repeated with
+/// more digits. They also choose when a search visits all regions of a face. Bounds of rounding
+/// errors that follow from a formula are next to that formula.
 template <typename FT>
 constexpr FT rounding_unit()
 {

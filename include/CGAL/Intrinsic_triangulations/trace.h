@@ -145,12 +145,13 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
 /// traces the halfedge `h` of \f$T_1\f$ over \f$T_2\f$ (Algorithms 1 to 3).
 ///
 /// \returns the points where it meets edges of \f$T_2\f$, from its source to its target, both
-///   included; the places on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the one
-///   through which `h` leaves a face. At the ends, and at inserted vertices, it is one that starts
-///   or ends there. The sequence of crossed edges is exact; their places are rounded.
-/// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$; where lengths
-/// of \f$T_2\f$ are too short against rounding, that of `Correspondence`. To trace many edges use
-/// that, which is linear in all crossings.
+///   included. Positions on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the
+///   halfedge through which `h` leaves a face. At the ends, and at inserted vertices, it starts or
+///   ends at the vertex. The sequence of crossed edges is exact; positions are rounded.
+///
+/// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$. If lengths
+/// of \f$T_2\f$ are as short as rounding errors, it is the complexity of `Correspondence`. To
+/// trace many edges use `Correspondence`, which is linear in all crossings.
 /// \throws Numerical_error if the layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
@@ -188,13 +189,13 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
 /// traces the halfedge `h` of \f$T_2\f$ over \f$T_1\f$.
 ///
 /// \returns the points where it meets edges of \f$T_1\f$, from its source to its target, both
-///   included; the places on `h` never decrease. At a crossing the halfedge of \f$T_1\f$ is the one
-///   through which `h` leaves a face. At the ends it is one that starts or ends at the vertex, or
-///   on which it has been inserted; it is null if the vertex has been inserted inside a face. The
-///   sequence of crossed edges is exact; their places are rounded.
-/// Complexity: linear in the crossings of all the edges of \f$T_1\f$ that `h` crosses, since these
-/// are identified by their ends. To trace many edges use `Correspondence`, which is linear in all
-/// crossings.
+///   included. Positions on `h` never decrease. At a crossing the halfedge of \f$T_1\f$ is the
+///   halfedge through which `h` leaves a face. At the ends it starts or ends at the vertex, or
+///   contains the inserted vertex. It is null if the vertex has been inserted inside a face. The
+///   sequence of crossed edges is exact; positions are rounded.
+///
+/// Complexity: linear in the crossings of all edges of \f$T_1\f$ that `h` crosses, since their
+/// ends identify them. To trace many edges use `Correspondence`, which is linear in all crossings.
 /// \throws Numerical_error if a layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>

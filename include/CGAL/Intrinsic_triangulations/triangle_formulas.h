@@ -32,9 +32,9 @@ constexpr FT power_of_two(int exponent)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// returns 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of
-/// Heron's formula, which loses no digits on needles. If rounded lengths violate the triangle
-/// inequality, the result is zero.
+/// returns 16 times the squared area of the triangle with sides `a`, `b`, `c`. It uses Kahan's
+/// form of Heron's formula, which loses no digits on needles. If rounded lengths violate the
+/// triangle inequality, the result is zero.
 template <typename FT>
 inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
@@ -55,9 +55,9 @@ FT quadrupled_area(const FT& a, const FT& b, const FT& c)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// returns the position of the foot of the height over a side \f$ij\f$, measured from the midpoint
-/// of that side towards \f$j\f$, times twice the length of the side. The height times that is
-/// `quadrupled_area()`.
+/// returns the position of the foot of the height over a side \f$ij\f$, times twice the length of
+/// the side. It is measured from the midpoint of that side towards \f$j\f$. The height times twice
+/// the length is `quadrupled_area()`.
 template <typename FT>
 FT scaled_foot(const FT& jk, const FT& ki)
 {
@@ -82,8 +82,8 @@ FT vector_length(const std::array<FT, 3>& side, const std::array<FT, 3>& w)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// returns twice the scalar product of the two sides at the corner opposite to side `a` of the
-/// triangle with sides `a`, `b`, `c`: \f$b^2 + c^2 - a^2\f$ without its cancellation.
+/// returns twice the scalar product of the two sides at the corner opposite to side `a` of a
+/// triangle. This is \f$b^2 + c^2 - a^2\f$ without its cancellation.
 template <typename FT>
 FT doubled_corner_product(const FT& a, const FT& b, const FT& c)
 {

@@ -35,8 +35,8 @@ class Cover_builder;
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// the tufted cover of a soup of triangles \cgalCite{SC20}, made by `tufted_cover()`: a closed
-/// oriented triangulated surface with two faces for each triangle, its front and its back.
+/// the tufted cover of a soup of triangles \cgalCite{SC20}, made by `tufted_cover()`. It is a
+/// closed oriented triangulated surface with two faces for each triangle, its front and its back.
 ///
 /// Any number of triangles can meet at an edge and any number of fans at a vertex, and orientations
 /// need not agree. Around each edge, the side of a triangle that faces the next one is glued to the
@@ -48,7 +48,7 @@ class Cover_builder;
 /// Triangle \f$t\f$ has the faces \f$2t\f$, which is oriented as the triangle, and \f$2t+1\f$. Edge
 /// \f$3t+i\f$ is a copy of the side from corner \f$i\f$ of triangle \f$t\f$ to the next corner.
 ///
-/// \tparam P the type of points: that of the soup, or `No_point`
+/// \tparam P the type of points of the soup, or `No_point`
 template <typename P>
 class Tufted_cover
 {
@@ -63,23 +63,23 @@ public:
   /// returns the number of vertices of the soup.
   std::size_t number_of_input_vertices() const { return m_number_of_input_vertices; }
 
-  /// returns the index of the vertex of the soup at which the vertex `v` of the cover is. Vertices
-  /// that have been inserted into a triangulation of the cover come after those of the soup, in
-  /// their order.
+  /// returns the index of the vertex of the soup that belongs to the vertex `v` of the cover.
+  /// Vertices that have been inserted into a triangulation of the cover come after the vertices of
+  /// the soup, in their order.
   std::size_t input_vertex(Vertex_index v) const
   {
     const std::size_t i = v.idx(), n = m_input_vertex.size();
     return i < n ? m_input_vertex[i] : m_number_of_input_vertices + (i - n);
   }
 
-  /// returns the index of the triangle of which the face `f` of `mesh()` is the front or the back.
+  /// returns the index of the triangle whose front or back is the face `f` of `mesh()`.
   static std::size_t input_face(Face_index f) { return f.idx() / 2; }
 
   /// returns whether the face `f` of `mesh()` is a back, which is oriented against its triangle.
   static bool is_back(Face_index f) { return f.idx() % 2 == 1; }
 
-  /// returns the triangle and the side of it of which the halfedge `h` of `mesh()` is a copy. Side
-  /// \f$i\f$ joins corner \f$i\f$ to the next.
+  /// returns the triangle and its side that the halfedge `h` of `mesh()` copies. Side \f$i\f$
+  /// joins corner \f$i\f$ to the next.
   std::pair<std::size_t, std::size_t> input_side(Halfedge_index h) const
   {
     const Face_index f = m_mesh.face(h);
@@ -277,12 +277,12 @@ void check_finite(const Points& points)
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes the tufted cover of triangles with positions. Around an edge, triangles follow each
-/// other by their angles, which are compared exactly. Triangles with one angle are stacked by their
-/// indices, in the direction of the normal of their plane whose first component that is not zero is
-/// positive; triangles without a plane come last. Complexity: linear, plus sorting the triangles
-/// at each edge that has more than two.
-/// \param points a random access range of points of a kernel; predicates are exact for coordinates
-///   in floating point, others are those of the kernel
+/// other by their angles, which are compared exactly. Triangles with one angle are stacked by
+/// their indices, in the direction of a normal of their plane. The first nonzero component of this
+/// normal is positive. Triangles without a plane come last. Complexity: linear, plus sorting the
+/// triangles at each edge that has more than two.
+/// \param points a random access range of points of a kernel. Predicates are exact for
+///   floating-point coordinates; otherwise the kernel has them
 /// \param triangles a range of ranges of three integers, the indices of points
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
 ///   not exist, or a coordinate is not finite

@@ -113,13 +113,14 @@ FT cotangents_at_source(const Diamond<FT>& length)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
-/// decides whether an edge satisfies the local weighted Delaunay condition: the power centers of
-/// its two faces have a sum of signed heights over the edge that is not negative. With equal
+/// decides whether an edge satisfies the local weighted Delaunay condition. The signed heights of
+/// the power centers of its two faces over the edge must have a nonnegative sum. With equal
 /// weights this is the Delaunay condition (Equation 2.6).
 ///
-/// With a floating point type the tolerance is one-sided, as in
-/// `Euclidean_geometry_traits::Is_locally_Delaunay`: an edge counts as not weighted Delaunay only
-/// if it is so for all lengths within `error` of the given ones. The weights are taken as exact.
+/// With a floating-point type the tolerance is one-sided, as in
+/// `Euclidean_geometry_traits::Is_locally_Delaunay`. An edge counts as not weighted Delaunay only
+/// if this is true for all lengths within `error` of the given ones. The weights are taken as
+/// exact.
 template <typename FT>
 struct Is_locally_weighted_Delaunay
 {
@@ -158,7 +159,7 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
 /// returns the height of the power center of the face of `h` over the edge of `h`, positive on the
-/// side of the face: the point with equal power \f$|x - p|^2 - w\f$ to the three corners.
+/// side of the face. The power center has equal power \f$|x - p|^2 - w\f$ to the three corners.
 /// \param h a halfedge of the face
 /// \param surface a model of `IntrinsicSurface`
 /// \param weight a readable property map from vertices to the number type of lengths

@@ -21,10 +21,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
-/// computes the Laplacian of a triangulation with weighted vertices (Glickenstein 2005): an edge
-/// has the length of its dual edge, see `dual_edge_length()`, divided by its own length as weight.
+/// computes the Laplacian of a triangulation with weighted vertices \cgalCite{Gli05}. The weight
+/// of an edge is the length of its dual edge, see `dual_edge_length()`, divided by its own length.
 /// With equal weights this is `cotan_laplacian()`. If the triangulation is weighted Delaunay, the
-/// weights of edges with two faces are not negative, and the matrix is positive semidefinite on a
+/// weights of edges with two faces are not negative. Then the matrix is positive semidefinite on a
 /// surface without boundary. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 /// \param weight a readable property map from vertices to the number type of lengths
