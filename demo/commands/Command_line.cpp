@@ -85,9 +85,9 @@ void add_common_options(CLI::App& command, Common_options& options)
 void add_input_options(CLI::App& command, Common_options& options)
 {
   add_number(command, "--mollify", options.mollification,
-             "Lengthen all edges until every triangle inequality has this slack, "
-             "relative to the mean edge length; done by itself where almost flat triangles leave "
-             "no other way to a result, but not with --exact or --strict",
+             "Lengthen all edges until every triangle inequality has this slack, relative to the "
+             "mean edge length. Done by itself if almost flat triangles make a computation fail, "
+             "but not with --exact or --strict",
              number_from_to(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
                    "Repair defects of the mesh where possible and report it; indices may change");

@@ -49,7 +49,7 @@ int compute_with_longer_edges(Command_run& run, const std::function<int()>& comp
                 << '\n';
       return result;
     } catch(const Numerical_error&) {
-      advice = std::string("; nor is there a result with --mollify ") + name;
+      advice = std::string("; --mollify ") + name + " gives no result either";
     }
   }
   throw_again(e, advice);

@@ -163,7 +163,7 @@ int convex(const Common_options& common, const Convex_options& options)
 {
   const Mesh_format format = output_format(options.output, options);
   if(!options.sides.empty() && !options.subdivision.empty())
-    throw Program_error("--subdivision: a net has no place in space; leave out --glue");
+    throw Program_error("--subdivision: a net has no positions in space; leave out --glue");
   const std::optional<Mesh_format> subdivision_format =
     options.subdivision.empty()
       ? std::nullopt

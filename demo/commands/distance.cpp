@@ -233,7 +233,7 @@ std::vector<double> signed_distances(const Triangulation& triangulation, const S
     if(!std::isfinite(values[v]))
       throw Program_error("vertex " + std::to_string(v) +
                           " has no signed distance: no part of the curve is on its component "
-                          "(draw one there; --repair removes isolated vertices)");
+                          "(add a part on it; --repair removes isolated vertices)");
   return {values.begin(), values.end()};
 }
 
@@ -637,8 +637,8 @@ void add_distance_method(CLI::App& command, Distance_options& options)
       .add_option(
         "--method", options.method,
         "exact (lengths of shortest paths, up to rounding), heat (the heat method, with "
-        "an estimate of its error), or auto: exact where it is expected to take less than "
-        "two seconds, without --signed and --time-step")
+        "an estimate of its error), or auto. Method auto is exact if this is expected to take "
+        "less than two seconds, without --signed and --time-step")
       ->check(CLI::IsMember({"exact", "heat", "auto"}))
       ->capture_default_str();
   command
@@ -672,8 +672,7 @@ void define_distance(Command_line& line)
   add_number(
     command, "--time-step", options.time_step_factor,
     "Time for which heat flows, in squared mean edge lengths, with --method heat unless another "
-    "is given; by default 1, 4 with --signed, or 16 times as much as often as it takes to reach "
-    "everything",
+    "is given. By default 1, or 4 with --signed, times 16 until heat reaches everything",
     positive_number());
   add_angle(command, options.refinement);
   add_direct(command, line.common());

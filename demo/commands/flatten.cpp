@@ -307,7 +307,7 @@ std::string summary_of(const Planar_map&, const Statistics& s)
        << (s["charts"] == 1 ? " chart" : " charts");
   if(!s["overlapping_charts"].empty())
     text << ", an area of " << s["overlap_area"].get<double>()
-         << " covered more than once (--no-overlap cuts there)";
+         << " covered more than once (--no-overlap cuts it)";
   return text.str();
 }
 

@@ -458,8 +458,8 @@ void add_path_points(CLI::App& command, Path_options& options)
                    "Shorten the loop from --from through all --via, by flips");
   command.add_option(
     "--straightest", options.straightest,
-    "Go straight instead: the angle in degrees, counterclockwise from the first side of "
-    "the face at --from or from the side that leaves a vertex, and the length");
+    "Go straight instead, by this angle in degrees and this length. The angle is "
+    "counterclockwise from the first side of the face at --from, or the side that leaves a vertex");
   command.add_flag("--homology", options.is_homology_basis,
                    "Shortest geodesic loops around all handles and holes, by flips");
 }

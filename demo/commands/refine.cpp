@@ -181,8 +181,8 @@ void define_refine(Command_line& line)
   add_bounds(command, options.bounds);
   command.add_flag(
     "--simplicial", options.bounds.is_simplicial,
-    "Insert vertices until no edge is a loop and no two have the same ends, and write "
-    "the triangulation itself, its faces flat in space, in place of the subdivision");
+    "Insert vertices until no edge is a loop and no two have the same ends. Write the "
+    "triangulation itself, with faces flat in space, instead of the subdivision");
   add_exact(command, line.common(),
             "Decide exactly about edges and inserted vertices, and certify the triangulation");
 }

@@ -238,7 +238,7 @@ private:
   {
     if(m_weights.has_functions() && !m_run.input().repairs.empty())
       throw Program_error(
-        "--weight: the mesh had to be repaired, and its vertices are not those of the file; "
+        "--weight: the mesh had to be repaired, and its vertices differ from the file; "
         "give a mesh that needs no repair");
     m_weights.set_functions(m_run.options().input, m_run.input());
   }
@@ -617,7 +617,7 @@ void add_simplify_outputs(CLI::App& command, Simplify_options& options, Common_o
     "--coarse", options.coarse_mesh,
     "The coarse triangulation as an ordinary mesh in space (.off, .obj, .ply, .vtp)");
   command.add_option("--prolongation", options.prolongation,
-                     "Matrix Market file: from coarse vertices to those of the mesh");
+                     "Matrix Market file: from coarse vertices to vertices of the mesh");
   command.add_option("--save", common.save, "File for the levels and the operations between them");
 }
 
@@ -644,7 +644,7 @@ void define_simplify(Command_line& line)
     .add_option(
       "--weight", options.weights,
       "NAME=W: the share of curvature, area, area_change, boundary_change, color or a property of "
-      "vertices in the cost; what is not given has none. Without --weight it is curvature=1, "
+      "vertices in the cost. Others have no share. Without --weight it is curvature=1, "
       "area=2, area_change=6 and boundary_change=12")
     ->allow_extra_args(false);
   command

@@ -239,7 +239,7 @@ void define_transfer(Command_line& line)
                      "x,y,z (nearest)");
   command.add_option("--data", options.data, "Text file of values at vertices: index value");
   command.add_flag("--back", options.is_back,
-                   "Take what is given on the intrinsic triangulation to the mesh");
+                   "Map points and values from the intrinsic triangulation to the mesh");
   add_save(command, line.common());
   add_common_options(command, line.common());
   add_exact(command, line.common());

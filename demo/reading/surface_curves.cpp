@@ -172,7 +172,7 @@ private:
        IT::Delta_complex::null_face()) {
       points = IT::shortest_path(surface, p, q).places;
       if(points.empty())
-        fail(i, "is not connected to the one before; cut the curve there");
+        fail(i, "is not connected to the one before; cut the curve between them");
     }
     const auto part = IT::curve_through(surface, points);
     result.segments.insert(result.segments.end(), part.begin(), part.end());

@@ -33,7 +33,7 @@ void for_each_line(const std::string& path,
 {
   std::ifstream file(path);
   if(!file)
-    throw Program_error(path + ": cannot be opened; is there such a file?");
+    throw Program_error(path + ": cannot be opened; does it exist?");
   std::size_t line = 0;
   for(std::string text; std::getline(file, text);) {
     std::istringstream in(without_byte_order_mark(text.substr(0, text.find('#'))));

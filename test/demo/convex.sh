@@ -47,7 +47,7 @@ refuses 'more than four numbers in a line' convex cross.mesh.off --glue wrong.tx
 off oblong '0 0 0,2 0 0,2 1 0,0 1 0' '0 1 2 3'
 printf '0 1 2 1\n' >wrong.txt
 refuses 'the sides are' convex oblong.mesh.off --glue wrong.txt -o x.off
-refuses '--subdivision: a net has no place in space; leave out --glue' \
+refuses '--subdivision: a net has no positions in space; leave out --glue' \
   convex cross.mesh.off --glue cross.txt --subdivision x.ply -o x.off
 
 # So is what keeps a mesh from being the surface of a convex polyhedron.

@@ -176,7 +176,7 @@ calls <<'TABLE'
 2 | --level-sets needs a surface; --repair may make it one | distance edge_of_three.mesh.off --source 0 -o a.ply --level-sets b.obj
 2 | this format has no lines (.obj, .ply and .vtp have) | distance flat.mesh.off --source 0 -o a.ply --level-sets b.off
 2 | ' is not a point of the mesh: on triangles that are not a surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
-2 | has no signed distance: no part of the curve is on its component (draw one there; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | has no signed distance: no part of the curve is on its component (add a part on it; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
 2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
 2 | --section: the radius is a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
 2 | --section: on triangles that are not a surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
@@ -256,7 +256,7 @@ calls <<'TABLE'
 2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area
 2 | weights that are not given are zero, and changes of area alone are not a cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area_change=1
 2 | --levels needs --vertices or --ratio | simplify flat.mesh.off -o a.ply --error 0.1 --levels 3
-2 | the mesh had to be repaired, and its vertices are not those of the file | simplify repeated.mesh.off --repair -o a.ply --ratio 0.5 --weight color=1
+2 | the mesh had to be repaired, and its vertices differ from the file | simplify repeated.mesh.off --repair -o a.ply --ratio 0.5 --weight color=1
 2 | vertices have no property 'heat' (.ply can have properties) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight heat=1
 2 | vertices have no property 'cold'; they have | simplify k.mesh.ply -o a.ply --ratio 0.5 --weight cold=1
 2 | vertices have no colors (.ply, .off and .obj can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
