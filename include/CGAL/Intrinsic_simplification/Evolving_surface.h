@@ -169,7 +169,7 @@ private:
     Evolving_surface& surface;
   };
 
-  // With its loops flipped away, the star is that of a flat vertex.
+  // With its loops flipped away, the star equals the star of a flat vertex.
   template <typename Touch>
   Removal_status remove_with_loops(const Flattened_star& star, const Touch& touch)
   {
@@ -213,7 +213,7 @@ private:
     }
   }
 
-  // On the boundary, the first border edge takes the place of both.
+  // On the boundary, the first border edge replaces both.
   void remove_center(const Flattened_star& star)
   {
     const Halfedge_index a = first_outgoing_halfedge(star.center(), mesh());

@@ -162,8 +162,8 @@ public:
   }
 
 private:
-  // A vertex through which an edge of the coarse level runs, and an edge that is a part of that one
-  // and has an end there.
+  // A vertex through which an edge of the coarse level runs, and an edge that is a part of it and
+  // ends at this vertex.
   typedef std::pair<Vertex_index, Edge_index> End_of_part;
 
   bool has_places_on_edges(Vertex_index v) const
@@ -172,7 +172,7 @@ private:
     return first != m_places_on_edges.end() && first->first.first == v;
   }
 
-  // the signed area of a triangle as a part of that of its face
+  // the signed area of a triangle as a part of its face
   static double relative_area(const std::array<double, 3>& a, const std::array<double, 3>& b,
                               const std::array<double, 3>& c)
   {
@@ -192,8 +192,8 @@ private:
 
   // ---- Triangulation ----
 
-  // The halfedge before the largest ear on the fine surface, of those that contain no other corner;
-  // of all if rounding leaves none.
+  // The halfedge before the largest ear on the fine surface. Ears must contain no other corner; if
+  // rounding leaves no such ear, any ear counts.
   Halfedge_index before_ear(Halfedge_index first) const
   {
     std::vector<Halfedge_index> sides;
@@ -238,9 +238,8 @@ private:
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
 };
 
-// Lays out the edges: those of the fine level are cut by marks, those of the coarse level are
-// chains of pieces in fine faces. The edges around each vertex, in their order, then give the
-// faces.
+// Lays out the edges. Marks cut edges of the fine level. Edges of the coarse level are chains of
+// pieces in fine faces. The edges around each vertex, in their order, then give the faces.
 template <typename Point>
 class Surface_subdivision<Point>::Builder
 {
@@ -355,8 +354,8 @@ private:
     return m_mesh.face(m_mesh.opposite(h));
   }
 
-  // A face beside an edge of the coarse level has its parent from there, and hands it on across
-  // other edges.
+  // A face beside an edge of the coarse level has its parent from this edge, and passes it on
+  // across other edges.
   void set_coarse_parents()
   {
     std::vector<Face_index> waiting;
@@ -394,8 +393,8 @@ private:
     }
   }
 
-  // A point inside a coarse face, by what is around it, may have come to the other side of an edge
-  // by rounding.
+  // Rounding may move a point inside a coarse face, given by its surroundings, to the other side
+  // of an edge.
   void move_into_parent(Vertex_index v, Surface_map::Location& p) const
   {
     const Halfedge_index in = m_mesh.halfedge(v);
@@ -425,7 +424,7 @@ private:
     });
   }
 
-  // Calls visit(v, p) for each vertex between two pieces of an edge, the first of which is `p`.
+  // Calls visit(v, p) for each vertex between two pieces of an edge; `p` is the first piece.
   template <typename Visit>
   void for_each_vertex_on_edge(const Visit& visit) const
   {

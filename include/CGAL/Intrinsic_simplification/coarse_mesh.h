@@ -78,7 +78,8 @@ inline std::size_t make_simplicial(Evolving_surface& surface)
   return result.insertions - result.removals;
 }
 
-// The positions of the vertices of the coarse level, those of both levels exactly.
+// The positions of the vertices of the coarse level. Vertices of both levels have their exact
+// positions.
 template <typename PointMap>
 auto coarse_points(const Surface_map& map, const PointMap& points)
 {

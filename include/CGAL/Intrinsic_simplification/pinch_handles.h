@@ -25,8 +25,8 @@ public:
     : m_surface(surface), m_maximum(maximum_length)
   {}
 
-  // Bounds of the length of edge loops grow, so that searches do not go far where handles are
-  // small, and are few when they go far.
+  // Bounds of the length of edge loops grow. So searches stay near if handles are small, and few
+  // searches go far.
   std::size_t operator()()
   {
     const std::size_t genus = Intrinsic_triangulations::topological_type(m_surface.mesh()).genus;

@@ -21,7 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// the factorization for numbers of this type; others than those of Eigen are specializations
+// The factorization for numbers of this type. Types other than the types of Eigen have
+// specializations.
 template <typename Scalar>
 struct Cholesky_of
 {

@@ -269,7 +269,8 @@ private:
                                : m_correspondence.triangulation().input_location(side).first;
   }
 
-  // The halfedge of T1 along the curve from one corner of a region to another, and its piece there.
+  // The halfedge of T1 along the curve from one corner of a region to another, and its piece
+  // between them.
   Halfedge_index input_arc(const internal::Region_corner& from, const internal::Region_corner& to,
                            const Sides& side, Halfedge_index& piece_of_arc) const
   {

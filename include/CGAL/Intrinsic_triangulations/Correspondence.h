@@ -210,7 +210,7 @@ private:
   }
 
   // the index of the piece that ends at crossing `id` in the direction of the first halfedge of
-  // its edge of T1; the next one starts there
+  // its edge of T1. The next piece starts at the crossing
   size_type piece_before(size_type id) const
   {
     const Record& r = m_records[id];

@@ -99,7 +99,7 @@ FT squared_volume(const Decorated_length<FT>& ij, const Decorated_length<FT>& jk
          2 * (ij.gram() * jk.gram() * ki.gram());
 }
 
-// Returns the positive part of the height of the power center of a triangle ijk over ij: less the
+// Returns the positive part of the height of the power center of a triangle ijk over ij. Less the
 // determinant of ij, it is the height times twice the area, times the length of ij.
 template <typename FT>
 FT height_over(const Decorated_length<FT>& ij, const FT& gram_ki, const FT& gram_jk)
@@ -128,9 +128,9 @@ public:
                         1 / (edge.ij.tangent + (edge.ij.source_radius + edge.ij.target_radius)))
   {}
 
-  // Returns t_kl after ij has been flipped. With A the Gram matrix of i and j, and b_k, b_l the
-  // products of both with k and l, this is eta_kl = sqrt(kk ll) - b_k A^-1 b_l, where kk is the
-  // square of the part of k that is orthogonal to i and j, less r_k r_l. With r = 0 it is Ptolemy's
+  // Returns t_kl after ij has been flipped. Let A be the Gram matrix of i and j, and b_k, b_l the
+  // products of both with k and l. Then eta_kl = sqrt(kk ll) - b_k A^-1 b_l. Here kk is the square
+  // of the part of k that is orthogonal to i and j, less r_k r_l. With r = 0 it is Ptolemy's
   // relation (Equation 4.4). Precondition: the circles i and j do not touch
   FT flipped_tangent() const
   {

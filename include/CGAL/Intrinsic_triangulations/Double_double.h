@@ -12,12 +12,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sum of two `double`, the first of which is the sum rounded to `double`: some 106 binary
-// digits, with the exponents of `double`. Arithmetic is that of Joldes, Muller and Popescu (2017),
-// and the square root that of Lefevre et al. (2023). With a rounding unit u = 2^-53 of `double`,
-// relative errors are at most 3 u^2 for sums, 7 u^2 for products, 16 u^2 for quotients and 4 u^2
-// for roots, while products of first parts are in the range of `numeric_limits`: beyond it digits
-// are lost, and infinity becomes NaN.
+// The sum of two `double`, whose first summand is the sum rounded to `double`: some 106 binary
+// digits, with the exponents of `double`. Arithmetic is by Joldes, Muller and Popescu (2017), and
+// the square root by Lefevre et al. (2023). Let u = 2^-53 be the rounding unit of `double`.
+// Relative errors are at most 3 u^2 for sums, 7 u^2 for products, 16 u^2 for quotients and 4 u^2
+// for roots. These bounds hold if products of first parts are in the range of `numeric_limits`.
+// Beyond it digits are lost, and infinity becomes NaN.
 //
 // `double` must be rounded to nearest, without additional digits.
 class Double_double
@@ -138,8 +138,8 @@ typedef internal::Double_double Double_double;
 } // namespace CGAL::Intrinsic_triangulations
 
 /// \cond
-// The digits for which every sum and product has a relative error of at most `epsilon()`, and the
-// range in which products of two roots lose none.
+// The digits for which every sum and product has a relative error of at most `epsilon()`. In this
+// range, products of two roots lose no digits.
 template <>
 class std::numeric_limits<CGAL::Intrinsic_triangulations::Double_double>
   : public std::numeric_limits<double>

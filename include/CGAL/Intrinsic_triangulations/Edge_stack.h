@@ -91,7 +91,7 @@ inline void check_flip_limit(bool is_exceeded)
     throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
 }
 
-// What a run of flips has come to: its limit, or a doubt that rounding leaves, unless all edges are
+// The result of a run of flips: its limit, or a failure of the filter, unless all edges are
 // Delaunay.
 struct Flipping_result
 {
@@ -115,9 +115,9 @@ struct Flipping_result
   }
 };
 
-// Flips edges, first those that wait in `stack`, then those around flipped ones, until none waits.
-// An edge stays if `is_good(e)`. It need not wait if `is_certain(e)`, which should be branch-free.
-// `flip(h)` returns whether the edge of `h` could be flipped.
+// Flips edges until none waits. It starts with edges that wait in `stack`, and continues with
+// edges around flipped ones. An edge stays if `is_good(e)`. It need not wait if `is_certain(e)`,
+// which should be branch-free. `flip(h)` returns whether the edge of `h` could be flipped.
 template <typename Is_certain, typename Is_good, typename Flip>
 Flipping_result flip_within_limit(const Delta_complex& mesh, Edge_stack& stack, std::size_t limit,
                                   const Is_certain& is_certain, const Is_good& is_good,

@@ -54,15 +54,15 @@ public:
       const FT x = scaled_distance_of_feet(length);
       const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
       const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
-      // what is known before the first root stands first, and the quotient needs no root: roots are
-      // slow
+      // values that are known before the first root come first, and the quotient needs no root:
+      // roots are slow
       const FT scaled_square = x * x + (height_k + height_l) + 2 * sqrt(height_k * height_l);
       return sqrt(scaled_square) * (FT(1) / (2 * length.ij));
     }
 
   private:
-    // There are two ways to pair the four squares. One loses no digits if i and j are next to each
-    // other, the other if k and l are: the one with the smaller differences is taken.
+    // The four squares can be paired in two ways. One way loses no digits if i and j are next to
+    // each other, the other if k and l are. The one with the smaller differences is taken.
     static FT scaled_distance_of_feet(const Diamond<FT>& length)
     {
       using CGAL::abs; // or the one of `FT`
@@ -82,9 +82,10 @@ private:
   {
     FT p, q, opposite;
 
-    // Returns the cosine times 2 p q, and the squared sine times (2 p q)^2, for a smaller angle if
-    // `u` is positive: both are increased as much as a relative error `u` of the sides can do. With
-    // the opposite sign they are those for a larger angle, as long as the angle is obtuse.
+    // Returns the cosine times 2 p q, and the squared sine times (2 p q)^2. If `u` is positive,
+    // both belong to a smaller angle: they are increased by as much as a relative error `u` of the
+    // sides allows. If `u` is negative, they belong to a larger angle, as long as the angle is
+    // obtuse.
     FT cosine(const FT& u) const
     {
       const FT sides = p * p + q * q, square = opposite * opposite;
@@ -102,8 +103,8 @@ private:
     static FT positive(const FT& x) { return x > 0 ? x : FT(0); }
   };
 
-  // Compares the sum of two angles, made as small as a relative error `u` of the sides can make it
-  // (as large, if `u` is negative), with pi.
+  // Compares the sum of two angles with pi. The sum is made as small as a relative error `u` of
+  // the sides allows (as large, if `u` is negative).
   static Sign compare_sum_with_pi(const Corner& a, const Corner& b, const FT& u)
   {
     const FT cos_a = a.cosine(u), cos_b = b.cosine(u);
@@ -165,7 +166,8 @@ public:
       return length.ij * length.ij * (length.jk * length.ki + length.il * length.lj);
     }
 
-    // each side changes by four errors with the lengths; the rest is for what is rounded here
+    // each side changes by four errors with the lengths; the rest covers the roundings of this
+    // function
     bool is_surely_less(const FT& x, const FT& y) const { return (1 + 10 * error) * x < y; }
   };
 

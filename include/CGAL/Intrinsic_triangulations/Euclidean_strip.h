@@ -278,8 +278,8 @@ private:
       [&] { return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target; });
   }
 
-  // the place on the line, or beyond its ends, of the point at `t` on an edge; the start of a line
-  // without length
+  // the position on the line, or beyond its ends, of the point at `t` on an edge; the start of a
+  // line without length
   FT projected(const Segment& edge, const FT& t) const
   {
     return m_squared_length > 0

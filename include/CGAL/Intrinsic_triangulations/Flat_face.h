@@ -214,9 +214,9 @@ private:
     return result;
   }
 
-  // Returns the side through which the ray leaves, whose source is on its right and whose target is
-  // on its left. If rounding leaves a doubt, a side other than side 0, through which the ray mostly
-  // comes, is preferred.
+  // Returns the side through which the ray leaves, whose source is on its right and whose target
+  // is on its left. If rounding leaves a choice, a side other than side 0 is preferred, since the
+  // ray mostly enters through side 0.
   static std::size_t side_crossed(const std::array<FT, 3>& left)
   {
     const auto margin = [&](std::size_t s) { return (std::min)(-left[s], left[(s + 1) % 3]); };
@@ -224,7 +224,7 @@ private:
     return margin(0) > margin(result) ? 0 : result;
   }
 
-  // Returns the exit through a side, with the distance of the rounded place: this is stable for
+  // Returns the exit through a side, with the distance of the rounded position: this is stable for
   // sides almost along the ray.
   Exit side_exit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead,
                  const Vector& d) const

@@ -18,8 +18,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Equation 4.5, both sides divided by the product of the four outer lengths: an edge satisfies the
-// local ideal Delaunay condition if `inner` is not greater than `outer`. All terms are positive.
+// Equation 4.5, with both sides divided by the product of the four outer lengths. An edge
+// satisfies the local ideal Delaunay condition if `inner` is not greater than `outer`. All terms
+// are positive.
 template <typename FT>
 struct Ideal_Delaunay_condition
 {
@@ -97,7 +98,7 @@ public:
     bool operator()(const Diamond<FT>& length) const
     {
       const internal::Ideal_Delaunay_condition<FT> condition(length);
-      // the seventh is for what is rounded here, at most four roundings on each side
+      // the seventh covers the roundings of this function, at most four on each side
       return !(condition.inner > condition.outer * (1 + 7 * rounding_unit<FT>()));
     }
 

@@ -143,7 +143,7 @@ private:
     }
   }
 
-  // On the way from both sides of an edge to the root, what is common cancels.
+  // Common edges of the paths from both sides of an edge to the root cancel.
   void set_signatures()
   {
     std::mt19937_64 random;

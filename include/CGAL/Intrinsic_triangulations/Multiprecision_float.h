@@ -24,7 +24,7 @@ class Multiprecision_float;
 }
 
 #ifndef DOXYGEN_RUNNING
-// The range is that of `double`, and the precision of most numbers.
+// The range of `double`, which most numbers also have as precision.
 template <>
 class std::numeric_limits<CGAL::Intrinsic_triangulations::Multiprecision_float>
   : public std::numeric_limits<double>

@@ -130,8 +130,8 @@ private:
 namespace internal {
 
 // The first outgoing halfedge of a vertex inserted on the edge of the halfedge `along`, given
-// whether this and its opposite are border halfedges: the one with the boundary on its right,
-// otherwise the even one.
+// whether this and its opposite are border halfedges. It has the boundary on its right; without a
+// boundary it is the even one.
 inline Halfedge_index first_inserted_outgoing(Halfedge_index along, bool is_border,
                                               bool opposite_is_border)
 {

@@ -215,8 +215,8 @@ private:
 
 namespace internal {
 
-// What property maps of parents get: the parent in the first triangulation, or an array of those in
-// all of them.
+// The value type of property maps of parents: the parent in the first triangulation, or an array
+// of parents in all triangulations.
 template <typename Value, typename Parent>
 struct Parents
 {

@@ -85,7 +85,7 @@ Length_of<Surface> edge_length(Halfedge_index h, const Surface& surface)
   return get(surface.length_map(), surface.mesh().edge(h));
 }
 
-// Returns the lengths of the sides of the face of `h`, that of `h` first.
+// Returns the lengths of the sides of the face of `h`, beginning with `h`.
 template <typename Surface>
 std::array<Length_of<Surface>, 3> side_lengths(Halfedge_index h, const Surface& surface)
 {

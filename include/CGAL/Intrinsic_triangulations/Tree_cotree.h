@@ -157,8 +157,8 @@ private:
     return result;
   }
 
-  // Searches from a face from which no other face is very far away: of some faces far from each
-  // other the greatest distance is least there. After a few rounds it gets hardly better.
+  // Searches a face from which no other face is very far away. Among some faces far from each
+  // other, it has the least greatest distance. After a few rounds it hardly improves.
   std::vector<Face_index> center(Face_index start, const Lengths& crossing_length,
                                  Search& search) const
   {

@@ -412,8 +412,8 @@ private:
       m_length[e] = lengths[e];
   }
 
-  // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`
-  // first
+  // the coordinates of a point of the face of `side` in T1, beginning with the corner opposite to
+  // `side`
   std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
   {
     return coordinates_from(m_input.prev(side), p, m_input);

@@ -184,8 +184,9 @@ private:
     return [&](const auto& at, const FT& closeness) { return insert(at, closeness, decisions); };
   }
 
-  // Inserts a vertex at the location `at` in a face, or on the nearest edge of T1 at its region, if
-  // that is not farther away than `closeness`. Returns null if both are impossible.
+  // Inserts a vertex at the location `at` in a face, or on the nearest edge of T1 at its region.
+  // The edge is chosen if it is not farther away than `closeness`. Returns null if both are
+  // impossible.
   template <typename Location, typename Decisions>
   Vertex_index insert(const Location& at, const FT& closeness, Decisions& decisions)
   {
@@ -207,8 +208,8 @@ private:
     return m;
   }
 
-  // Returns the corner of a region that is followed by the curve nearest to the location in it, or
-  // the number of corners if no curve is nearer than `closeness`.
+  // Returns the corner of a region that is followed by the curve nearest to the location in it.
+  // Returns the number of corners if no curve is nearer than `closeness`.
   template <typename Location>
   static std::size_t nearest_curve(const internal::Region& region, const Location& at,
                                    const FT& closeness)
@@ -224,7 +225,7 @@ private:
     return result;
   }
 
-  // Splits the face of `first`; the coordinates in `at` begin with that of its source.
+  // Splits the face of `first`; the coordinates in `at` begin with its source.
   template <typename Decisions>
   Vertex_index split_face(Halfedge_index first, const Face_split<Integer>& at,
                           const internal::Point_to_insert<FT>& p, Decisions& decisions)

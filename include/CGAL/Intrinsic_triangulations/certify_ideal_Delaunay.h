@@ -61,8 +61,8 @@ FT length_in_strip(Ideal_strip<FT>& strip, Edge_index e, const Triangulation_pai
 }
 
 // Decides Equation 4.5 for the edges of a mesh. `interval_length` and `exact_length` return the
-// lengths of edges, which are multiplied by the factors of both ends; the former is called while
-// intervals are rounded upwards.
+// lengths of edges, which are multiplied by the factors of both ends. `interval_length` is called
+// while intervals are rounded upwards.
 template <typename Interval_length, typename Exact_length>
 class Ideal_Delaunay_certifier
 {

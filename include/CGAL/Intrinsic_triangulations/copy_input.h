@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The numbers that the elements of a graph get in the Delta-complex: those of their order in the
-// ranges vertices(g), edges(g), faces(g); halfedge(e, g) is the first halfedge of its edge.
+// The indices that the elements of a graph get in the Delta-complex. They have the order of the
+// ranges vertices(g), edges(g), faces(g). halfedge(e, g) is the first halfedge of its edge.
 template <typename Graph>
 class Input_numbering
 {

@@ -27,8 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Returns where a segment of a face of `side` starts on the other triangulation, where it leaves
-// faces there, and where it ends. An end on an edge that is in both has its halfedge on the left of
-// which the segment lies.
+// faces of it, and where it ends. An end on an edge of both triangulations has the halfedge with
+// the segment on its left.
 template <typename Traits>
 std::vector<Surface_point<typename Traits::FT>>
 segment_across(const Correspondence<Traits>& correspondence, Side side,
@@ -40,7 +40,7 @@ segment_across(const Correspondence<Traits>& correspondence, Side side,
                                    segment_end(correspondence, side, f, segment.target));
 }
 
-// Adds the segments between consecutive places, apart from those whose length is rounding.
+// Adds the segments between consecutive positions, except segments as short as rounding errors.
 template <typename FT>
 void add_segments(const std::vector<Surface_point<FT>>& places, const Delta_complex& mesh,
                   Surface_curve<FT>& curve)
@@ -75,8 +75,8 @@ public:
 
   bool is_empty() const { return m_places.empty(); }
 
-  // Adds a piece. If the path goes on straight from the piece before and both are in one face,
-  // their common end is no place.
+  // Adds a piece. If the path continues straight from the piece before and both are in one face,
+  // their common end is left out.
   void add(const std::vector<Point>& piece, bool goes_on_straight)
   {
     const Point& start = piece.front();
@@ -91,7 +91,7 @@ public:
     m_end = piece.back();
   }
 
-  // Adds the end of the last piece, and returns all places.
+  // Adds the end of the last piece, and returns the positions.
   std::vector<Point> finish()
   {
     come_to_end();

@@ -106,9 +106,9 @@ private:
                                           : m_tri.input_halfedge(h));
   }
 
-  // Returns POSITIVE if `p` is on the side of the source of the halfedge `h` of T1, NEGATIVE if it
-  // is on that of its target, as seen from the edge of T2 that leaves the face there as crossing
-  // `number`.
+  // Compares sides, seen from the edge of T2 that leaves the face as crossing `number`. Returns
+  // POSITIVE if `p` is on the side of the source of the halfedge `h` of T1. Returns NEGATIVE if it
+  // is on the side of its target.
   Sign side_of_intrinsic(Halfedge_index h, std::size_t number, const Face_location<double>& p)
   {
     const auto crossing =
@@ -117,8 +117,8 @@ private:
     return -side_of_piece(x, m_correspondence.crossings_on_intrinsic().position(x, crossing.id), p);
   }
 
-  // Returns POSITIVE if `p` is on the left of the halfedge `x` of T2, in the face of T1 in which
-  // `x` has its piece number `piece`.
+  // Returns POSITIVE if `p` is on the left of the halfedge `x` of T2. `p` is in the face of T1 in
+  // which `x` has its piece `piece`.
   Sign side_of_piece(Halfedge_index x, std::size_t piece, const Face_location<double>& p)
   {
     return m_decisions.decide([&](const auto& development) {
@@ -132,9 +132,10 @@ private:
     });
   }
 
-  // Returns POSITIVE if the point with coordinates `b` in a face of T2 is on the side of the
-  // source of the side that has `mark`, as seen from the edge of T1 that passes this mark and
-  // `end`: the sum of the heights of the corners over that edge, with these weights.
+  // Compares sides, seen from the edge of T1 that passes `mark` and `end`. Returns POSITIVE if the
+  // point with coordinates `b` in a face of T2 is on the side of the source of the side that has
+  // `mark`. The result is the sign of the sum of the heights of the corners over that edge, with
+  // these weights.
   Sign side_of_input(const std::array<Halfedge_index, 3>& halfedge, const Region_corner& mark,
                      const Region_corner& end, const Coordinates& b)
   {

@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-// CGAL's own types compile in a fraction of the time of those that it selects.
+// CGAL's own types compile in a fraction of the time of the types that it selects.
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
 /// the type of numbers in which sums and products of numbers of type `double` are exact.

@@ -67,8 +67,8 @@ Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, const Source
 
 namespace internal {
 
-// From a vertex that only T2 has, over T1: the frame there is that of its face, or of its first
-// outgoing halfedge.
+// Starts at a vertex that only T2 has, over T1. Its frame is the frame of its face, or of its
+// first outgoing halfedge.
 template <typename Traits, typename OutputIterator>
 Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<Traits>& tri,
                                                   Vertex_index v,

@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Flips of T2 that follow integer coordinates alone. Lengths are set in the end, since the edges
-// on the way need not be straight.
+// Flips of T2 that follow integer coordinates alone. Lengths are set at the end, since
+// intermediate edges need not be straight.
 template <typename Traits>
 class Coordinate_flipping
 {
@@ -84,7 +84,7 @@ std::size_t flip_to_input(Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Counts the flips until all edges of T3 are there. What vertices of T2 are left lie in its faces.
+// Counts the flips until all edges of T3 exist. Remaining vertices of T2 lie in its faces.
 template <typename Traits>
 std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
                              const Intrinsic_triangulation<Traits>& target)

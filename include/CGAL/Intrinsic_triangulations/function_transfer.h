@@ -67,8 +67,8 @@ namespace internal {
 template <typename FT>
 using Corner_matrix = Eigen::Matrix<FT, 3, 3>;
 
-// The integrals over a triangle of unit area of products of two linear functions with these values
-// at its corners: row a of `f` has the values of the functions f at corner a.
+// The integrals over a triangle of unit area of products of two linear functions, given by their
+// values at its corners. Row a of `f` has the values of the functions f at corner a.
 template <typename FT>
 Corner_matrix<FT> integrals_of_products(const Corner_matrix<FT>& f, const Corner_matrix<FT>& g)
 {
@@ -86,7 +86,8 @@ Corner_matrix<FT> rows(const Barycentric_coordinates<FT>& a, const Barycentric_c
 }
 
 // The integrals over a region of products of barycentric coordinates of both triangulations,
-// relative to the area of the face of the triangulation that `map` maps from: corners for rows.
+// relative to the area of a face. The face is in the triangulation from which `map` maps: corners
+// for rows.
 template <typename FT>
 Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& map)
 {

@@ -35,8 +35,8 @@ inline std::vector<std::size_t> first_indices(std::size_t n)
 // Finds short loops along edges, the shortest one of each homology class modulo 2 that is found.
 //
 // If a loop is the shortest of its class and not a sum of shorter ones, it is found from a center
-// on it. All centers together find a shortest basis (Erickson and Whittlesey 2005); so do those
-// within half of the length of the longest loop of a basis that is known already.
+// on it. All centers together find a shortest basis (Erickson and Whittlesey 2005). Centers within
+// half of the length of the longest loop of a known basis suffice.
 template <typename Surface>
 class Loops_of_classes
 {
@@ -67,7 +67,7 @@ public:
   const std::vector<Loop>& loops() const { return m_loops; }
 
   // Returns the first loops in the order of `indices` that are a basis over the integers, by their
-  // indices; fewer if there is none among them.
+  // indices. Returns fewer if they contain no basis.
   std::vector<std::size_t> basis(const std::vector<std::size_t>& indices) const
   {
     Partial_basis partial(dimension());
@@ -80,8 +80,8 @@ public:
 
   std::size_t dimension() const { return m_coordinates.dimension(); }
 
-  // Returns the halfedges of the loops of a basis; those of generators if it is not complete, which
-  // takes a class that is odd over the integers.
+  // Returns the halfedges of the loops of a basis. If it is not complete, returns the loops of
+  // generators; this takes a class that is odd over the integers.
   std::vector<std::vector<Halfedge_index>> halfedges(const std::vector<std::size_t>& basis) const
   {
     std::vector<std::vector<Halfedge_index>> result;
@@ -125,7 +125,8 @@ private:
     sort();
   }
 
-  // Calls `visit` for the numbers up to `n`: zero, those with the most factors of two, and so on.
+  // Calls `visit` for the numbers up to `n`: zero, numbers with the most factors of two, and so
+  // on.
   template <typename Visit>
   static void for_each_spread(std::size_t n, const Visit& visit)
   {

@@ -32,8 +32,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Makes the edges of T1, cut where vertices have been inserted, and fills each face of T1 with a
-// triangulation in the plane. There the corners of the face have the places (0, 0), (1, 0) and (0,
+// Makes the edges of T1, cut at inserted vertices, and fills each face of T1 with a triangulation
+// in the plane. In this plane the corners of the face have the positions (0, 0), (1, 0) and (0,
 // 1), and everything is exact.
 template <typename Traits>
 class Input_splitter

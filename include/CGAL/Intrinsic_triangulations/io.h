@@ -96,7 +96,7 @@ void write_metric(std::ostream& os, const Input_metric<K>& metric)
     write_line(os, hexadecimal_text(x), hexadecimal_text(y), hexadecimal_text(z));
 }
 
-// Reads triangulations line by line. Memory is allocated for lines that were read, not for those
+// Reads triangulations line by line. Memory is allocated for lines that were read, not for lines
 // that a file announces.
 template <typename FT, typename Integer>
 class Complex_reader
@@ -147,7 +147,7 @@ public:
     return mesh;
   }
 
-  // returns the places of the vertices that only T2 has
+  // returns the positions of the vertices that only T2 has
   std::vector<Surface_point<FT>> read_inserted(const Delta_complex& input)
   {
     m_lines.next_line();

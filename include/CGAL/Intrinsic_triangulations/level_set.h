@@ -40,7 +40,7 @@ public:
       m_is_done(m_mesh.number_of_faces(), 0)
   {}
 
-  // those from boundary to boundary before closed ones
+  // curves from boundary to boundary before closed ones
   std::vector<Curve> operator()()
   {
     std::vector<Curve> result;
@@ -59,7 +59,7 @@ private:
   FT value(Vertex_index v) const { return FT(m_values[static_cast<Index>(v.idx())]); }
   bool is_above(Vertex_index v) const { return value(v) >= m_level; }
 
-  // Whether a curve comes through `h` into its face, with what is above on its left.
+  // Whether a curve comes through `h` into its face, with vertices above on its left.
   bool enters(Halfedge_index h) const
   {
     return is_above(m_mesh.source(h)) && !is_above(m_mesh.target(h));

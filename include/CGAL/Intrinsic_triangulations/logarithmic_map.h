@@ -135,7 +135,8 @@ private:
     return {h, face.between(coordinates_from(h, p, m_mesh), coordinates_from(h, q, m_mesh))};
   }
 
-  // Takes a direction at a source on an edge, in the frame of either face, to that of the first.
+  // Transforms a direction at a source on an edge from the frame of either face to the frame of
+  // the first.
   std::pair<Halfedge_index, Vector> in_first_face(Index origin,
                                                   std::pair<Halfedge_index, Vector> start) const
   {

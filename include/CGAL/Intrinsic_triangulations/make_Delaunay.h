@@ -102,7 +102,7 @@ private:
   bool m_has_failed = false;
 };
 
-// Returns the edges that lengths leave in doubt.
+// Returns the edges that lengths do not decide.
 template <typename Flipping>
 Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
                           Concurrency concurrency)
@@ -123,7 +123,7 @@ Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
 }
 
 // Whether ties are proven with any number of square roots, which can take seconds each, or with a
-// few; what 1024 binary digits do not tell from a tie counts as one then.
+// few. With a few, an edge counts as a tie if 1024 binary digits do not distinguish it from one.
 enum class Tie_decisions
 {
   exact,
@@ -147,9 +147,9 @@ Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, 
     });
 }
 
-// Where edges have been flipped more than once on average, rounding may have added up; where a
-// flip failed, it has. With lengths computed afresh a second round is enough as a rule, but
-// nothing guarantees it. Each round makes its decisions by `make_flipping()`.
+// If edges have been flipped more than once on average, rounding errors may have added up. If a
+// flip failed, they have. With recomputed lengths a second round is enough as a rule, but nothing
+// guarantees it. Each round makes its decisions by `make_flipping()`.
 template <typename Traits, typename Make_flipping, typename Visitor>
 Flipping_result flip_in_rounds(Intrinsic_triangulation<Traits>& tri,
                                const Make_flipping& make_flipping, std::size_t limit, int rounds,
@@ -195,8 +195,8 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
     CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
 }
 
-// Flips with decisions about the surface of T1, with at most `effort` steps on strips of triangles,
-// and then once more with a hundred times as many.
+// Flips with decisions about the surface of T1, with at most `effort` steps on strips of
+// triangles. Then it repeats this once with a hundred times as many.
 template <typename Traits, typename Visitor>
 Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                               double effort, Visitor& visitor, Concurrency concurrency,
@@ -228,14 +228,14 @@ inline std::size_t flips_by_lengths(std::size_t number_of_edges)
   return 10000000 + 1000 * number_of_edges;
 }
 
-// The number of flips that are made with decisions in the exact metric at first: after very many,
-// edges cross so many others that each flip takes long.
+// The number of flips that are made with decisions in the exact metric at first. After very many
+// flips, edges cross so many others that each flip takes long.
 inline std::size_t flips_in_exact_metric(std::size_t number_of_edges)
 {
   return 1000 + 100 * number_of_edges;
 }
 
-// Whether T2 can start from T1 again: what is constrained are edges of T1, or parts of them.
+// Whether T2 can start from T1 again: constrained edges must be edges of T1, or parts of them.
 template <typename Traits>
 bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -272,8 +272,8 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
   return result;
 }
 
-// Decides in the exact metric which edges are Delaunay, and computes all lengths anew, to nearly
-// all digits. Does not succeed after too many flips, or if edges cross too many others.
+// Decides in the exact metric which edges are Delaunay, and recomputes all lengths to nearly all
+// digits. Does not succeed after too many flips, or if edges cross too many others.
 template <typename Traits, typename Visitor>
 Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                      Visitor& visitor, Concurrency concurrency)
@@ -289,9 +289,9 @@ Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::
 }
 
 // Decides in the exact metric first if lengths of type `double` do not determine the angles of T1.
-// Goes on by lengths, and with exact decisions, from T1, where lengths cannot carry these: after
-// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2
-// may be bent.
+// Continues by lengths, and then with exact decisions from T1, if lengths do not suffice. They do
+// not suffice after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By
+// then edges of T2 may be bent.
 template <typename Traits, typename Visitor>
 Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                               Visitor& visitor, Concurrency concurrency = Concurrency())

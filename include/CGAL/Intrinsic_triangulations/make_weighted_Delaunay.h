@@ -99,10 +99,10 @@ public:
 
   bool has_failed() const { return m_has_failed; }
 
-  // Where an edge is not weighted Delaunay, and the union of its faces is not convex, raises the
-  // weight of the end that is hidden until the edge is weighted Delaunay. As lifted points, the end
-  // lies above the triangle of the three others, and comes down to it: it is not moved too far.
-  // Returns whether there was such an edge.
+  // If an edge is not weighted Delaunay, and the union of its faces is not convex, one end is
+  // hidden. Raises the weight of this end until the edge is weighted Delaunay. As lifted points,
+  // the end lies above the triangle of the three others, and comes down to it: it is not moved too
+  // far. Returns whether such an edge was found.
   bool raise_weights()
   {
     bool result = false;
@@ -127,8 +127,8 @@ private:
            m_is_good(diamond(m_tri.length_map(), h, m_tri.mesh()), weights(h));
   }
 
-  // Returns the halfedge of `e` from the end that the diamond is not convex at: of two angles there
-  // the sum of the cotangents is less than at the other end.
+  // Returns the halfedge of `e` from the end at which the diamond is not convex. The sum of the
+  // cotangents of its two angles is less than at the other end.
   Halfedge_index hidden_end(Edge_index e) const
   {
     const Halfedge_index h = m_tri.mesh().halfedge(e), o = opposite(h);

@@ -37,8 +37,8 @@ bool is_flat(const Face_metric<FT>& metric)
                              metric.length(0) + metric.length(1) + metric.length(2));
 }
 
-// Returns whether a face contributes to integrals of gradients, as those of no area do not. Throws
-// an exception where rounding leaves a metric without gradients.
+// Returns whether a face contributes to integrals of gradients; faces of no area do not. Throws an
+// exception if rounding leaves a metric without gradients.
 template <typename FT>
 bool has_gradients(const Face_metric<FT>& metric, Face_index f)
 {
@@ -89,9 +89,9 @@ auto cotan_weights(const Surface& surface)
   return result;
 }
 
-// Returns the symmetric matrix with `diagonal[v]` on the diagonal and `on_edge[e]` at the two
-// places of the vertices of edge e. Entries at one place add up. Rows of isolated vertices are
-// empty.
+// Returns the symmetric matrix with `diagonal[v]` on the diagonal and `on_edge[e]` at both pairs
+// of indices of the vertices of edge e. Entries at equal indices add up. Rows of isolated vertices
+// are empty.
 template <typename FT>
 Eigen::SparseMatrix<FT> symmetric_matrix(const Delta_complex& mesh, std::vector<FT> diagonal,
                                          const std::vector<FT>& on_edge)

@@ -82,7 +82,7 @@ public:
   }
 
   // Returns the least angle around a vertex at which faces can have 30 degrees. Three of them are
-  // necessary there in a simplicial triangulation.
+  // necessary in a simplicial triangulation.
   FT small_angle() const { return m_is_simplicial ? pi<FT>() / 2 : pi<FT>() / 3; }
 
   // returns whether `f` keeps the triangulation from being simplicial, as it shall be
@@ -182,7 +182,7 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   return is_certain;
 }
 
-// Flips to Delaunay with certainty, or else with lengths that are computed afresh.
+// Flips to Delaunay with certainty, or else with recomputed lengths.
 template <typename Traits, typename Visitor>
 Flipping_result flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                             Visitor& visitor)
@@ -193,9 +193,9 @@ Flipping_result flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t li
   return flip_by_lengths(tri, limit, rounds_of_flips(), visitor);
 }
 
-// Lengths that come from many roundings are computed afresh; edges and faces that turn out to
-// violate their conditions are flipped and refined again. Returns whether rounding has left no
-// doubt; otherwise, with `stops_if_filter_fails`, this can end anywhere.
+// Recomputes lengths that come from many roundings. Edges and faces that violate their conditions
+// are flipped and refined again. Returns whether all decisions are certain; otherwise, with
+// `stops_if_filter_fails`, this can end anywhere.
 template <typename Traits, typename Bounds, typename Visitor>
 bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                        const Refinement_limits& limits, Visitor& visitor,
@@ -247,8 +247,8 @@ Flipping_result flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std
   return make_Delaunay(tri, limit, visitor);
 }
 
-// Starts anew with exact decisions where rounding leaves doubts, from T1 and the vertices that had
-// been inserted before.
+// Restarts with exact decisions if rounding leaves decisions undecided, from T1 and the vertices
+// that had been inserted before.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri,
                                             const Bounds& bounds, const Refinement_limits& limits,

@@ -26,8 +26,8 @@ using Indexed_entries = std::vector<std::pair<int, Scalar>>;
 
 namespace internal {
 
-// Sorts entries and sums up those with one index, in the order in which they are: of few entries
-// `std::sort()` does not change it, and needs no memory.
+// Sorts entries and sums up entries with one index, in their order. `std::sort()` does not change
+// the order of few entries, and needs no memory.
 template <typename Scalar>
 void combine(Indexed_entries<Scalar>& entries)
 {

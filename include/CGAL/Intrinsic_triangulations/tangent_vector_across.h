@@ -21,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// takes a vector from the frame of T2 to that of T1, or back; `angle` is that of the first outgoing
-// halfedge of T2 in the frame of T1
+// Transforms a vector from the frame of T2 to the frame of T1, or back. `angle` is the angle of
+// the first outgoing halfedge of T2 in the frame of T1.
 template <typename FT>
 std::complex<FT> turned_across(Side side, const std::complex<FT>& vector, const FT& angle)
 {

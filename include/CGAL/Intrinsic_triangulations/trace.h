@@ -73,8 +73,8 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index 
   }
 }
 
-// Adds the points on the halfedge `h` of T1, the first of its edge, after the vertex `v` on it, up
-// to the next vertex of T2, which is returned.
+// Adds the points on the halfedge `h` of T1, the first of its edge. They lead from the vertex `v`
+// on it to the next vertex of T2, which is returned.
 template <typename Traits>
 Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& tracer,
                         const Intrinsic_triangulation<Traits>& tri, Scaled_trace<Traits>& trace)
@@ -117,7 +117,7 @@ Scaled_trace<Traits> trace_first_halfedge(Halfedge_index h,
   return trace;
 }
 
-// Turns a trace into that of the opposite halfedge.
+// Turns a trace into the trace of the opposite halfedge.
 template <typename Traits>
 void reverse_trace(Scaled_trace<Traits>& trace, const Intrinsic_triangulation<Traits>& tri)
 {

@@ -74,8 +74,9 @@ public:
   // Returns the height of the power center over ij, positive on the side of k.
   FT height() const { return m_ij * scaled_height() / (2 * quadrupled_area(m_ij, m_jk, m_ki)); }
 
-  // Returns 16 times the squared area after all sums of two sides less the third have been made
-  // greater by as much as a relative error `u` of the sides can do, or smaller if `u` is negative.
+  // Returns 16 times the squared area after changes of all sums of two sides less the third. They
+  // change by as much as a relative error `u` of the sides allows. They increase if `u` is
+  // positive, and decrease if it is negative.
   FT squared_area(const FT& u) const
   {
     const FT change = u * (m_ij + m_jk + m_ki);
@@ -99,8 +100,8 @@ std::array<Weighted_triangle<FT>, 2> weighted_triangles(const Diamond<FT>& lengt
           Weighted_triangle<FT>(length.ij, length.il, length.lj, weight.j, weight.i, weight.l)};
 }
 
-// Returns the sum of the cotangents of the two angles at i, times both areas and 4: it is positive
-// if and only if the diamond is strictly convex there.
+// Returns the sum of the cotangents of the two angles at i, times both areas and 4. It is positive
+// if and only if the diamond is strictly convex at i.
 template <typename FT>
 FT cotangents_at_source(const Diamond<FT>& length)
 {

@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
 
-// The part of a homogeneous coordinate that may be due to rounding where a point comes to a vertex
-// or an edge: the coordinates of a crossing are sums of a few products.
+// The part of a homogeneous coordinate that may be rounding error if a point reaches a vertex or
+// an edge. The coordinates of a crossing are sums of a few products.
 inline double rounding() { return 16 * rounding_unit(); }
 
 // By which the sum of so many angles may differ from its exact value: each is rounded to a unit of
@@ -39,24 +39,25 @@ constexpr double nearly_flat = 1e-4;
 // excess hardly changes with the scale factor, it vanishes in the limit of length zero only.
 constexpr double greatest_last_step = 0.1;
 
-// Newton's method does not take a longer step, which would multiply lengths by more than e^2 at
-// once: the linear model is of no use that far away.
+// The longest step of Newton's method. A longer step would multiply lengths by more than e^2 at
+// once, and the linear model is useless at such distances.
 constexpr double greatest_newton_step = 4;
 
 // The square of the tangent up to which six terms of the series of the arc tangent are exact up to
-// rounding: the next term is at most 0.0036^6 / 13, that is 1.7e-16, of the result.
+// rounding. The next term is at most 0.0036^6 / 13, or 1.7e-16, of the result.
 constexpr double greatest_squared_tangent = 0.0036;
 
-// The part of the sum of all absolute values of a Laplace matrix that its sum may have by rounding:
-// each entry is a sum of some ten numbers.
+// The greatest sum of a Laplace matrix that can be rounding error, relative to the sum of all
+// absolute values. Each entry is a sum of some ten numbers.
 constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 
-// The part of a residual below which the residual that conjugate gradients carry along may not be
-// the true one: it has gone through some hundred updates.
+// The relative residual below which the residual that conjugate gradients update may differ from
+// the true one. It has gone through some hundred updates.
 constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
 
-// By which the areas of the pieces of a face may differ from its area: each has the rounding of a
-// product of as many matrices as there are operations, where slivers lose half of all digits.
+// The greatest difference between the areas of the pieces of a face and its area. Each area has
+// the rounding error of a product of as many matrices as operations. Slivers lose half of all
+// digits.
 constexpr double tiling_rounding = 1e-6;
 
 } // namespace CGAL::Intrinsic_simplification::internal

@@ -21,8 +21,9 @@ namespace CGAL::Intrinsic_simplification::internal {
 class Cell_joiner
 {
 public:
-  // Calls `visit(cell, corners)` for each union of cells: with the largest of them, and its corners
-  // counterclockwise. In a cell that is there by rounding only, so is the linear map.
+  // Calls `visit(cell, corners)` for each union of cells, with the largest cell, and the corners
+  // of the union counterclockwise. If a cell exists only because of rounding, so does its linear
+  // map.
   template <typename Visit>
   void join(const std::vector<Cell>& cells, const Face_cutter& lines, const Visit& visit)
   {
@@ -124,7 +125,7 @@ private:
     return m_opposite[s] == none || union_of(m_opposite[s]) != union_of(s);
   }
 
-  // where the line changes, on the way around the union along whose boundary `first` is
+  // where the line changes, around the union with the boundary halfedge `first`
   void collect_corners(std::size_t first)
   {
     m_corners.clear();

@@ -129,9 +129,9 @@ public:
     return result;
   }
 
-  // A face is flipped if its normal and the sum of those of the fine faces that are mapped to it,
-  // by their middles, point to different sides. A face to which none is mapped is compared with the
-  // fine face at its middle.
+  // Fine faces belong to the coarse face to which their middles are mapped. A coarse face is
+  // flipped if its normal and the sum of the normals of its fine faces point to different sides. A
+  // coarse face without fine faces is compared with the fine face at its middle.
   std::size_t number_of_flipped_faces() const
   {
     std::vector<Space::Vector_3> normal(m_coarse.number_of_faces(), NULL_VECTOR);

@@ -22,10 +22,10 @@ namespace CGAL::Intrinsic_simplification::internal {
 using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::opposite;
 
-// The order in which curves cross an edge. Curves that do not cross each other go on side by side
-// until they leave a face by different sides or corners: there their order is known, without any
-// numbers. Curves that go on for long side by side are compared at each edge that they cross: what
-// has been found is kept at some of their pieces, so that all of it takes linear time.
+// The order in which curves cross an edge. Curves that do not cross each other continue side by
+// side until they leave a face by different sides or corners. At this face their order is known,
+// without any numbers. Curves that continue side by side for long are compared at each edge that
+// they cross. Results are kept at some of their pieces, so that the total time is linear.
 class Crossing_order
 {
 public:
@@ -33,8 +33,8 @@ public:
     : m_strands(traced.pieces, traced.first_piece, map.coarse().mesh()), m_mesh(map.fine().mesh())
   {}
 
-  // Compares the places on the first halfedge of an edge where two pieces end: negative if that of
-  // `a` is before that of `b`, zero if the curves never separate.
+  // Compares the positions on the first halfedge of an edge where two pieces end. The result is
+  // negative if the position of `a` comes first, and zero if the curves never separate.
   int compare(std::size_t a, std::size_t b)
   {
     const Halfedge_index left = first_halfedge(Edge_index(side_of_end({a, true})));
@@ -65,15 +65,16 @@ private:
     return side_of_end({piece, true}) == h ? Strand{piece, false} : Strand{piece + 1, true};
   }
 
-  // compares the places on `h` where two pieces end, by the ways on its left
+  // compares the positions on `h` where two pieces end, by the ways on its left
   int compare_on_left(std::size_t a, std::size_t b, Halfedge_index h)
   {
     const int result = compare_ahead(strand(a, h), strand(b, h), h, Turn::left);
     return result != 0 ? result : compare_ahead(strand(a, h), strand(b, h), h, Turn::right);
   }
 
-  // Where the curve leaves a face that it has entered by side `n`, counterclockwise: odd at
-  // corners, even at sides; zero if it bends back to that side.
+  // The corner or side through which the curve leaves a face that it has entered by side `n`,
+  // counterclockwise. It is odd at corners, even at sides, and zero if the curve bends back to
+  // side `n`.
   std::size_t exit(const Strand& s, std::size_t n) const
   {
     const Face_point& p = m_strands.end(s);
@@ -99,7 +100,7 @@ private:
     return false;
   }
 
-  // Compares the places where two curves enter the face of `h` by `h`.
+  // Compares the positions where two curves enter the face of `h` by `h`.
   int compare_ahead(const Strand& a, const Strand& b, Halfedge_index h, Turn turn)
   {
     m_passed.clear();
@@ -145,7 +146,7 @@ private:
     return 0;
   }
 
-  // whether the curve has come to a vertex on a boundary edge
+  // whether the curve has reached a vertex on a boundary edge
   bool ends(const Strand& s) const { return m_strands.is_last(s) && is_on_side(m_strands.end(s)); }
 
   Curve_strands m_strands;

@@ -22,8 +22,8 @@ struct Strand
   bool is_forward;
 };
 
-// Where a curve goes on at a vertex of the coarse level that lies inside a fine face: along the
-// next edge on one side, so that the way does not cross any edge.
+// The continuation of a curve at a vertex of the coarse level inside a fine face. It follows the
+// next edge on one side, so that it does not cross any edge.
 enum class Turn
 {
   left,

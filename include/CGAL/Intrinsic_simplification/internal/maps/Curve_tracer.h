@@ -29,10 +29,10 @@ struct Curve_segment
   Face_point from, to;
 };
 
-// Carries an edge of one level through the operations to the other. Homogeneous coordinates make
-// every operation linear on each face. So a segment goes its way alone: it is cut where a new edge
-// crosses it, and the next operation on its face decides what happens next. Segments that meet on
-// an edge agree there to the last bit: the two coordinates of a point on an edge change only by
+// Maps an edge of one level through the operations to the other. Homogeneous coordinates make
+// every operation linear on each face, so each segment is mapped alone. A new edge cuts it, and
+// the next operation on its face determines the next step. Segments that meet on an edge agree at
+// the meeting point to the last bit. The two coordinates of a point on an edge change only by
 // operations that involve the faces on both sides.
 class Curve_tracer
 {
@@ -68,8 +68,8 @@ private:
     Route::Time time;
   };
 
-  // Where operations cut the curve over and over, pieces pile up in a face. So it goes in steps of
-  // about as many operations as there are pieces, and what is straight is joined in between.
+  // If operations cut the curve many times, pieces accumulate in a face. So tracing takes steps of
+  // about as many operations as pieces, and joins straight pieces in between.
   void carry_edge(Halfedge_index h)
   {
     m_is_bend.assign(2, 0);
@@ -210,8 +210,8 @@ private:
       return add_part(sectors[from.first], from.point, to.point);
     if(to.is_in(from.last))
       return add_part(sectors[from.last], from.point, to.point);
-    // one way around the vertex there is one outgoing halfedge; where its line is crossed decides
-    // on the way
+    // the vertex has one outgoing halfedge in one direction around it; the position where its line
+    // is crossed decides on the direction
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
     const std::size_t outgoing = one_ahead ? (from.last + 1) % 3 : from.first;
     auto [point, excess] = sectors.on_line(outgoing, x, y);
@@ -285,9 +285,9 @@ private:
     m_carried.resize(size);
   }
 
-  // Joins what is straight, inside faces and where the curve comes to a side and goes on in its
-  // face: there it runs along the boundary. A piece that leads from a side back to the same side,
-  // or from a corner to itself, is there by rounding only.
+  // Joins straight pieces inside faces, and if the curve reaches a side and continues in its face.
+  // In the second case it runs along the boundary. A piece from a side back to the same side, or
+  // from a corner to itself, exists only because of rounding.
   void join_straight_pieces()
   {
     std::size_t size = 0;

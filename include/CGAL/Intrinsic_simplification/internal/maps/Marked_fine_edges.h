@@ -25,14 +25,14 @@ namespace CGAL::Intrinsic_simplification::internal {
 using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::is_first_halfedge;
 
-// The marks on the edges of the fine level, in their order along these, and the pieces of the edges
-// of the coarse level between them. Vertices of a subdivision are those of the fine level, those
-// that only the coarse level has, marks, and bends. A vertex that only the coarse level has is a
-// mark too if it is on the boundary.
+// The marks on the edges of the fine level, in their order, and the pieces of the edges of the
+// coarse level between them. Vertices of a subdivision are vertices of the fine level, vertices
+// that only the coarse level has, marks, and bends. A vertex on the boundary that only the coarse
+// level has is a mark, too.
 //
-// Curves that come to a vertex within rounding run through it: where they cross the edges there,
-// their marks are moved to the vertex, in their order along the edge. So what does not cross before
-// does not cross then. Marks that have not been moved are kept.
+// Curves that reach a vertex within rounding run through it. Their marks on the edges at the
+// vertex are moved to the vertex, in their order along the edge. So curves that did not cross
+// before do not cross afterwards. Marks that have not been moved are kept.
 class Marked_fine_edges
 {
 public:
@@ -98,7 +98,7 @@ public:
   Curve_index mark_of(Vertex_index v) const { return m_mark_of_vertex[v.idx()]; }
   Curve_index mark_of_coarse(Vertex_index v) const { return mark_of(m_vertex_of_coarse[v.idx()]); }
 
-  // the numbers of all marks, and of those that are kept
+  // the numbers of all marks, and of the kept marks
   const Edge_marks& numbers() const { return m_numbers; }
   const Edge_marks& kept() const { return m_kept; }
 
@@ -179,8 +179,8 @@ private:
     renumber(order, marks, pieces);
   }
 
-  // Sorts the crossings by their places at first, but it is the curves that determine the order.
-  // Then places are made to agree.
+  // Sorts the crossings by their positions at first. The curves determine the final order. Then
+  // positions are made to agree.
   void order_crossings(Traced_curves& traced) const
   {
     Marks& marks = traced.marks;
@@ -239,7 +239,7 @@ private:
     }
   }
 
-  // Such a vertex is a mark that is kept, whatever its place.
+  // Such a vertex is a mark that is kept, at any position.
   void add_new_border_vertices()
   {
     for(Vertex_index v : m_new_vertices) {
@@ -262,8 +262,8 @@ private:
     return v;
   }
 
-  // Moves what is near to an end of an edge there, and cuts off the corners where that leads from a
-  // vertex to itself.
+  // Moves marks near an end of an edge to this end. Cuts off corners if this connects a vertex to
+  // itself.
   void run_through_near_vertices(Traced_curves& traced)
   {
     m_marks = std::move(traced.marks);

@@ -66,8 +66,8 @@ public:
     return x[p] * m_crossing[q] > x[q] * m_crossing[p];
   }
 
-  // changes the coordinates for the face with p or for that with q, of which one may be negative:
-  // takes as much of the crossing as there is from p and q and gives it to o and r
+  // Changes the coordinates for the face with p or for the face with q; one of the two may be
+  // negative. Takes as much of the crossing as p and q have, and gives it to o and r.
   void change(Patch_coordinates& x, bool has_p) const
   {
     const Corner left_over = has_p ? p : q, used_up = has_p ? q : p;
@@ -77,7 +77,7 @@ public:
     add_crossing(all, x);
   }
 
-  // changes the coordinates of a point of one of these faces, none of which becomes negative
+  // changes the coordinates of a point of one of these faces, all of them nonnegative
   void change_inside(Patch_coordinates& x, bool has_p) const
   {
     change(x, has_p);

@@ -95,7 +95,7 @@ public:
   const Surface_level& end() const { return m_end; }
   bool is_forward() const { return m_is_forward; }
 
-  // the time at which the next operation on `f` is met; that of the end if there is none
+  // the time of the next operation on `f`; the time of the end if no operation follows
   Time next(Face_index f, Time now) const
   {
     return m_is_forward ? m_operations.next(f, now, m_end.time())
@@ -108,7 +108,7 @@ public:
     return m_is_forward ? m_end.time() - m_start.time() : m_start.time() - m_end.time();
   }
 
-  // returns the time after the next `n` operations, at most that of the end
+  // returns the time after the next `n` operations, at most the time of the end
   Time after(Time t, Time n) const
   {
     return m_is_forward ? t + (std::min)(n, m_end.time() - t) : t - (std::min)(n, t - m_end.time());

@@ -64,8 +64,8 @@ inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::
   return to == (from + 1) % 3 ? side[from] : Intrinsic_triangulations::opposite(side[to]);
 }
 
-// the edge on which an end of a segment lies, and the ratio of its distances from the source and
-// the target of the first halfedge
+// the edge on which an end of a segment lies, and the ratio of the distances of the end from
+// source and target of the first halfedge
 inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Face_point& end,
                                                 const Delta_complex& mesh)
 {
@@ -75,8 +75,8 @@ inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Fa
   return {Edge_index(h), Intrinsic_triangulations::is_first_halfedge(h) ? to / from : from / to};
 }
 
-// a straight part of an edge of the coarse level in a face of the fine level, the marks at its
-// ends, and the vertex where it ends
+// A straight part of an edge of the coarse level in a face of the fine level. It has the marks at
+// its ends, and the vertex where it ends.
 struct Coarse_piece
 {
   Curve_segment segment;
@@ -85,8 +85,8 @@ struct Coarse_piece
   Vertex_index target;
 };
 
-// A point on an edge of the fine level, with a ratio between zero and infinity from the source to
-// the target of its first halfedge.
+// A point on an edge of the fine level. The ratio, between zero and infinity, leads from the
+// source to the target of its first halfedge.
 struct Curve_mark
 {
   Edge_index edge;

@@ -20,9 +20,9 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The edges of a subdivision and their cyclic order around its vertices. The pieces of edges of the
-// fine level come first. A piece of an edge of the coarse level is one of them if it runs along it;
-// otherwise it is a chord of a face, which is an edge of its own.
+// The edges of a subdivision and their cyclic order around its vertices. The pieces of edges of
+// the fine level come first. A piece of an edge of the coarse level may run along one of them, and
+// is the same edge then. Otherwise it is a chord of a face, which is an edge of its own.
 class Vertex_rotation
 {
 public:
@@ -41,7 +41,7 @@ public:
   // piece `p` of an edge of the coarse level, in the direction of the first halfedge of that
   Halfedge_index coarse_piece(Curve_index p) const { return m_halfedge[p]; }
 
-  // the piece of which a chord is one of the halfedges
+  // the piece that has a chord as one of its halfedges
   const Coarse_piece& piece_of_chord(Halfedge_index h) const
   {
     const Curve_index chord = Edge_index(h).idx() - m_edges.kept().number_of_pieces();
@@ -91,9 +91,9 @@ private:
   // A corner of a face, or a mark on one of its sides.
   typedef std::pair<std::size_t, Curve_index> Position;
 
-  // A piece that leaves a vertex of the fine level into a corner of a face, and between which
-  // places, counterclockwise from this corner, the sides of the face are met again; at last the
-  // order of those along one edge.
+  // A piece that leaves a vertex of the fine level into a corner of a face. The positions between
+  // which it meets the sides of the face again are counted counterclockwise from this corner. The
+  // last criterion is the order of pieces along one edge.
   struct Chord_end
   {
     std::size_t corner;
@@ -114,8 +114,8 @@ private:
 
   // ---- Numbers ----
 
-  // An edge of the coarse level that is one of the fine level takes its place. What else runs along
-  // that is put into a face at first, in the order in which it comes.
+  // An edge of the coarse level that is an edge of the fine level replaces it. Other pieces along
+  // it are first put into a face, in the order in which they come.
   void number_pieces()
   {
     m_is_taken.assign(m_edges.kept().number_of_pieces(), 0);
@@ -198,8 +198,8 @@ private:
     return m_chords_at_mark[mark][is_first_halfedge(h) ? 0 : 1];
   }
 
-  // A chord may end at a vertex inside the face: then ways on its right and on its left, which
-  // cross no edge, determine its place.
+  // A chord may end at a vertex inside the face. Then ways on its right and on its left, which
+  // cross no edge, determine its position.
   void add_chord_end(const Strand& chord, const Face_point& at_corner, Halfedge_index out)
   {
     const Curve_strands strands = m_edges.strands();
@@ -214,8 +214,9 @@ private:
       {corner_index(strands.piece(chord).segment.face, c), {first, last, tie}, out});
   }
 
-  // Where the way on one side of a chord leaves its face. If it comes back to the corner by another
-  // chord, that is the next one there, and its way is followed. Returns the number of these too.
+  // The position where the way on one side of a chord leaves its face. If the way comes back to
+  // the corner by another chord, this is the next chord at the corner, and its way is followed.
+  // Returns the number of these chords, too.
   std::pair<Strand, std::ptrdiff_t> exit(const Strand& chord, Corner_set corner, Turn turn) const
   {
     const Curve_strands strands = m_edges.strands();
@@ -264,7 +265,7 @@ private:
     });
   }
 
-  // around a vertex that only the coarse level has, as there
+  // around a vertex that only the coarse level has, in the same way
   void collect_outgoing_halfedges_of_new_vertex(Vertex_index v, Curve_index mark,
                                                 std::vector<Halfedge_index>& out) const
   {

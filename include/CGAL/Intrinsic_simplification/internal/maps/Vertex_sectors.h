@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The removal of a vertex or its inverse, an insertion: the sectors m01, m12 and m20, of which m20
-// is missing at the boundary, are the face 012.
+// The removal of a vertex, or its inverse, an insertion. The sectors m01, m12 and m20 together are
+// the face 012; at the boundary m20 is missing.
 class Vertex_sectors
 {
 public:
@@ -139,8 +139,8 @@ private:
   static constexpr Corner_set whole_face() { return bit(0) | bit(1) | bit(2); }
   static constexpr Corner_set border_side() { return bit(0) | bit(2); }
 
-  // The corner of which a point has the least, compared with the vertex: the point and this corner
-  // are on opposite sides of the vertex.
+  // The corner whose coordinate in a point is least, compared with the vertex: the point and this
+  // corner are on opposite sides of the vertex.
   std::size_t corner_used_up(const Patch_coordinates& x) const
   {
     const Coordinates& w = m_vertex;

@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The connected components of the graph of a symmetric matrix, and those of them on which constants
-// are mapped to zero.
+// The connected components of the graph of a symmetric matrix, and the components on which
+// constants are mapped to zero.
 class Matrix_components
 {
 public:

@@ -101,8 +101,8 @@ private:
   Intrinsic_triangulations::Factorization<double> m_factorization;
 };
 
-// One V-cycle, an approximate inverse that is symmetric and positive definite where the matrix is.
-// The matrices of the coarser levels are those of Galerkin, P^T A P.
+// One V-cycle: an approximate inverse that is symmetric, and positive definite if the matrix is.
+// Coarser levels have the matrices of Galerkin, P^T A P.
 class Multigrid_cycle
 {
 public:

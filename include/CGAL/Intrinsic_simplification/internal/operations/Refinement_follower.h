@@ -22,8 +22,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The barycentric coordinates of a point in a triangle, from its distances to the corners and the
-// sides of the triangle that begin there.
+// The barycentric coordinates of a point in a triangle, from its distances to the corners and to
+// the sides that begin at them.
 inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& outgoing_length,
                                                   const std::array<double, 3>& side)
 {
@@ -111,7 +111,7 @@ public:
 
   // ---- The result ----
 
-  // Lengths that have been computed from the start are better than those of flips.
+  // Lengths that were computed from the start are more accurate than lengths from flips.
   void take_lengths()
   {
     for(Edge_index e : mesh().edges())
@@ -144,7 +144,7 @@ private:
     m_halfedge[mesh().edge(h)] = Intrinsic_triangulations::oriented_like(h, on_surface);
   }
 
-  // elements of the triangulation have the order of those of the surface
+  // elements of the triangulation have the order of the elements of the surface
   void attach()
   {
     m_halfedge =
@@ -188,8 +188,8 @@ private:
     return image(mesh().next(outgoing[n % outgoing.size()]));
   }
 
-  // The outgoing halfedge before the first side of a face of the surface: for three of them, the
-  // first side of all; for four, one that is followed by another in its face.
+  // The outgoing halfedge before the first side of a face of the surface. Of three, it is the
+  // first side of all. Of four, it is one that is followed by another one in its face.
   std::size_t first_side(const Halfedges& outgoing) const
   {
     const Delta_complex& before = surface().mesh();

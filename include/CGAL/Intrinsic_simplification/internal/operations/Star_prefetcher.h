@@ -36,10 +36,10 @@ inline void prefetch(const void* address, std::size_t size)
 // what a cost has for a vertex; of a cost that is not known nothing is
 inline void prefetch_vertex(Intrinsic_triangulations::Vertex_index, const void*) {}
 
-// Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk
-// around a star waits for memory at each outgoing halfedge, and many walks side by side wait hardly
-// longer. On surfaces larger than the cache a quarter of the time would be such waiting. Nothing
-// else depends on it.
+// Brings the stars of the vertices near the top of a heap into the cache, many at once. A walk
+// around a star waits for memory at each outgoing halfedge. Many walks side by side hardly wait
+// longer than one. On surfaces larger than the cache, waiting would take a quarter of the time.
+// Nothing else depends on it.
 class Star_prefetcher
 {
 public:

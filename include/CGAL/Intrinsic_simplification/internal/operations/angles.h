@@ -17,8 +17,8 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 using Intrinsic_triangulations::pi;
 
-// The sum of angles between 0 and pi, given by their cosines and sines: a product of complex
-// numbers, with the quadrants counted that it passes. One arc tangent is needed for all.
+// The sum of angles between 0 and pi, given by their cosines and sines. It is a product of complex
+// numbers, and counts the quadrants that the product passes. One arc tangent suffices for all.
 class Angle_sum
 {
 public:
@@ -28,8 +28,8 @@ public:
     const double c = m_cosine * cosine - m_sine * sine;
     m_sine = m_cosine * sine + m_sine * cosine;
     m_cosine = c;
-    // The sum is in the first of two quadrants or the second; where it is seen in another, by
-    // rounding, the nearer of the two counts.
+    // The sum is in the first of two quadrants or the second. If rounding puts it in another
+    // quadrant, the nearer of the two counts.
     const int first = m_quadrant + (cosine < 0 ? 1 : 0);
     const int beyond = (seen_quadrant() - first) & 3;
     m_quadrant = first + (beyond == 1 || beyond == 2 ? 1 : 0);

@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// What a flip of ij to lk needs: the new length, and the places where the two cross, measured from
-// i and l.
+// The data of a flip of ij to lk: the new length, and the positions where the two cross, measured
+// from i and l.
 struct Flip_geometry
 {
   double length, s, t;
@@ -48,8 +48,9 @@ inline void flip(Halfedge_index h, const Flip_geometry& geometry, Intrinsic_surf
   surface.flip(h, geometry.length);
 }
 
-// Inserts a vertex into the face of `h` and records it. Its barycentric coordinates and the lengths
-// of its edges are in the order of those of the face. Returns the halfedge to the first corner.
+// Inserts a vertex into the face of `h` and records it. Its barycentric coordinates and the
+// lengths of its edges are in the order of the corners of the face. Returns the halfedge to the
+// first corner.
 inline Halfedge_index insert(Face_index f, const std::array<double, 3>& weight,
                              const std::array<double, 3>& length, Intrinsic_surface& surface,
                              Surface_history& history)

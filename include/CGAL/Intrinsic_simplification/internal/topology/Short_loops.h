@@ -87,8 +87,8 @@ private:
     return result;
   }
 
-  // Removes the longest loops without which the others, together, do not separate: those across
-  // which what is cut along all loops is put together again.
+  // Removes the longest loops without which the others, together, do not separate. Across such a
+  // loop, parts that are cut along all loops are joined again.
   void leave_connected(std::vector<Loop>& loops) const
   {
     std::vector<bool> is_cut(m_mesh.num_edges(), false);

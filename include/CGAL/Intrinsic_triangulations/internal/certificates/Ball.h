@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// that of quotients, the largest
+// the bound for quotients, the largest
 template <>
 struct Rounding<Double_double>
 {
@@ -40,8 +40,8 @@ struct Ball
   N x{0}, y{0};
   double radius{0};
 
-  // A bound that is not tight would be raised to the power of the number of factors. Squares that
-  // underflow are covered by what is added.
+  // A bound that is not tight would be raised to the power of the number of factors. The added
+  // term covers squares that underflow.
   double norm() const
   {
     const double u = to_double(x), v = to_double(y);

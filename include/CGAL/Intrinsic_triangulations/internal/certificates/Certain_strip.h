@@ -26,13 +26,13 @@ struct Straight_edge
   double length;   // NaN if it is not known up to the error that is allowed
 };
 
-// The strip of triangles of T1 that an edge of T2 crosses, laid out in `double` from its source by
-// the corners of these triangles, not by lengths.
+// The strip of triangles of T1 that an edge of T2 crosses. It is laid out in `double` from its
+// source by the corners of these triangles, not by lengths.
 //
-// A side comes from the side before by a factor with a relative error of at most 20 u, and the
-// product adds less than 3 u, for the rounding unit u: so a side has at most 24 u for each
-// triangle. A corner is placed by adding up sides on the shorter way from the source; each sum adds
-// a u of that way. Hence no corner is displaced by more than 32 u times the number of triangles
+// Let u be the rounding unit. A side is the side before times a factor with a relative error of at
+// most 20 u, and the product adds less than 3 u. So a side has at most 24 u for each triangle. The
+// position of a corner is the sum of sides on the shorter way from the source; each sum adds a u
+// of that way. Hence the displacement of a corner is at most 32 u times the number of triangles,
 // times the longest of these ways.
 template <typename Number>
 class Certain_strip : Euclidean_strip<double>
@@ -45,9 +45,9 @@ public:
   explicit Certain_strip(const Exact_surface<Number>& input) : m_input(input) {}
 
   // Returns the length of an edge with this course, unless it may have a relative error of more
-  // than `error`, and whether it certainly passes between the ends of the edges of T1 that it
-  // crosses.
-  // \pre the edge crosses some and has no inserted ends, and T1 has positions or lengths
+  // than `error`. Also returns whether it certainly passes between the ends of the edges of T1
+  // that it crosses. \pre the edge crosses some and has no inserted ends, and T1 has positions or
+  // lengths
   Straight_edge operator()(const Edge_course& course, double error)
   {
     if(course.size() == 1)
@@ -61,10 +61,10 @@ public:
   }
 
 private:
-  // Two triangles are laid out from their common side `x`: each of their other corners on its own.
-  // From either end of `x` they are seen with a relative error of 20 u, and the products that
-  // determine on which side of the end the edge passes have 44 u; the length has 22 u of two sides.
-  // Products of sides are bounded by half of the sum of their squares.
+  // Two triangles are laid out from their common side `x`, each of their other corners on its own.
+  // From either end of `x` they are seen with a relative error of 20 u. The products that
+  // determine on which side of the end the edge passes have 44 u; the length has 22 u of two
+  // sides. Products of sides are bounded by half of the sum of their squares.
   Straight_edge across(Halfedge_index x, double error) const
   {
     const auto apex = apex_products<double>(x, m_input),

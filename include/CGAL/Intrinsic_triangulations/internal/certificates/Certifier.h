@@ -66,8 +66,8 @@ public:
   // for several calls of `straight_length()`
   Decisions decisions() const { return Decisions(m_pair, m_courses); }
 
-  // Returns the length of the edge `e`; zero if it cannot be shown that it is straight, and that
-  // the faces at inserted ends turn around once.
+  // Returns the length of the edge `e`. Returns zero if it cannot be shown that it is straight, or
+  // that the faces at inserted ends turn around once.
   double straight_length(Edge_index e, Decisions& decisions)
   {
     try {

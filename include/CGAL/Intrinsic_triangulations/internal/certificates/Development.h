@@ -26,8 +26,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lays out triangles of T1 that edges and corners of T2 pass, around a vertex of T2 at the origin.
-// Which triangles these are is exact; `Corners` determines the numbers. Vectors from the origin and
-// along sides carry errors relative to their own lengths, so that angles at the origin are accurate
+// The sequence of triangles is exact; `Corners` determines the numbers. Vectors from the origin
+// and along sides have errors relative to their own lengths. So angles at the origin are accurate
 // in the thinnest triangles.
 template <typename Traits, typename Corners>
 class Development
@@ -53,8 +53,8 @@ public:
     return m_corners.number(x);
   }
 
-  // Returns the side of T1 at or clockwise from the halfedge `h` of T2; if its source lies inside a
-  // face, any side of this face.
+  // Returns the side of T1 at or clockwise from the halfedge `h` of T2. If its source lies inside
+  // a face, returns any side of this face.
   Placed_side start(Halfedge_index h) const
   {
     const Vertex_index v = m_pair.mesh().source(h);
@@ -156,8 +156,8 @@ public:
              : scaled(side.source, h) + side.vector * at_source(h);
   }
 
-  // Returns the point of the triangle of `side` with the barycentric coordinates `w`, beginning
-  // with that of the source of `side`, divided by their sum.
+  // Returns the point of the triangle of `side` with the barycentric coordinates `w`, divided by
+  // their sum. They begin with the source of `side`.
   Complex point(const Placed_side& side, const std::array<Complex, 3>& w) const
   {
     return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
@@ -177,8 +177,8 @@ public:
   }
 
 private:
-  // Returns where `h` ends if its first triangle lies at `side`, and appends the sides of T1 that
-  // it crosses to `crossed`, if there are any.
+  // Returns where `h` ends if its first triangle lies at `side`. Appends the sides of T1 that it
+  // crosses to `crossed`.
   Complex end(Halfedge_index h, Placed_side side, Placed_sides* crossed = nullptr) const
   {
     const Delta_complex& mesh = m_pair.mesh();
@@ -209,16 +209,17 @@ private:
     return weights(coordinates_from(side, p, m_input));
   }
 
-  // those of a vertex that was inserted on the edge of `side`: only the first two are not zero
+  // the coordinates of a vertex that was inserted on the edge of `side`: only the first two are
+  // not zero
   std::array<Complex, 3> weights(Halfedge_index side, Vertex_index inserted) const
   {
     const auto& [u, v] = m_pair.on_input_edge(side, inserted).weight;
     return weights({u, v, 0});
   }
 
-  // Returns those of the source of the halfedge `back` of T2, which leads into the triangle of
-  // `side`. On an edge of T1 both are read, not one computed from the other: they are the same from
-  // either side.
+  // Returns the coordinates of the source of the halfedge `back` of T2, which leads into the
+  // triangle of `side`. On an edge of T1 both are read, not one computed from the other: they are
+  // the same from either side.
   std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
   {
     const Vertex_index v = m_pair.mesh().source(back);

@@ -13,8 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Values of a function of numbers, kept until others take their places. So a single value costs
-// little, and few are computed twice.
+// Values of a function of numbers, kept until others replace them. So a single value costs little,
+// and few are computed twice.
 template <typename Value>
 class Direct_mapped_cache
 {

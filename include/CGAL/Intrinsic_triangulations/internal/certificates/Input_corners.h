@@ -30,9 +30,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A corner at p of a triangle pqr of T1, where pq is the side of a halfedge. As a complex number it
-// is (r - p) / (q - p), up to conjugation: its argument is the angle, its absolute value the ratio
-// of the sides.
+// A corner at p of a triangle pqr of T1, where pq is the side of a halfedge. As a complex number
+// it is (r - p) / (q - p), up to conjugation. Its argument is the angle, and its absolute value
+// the ratio of the sides.
 struct Input_corner
 {
   Vertex_index p, q, r;
@@ -58,8 +58,8 @@ using Ring_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_ring, S
 template <typename Stored>
 using Field_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_field, Stored>;
 
-// Twice the scalar product of the sides at a corner, and the square of four times the area, from
-// the squared lengths of pq, pr and qr. Nothing is divided.
+// Twice the scalar product of the sides at a corner, and the square of four times the area. Both
+// are computed from the squared lengths of pq, pr and qr, without divisions.
 template <typename K>
 struct Corner_products
 {
@@ -186,7 +186,8 @@ private:
 };
 
 // Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a
-// common factor: coordinates and lengths are made whole numbers, which need no common denominators.
+// common factor. Coordinates and lengths are made whole numbers, which need no common
+// denominators.
 template <typename K, typename Number>
 std::array<K, 3> squared_sides(Halfedge_index h, const Exact_surface<Number>& input)
 {
@@ -217,8 +218,8 @@ Sign area_sign(Halfedge_index h, const Exact_surface<Number>& input)
 }
 
 // Corners of numbers with square roots, exactly, for one decision. They are not divided by the
-// squared length of their side: a position is one up to a positive factor. With positions, faces
-// side by side in one plane make one face, all vertices of which are placed at once.
+// squared length of their side: a position is determined up to a positive factor. With positions,
+// adjacent faces in one plane make one face, whose vertices all get their positions at once.
 template <typename K, typename Number>
 class Exact_corners
 {
@@ -252,7 +253,8 @@ public:
   Complex at_source(Halfedge_index h) { return from_source(h, m_input.mesh().prev(h)); }
   Complex at_target(Halfedge_index h) { return conj(real(scale(h)) - at_source(h)); }
 
-  // Returns where the source of `other`, a halfedge of the face of `h`, lies from that of `h`.
+  // Returns where the source of `other`, a halfedge of the face of `h`, lies from the source of
+  // `h`.
   Complex from_source(Halfedge_index h, Halfedge_index other)
   {
     if(other == h)
@@ -309,7 +311,7 @@ private:
     return m_input.metric.points[m_input.mesh().target(h)];
   }
 
-  // returns that of side number `s` from `h` on
+  // returns the value of side number `s` from `h` on
   const K& square(Halfedge_index h, std::size_t s)
   {
     return face(h).square[(side_number(h, m_input.mesh()) + s) % 3];
@@ -323,14 +325,14 @@ private:
     return place->second;
   }
 
-  // Lengths that exceed the triangle inequality by rounding are those of a flat triangle.
+  // Lengths that exceed the triangle inequality by rounding make a flat triangle.
   void set_sides(Halfedge_index h, Face& f)
   {
     f.square = squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_input);
     set_root((std::max)(Corner_products<K>(f.square).squared_quadrupled_area, K(0)), f);
   }
 
-  // A vector product is the multiple of the normal that a coordinate tells.
+  // A vector product is a multiple of the normal, which one coordinate determines.
   void set_plane(Halfedge_index h, Face& f)
   {
     auto p = corners_of_triangle(h, m_input);

@@ -47,8 +47,8 @@ struct Exact_surface : Surface_view<Delta_complex::Property_map<Edge_index, doub
 struct No_metric
 {};
 
-// Whether decisions are exact while lengths are of type `double`: where lengths leave a doubt, they
-// are derived from the metric of T1.
+// Whether decisions are exact while lengths are of type `double`: if lengths do not decide, the
+// metric of T1 does.
 template <typename Traits, typename = void>
 struct Is_exact : std::false_type
 {};
@@ -66,8 +66,8 @@ void default_traits(...);
 template <typename Traits>
 using Default_traits_of = decltype(default_traits(std::declval<const Traits&>()));
 
-// Whether the function objects that measure are those of the default traits, whose geometry exact
-// decisions know; then, whether those that decide about flips are, too.
+// Whether the function objects that measure belong to the default traits, whose geometry exact
+// decisions know. Then, whether the function objects that decide about flips do, too.
 template <typename Traits, typename Default = Default_traits_of<Traits>>
 struct Inherited
 {
@@ -89,7 +89,7 @@ struct Inherited<Traits, void>
   static constexpr bool geometry = false, decisions = false;
 };
 
-// `double` can be in doubt and then goes on with exact decisions
+// `double` can fail to decide, and then exact decisions follow
 template <typename Traits, typename = void>
 struct Metric_of
 {

@@ -23,7 +23,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The length of each edge of T2 in the strip of triangles of T1 that it passes, computed afresh.
+// The length of each edge of T2, recomputed in the strip of triangles of T1 that it passes.
 template <typename Traits>
 class Lengths_in_strips
 {
@@ -51,8 +51,8 @@ public:
     return {m_pair.traits().is_length_object()(length) && is_certain(h, length, tolerance), length};
   }
 
-  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight,
-  // and the relative error of `length` is at most `tolerance`, whatever rounding has done.
+  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight.
+  // Also, the relative error of `length` must be at most `tolerance`, for any rounding.
   bool is_certain(Halfedge_index h, double length, double tolerance)
   {
     const Delta_complex &mesh = m_pair.mesh(), &input = m_pair.input_mesh();
@@ -76,7 +76,7 @@ public:
     return m_strip.is_certain(error, tolerance);
   }
 
-  // returns the courses of the edges of which the lengths have been computed
+  // returns the courses of the edges whose lengths have been computed
   Edge_courses<Traits> courses() && { return std::move(m_courses); }
 
 private:
@@ -97,8 +97,9 @@ private:
   }
 
   // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths
-  // and the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that
-  // of a length. Where rounding can change the area by more than a small part, it is infinite.
+  // and the formulas. The error of an angle with opposite side a is a (a + b + c) / (2 area) times
+  // the error of a length. If rounding can change the area by more than a small part, the bound is
+  // infinite.
   float angle_error(Face_index f)
   {
     if(m_angle_error.empty())

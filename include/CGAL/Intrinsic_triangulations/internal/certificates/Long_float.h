@@ -22,8 +22,8 @@
 namespace CGAL {
 namespace Intrinsic_triangulations::internal {
 
-// A floating point number with as many binary digits. With 1024, those of MPFR take 0.08 us for a
-// product and 0.4 us for a root; those of Boost alone take 0.4 us and 50 us.
+// A floating-point number with as many binary digits. With 1024, numbers of MPFR take 0.08 us for
+// a product and 0.4 us for a root. Numbers of Boost alone take 0.4 us and 50 us.
 template <int Digits>
 using Binary_float = boost::multiprecision::number<
 #ifdef CGAL_USE_MPFR

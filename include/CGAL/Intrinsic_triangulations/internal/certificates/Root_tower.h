@@ -39,9 +39,9 @@ constexpr bool is_rational()
   return std::is_same_v<K, Exact_ring> || is_fraction<K>();
 }
 
-// Returns the root of `x` >= 0, if it is in `K` and can be found: of fractions this is decided, by
-// roots of integers, which are rounded down; of dyadic numbers whole roots are found; in other
-// fields only 0 and 1 are.
+// Returns the root of `x` >= 0, if it is in `K` and can be found. For fractions this is decided by
+// roots of integers, rounded down. For dyadic numbers whole roots are found. In other fields only
+// the roots 0 and 1 are found.
 template <typename K>
 std::optional<K> root_in(const K& x)
 {
@@ -98,8 +98,9 @@ public:
     K factor;
   };
 
-  // Returns a multiple of the root of `square`, which is added to the ring unless it is a multiple
-  // of one that is there, or of a product of these; nothing if there are too many.
+  // Returns a multiple of the root of `square`, which is added to the ring. It is not added if it
+  // is a multiple of an existing root, or of a product of these. Returns nothing if the ring has
+  // too many roots.
   std::optional<Multiple> root(const K& square)
   {
     if(const auto r = root_in(square))
@@ -307,8 +308,8 @@ private:
     }
   };
 
-  // Returns the sign of what `approximate()` returns; ZERO if `most_digits` leave it in doubt. Each
-  // root of a term adds some 16 units of roundoff, so that all but 24 bits hold.
+  // Returns the sign of the result of `approximate()`; ZERO if `most_digits` do not determine it.
+  // Each root of a term adds some 16 units of roundoff, so that all but 24 bits hold.
   template <typename Approximate>
   Sign rounded_sign(const Approximate& approximate) const
   {

@@ -55,8 +55,8 @@ inline std::uint64_t residue(const Scaled_part& part, std::uint64_t prime)
 }
 
 // Returns for each of the primes, as a bit, whether the dyadic number `x` is no square modulo it
-// (Euler's criterion); nothing if it is zero modulo one of them. Squares have no bits, and the bits
-// of a product are the exclusive or of those of its factors.
+// (Euler's criterion). Returns nothing if it is zero modulo one of them. Squares have no bits, and
+// the bits of a product are the exclusive or of the bits of its factors.
 template <typename K>
 std::optional<std::uint64_t> quadratic_characters(const K& x)
 {
@@ -92,8 +92,8 @@ public:
       m_rows.push_back(row);
   }
 
-  // Returns the factors of the product as bits of a number, 0 if it has none; nothing if `x` times
-  // any product is not a square.
+  // Returns the factors of the product as bits of a number, 0 if it has none. Returns nothing if
+  // `x` times any product is not a square.
   std::optional<std::size_t> product_like(std::optional<std::uint64_t> characters) const
   {
     const Row row = reduced({characters.value_or(0), 0});

@@ -46,9 +46,9 @@ N square_in_range(const N& pq, const N& pr, const N& qr)
            : N(std::numeric_limits<double>::quiet_NaN());
 }
 
-// The third corner r of a triangle pqr on the left of pq: scalar products of pq with pr and with
-// qr, the length of their vector product, and the squared lengths of the sides. That of pq is NaN
-// if products may leave the range of numbers.
+// The third corner r of a triangle pqr on the left of pq. It has scalar products of pq with pr and
+// with qr, the length of their vector product, and the squared lengths of the sides. The square of
+// pq is NaN if products may leave the range of numbers.
 template <typename N>
 struct Apex_products
 {
@@ -56,11 +56,11 @@ struct Apex_products
   N square_pq, square_pr, square_qr;
 };
 
-// Returns those of the triangle of the halfedge pq, from positions. Divided by the square of pq,
-// the products make vectors to r that are correct to a relative error of 20 u, for the rounding
-// unit u, however thin the triangle is: components of vectors have one of u, so that compared with
-// the product of both lengths a scalar product has 5 u, and the vector product with the shorter
-// side at r has 9 u; the quotients add 7 u. Inlined, those of two triangles are computed at once.
+// Returns the products of the triangle of the halfedge pq, from positions. Divided by the square
+// of pq, the products make vectors to r. They have a relative error of 20 u, for the rounding unit
+// u, however thin the triangle is. Components of vectors have one u. So a scalar product has 5 u,
+// compared with the product of both lengths. The vector product with the shorter side at r has 9
+// u; the quotients add 7 u. Inlined, the products of two triangles are computed at once.
 template <typename N>
 BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Position& q,
                                                  const Position& r)
@@ -77,7 +77,7 @@ BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Positi
           square_qr};
 }
 
-// Returns those from lengths: no formula loses digits.
+// Returns the products, computed from lengths: no formula loses digits.
 template <typename N>
 BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const N& rp)
 {
@@ -90,7 +90,7 @@ BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const
           square_qr};
 }
 
-// Returns those of the triangle on the left of `h`. \pre `input` has no squared lengths
+// Returns the products of the triangle on the left of `h`. \pre `input` has no squared lengths
 template <typename N, typename Number>
 Apex_products<N> apex_products(Halfedge_index h, const Exact_surface<Number>& input)
 {
@@ -110,8 +110,8 @@ struct Apex_ratios
   N from_source, from_target, across;
 };
 
-// Returns those of the triangle on the left of `h`; NaN if products may leave the range of numbers.
-// \pre `input` has no squared lengths
+// Returns the products of the triangle on the left of `h`; NaN if products may leave the range of
+// numbers. \pre `input` has no squared lengths
 template <typename N, typename Number>
 Apex_ratios<N> apex_ratios(Halfedge_index h, const Exact_surface<Number>& input)
 {

@@ -36,7 +36,7 @@ R squared_distance(const Position& p, const Position& q)
   return dot(u, u);
 }
 
-// returns those of a diamond
+// returns the squares of a diamond
 inline std::array<Position, 4>
 corner_positions(Halfedge_index h, const std::vector<Position>& points, const Delta_complex& mesh)
 {
@@ -154,9 +154,9 @@ inline Sign sign_of_products(const std::array<double, 6>& x)
                                                                : sign_of_sum(x);
 }
 
-// Returns the sign of the scalar product of k - i and k - j, if the differences are numbers of type
-// `double` or the product is clearly not zero. Products near the ends of the range are not looked
-// at.
+// Returns the sign of the scalar product of k - i and k - j. The differences must be numbers of
+// type `double`, or the product clearly not zero. Products near the ends of the range are not
+// considered.
 inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, const Position& j)
 {
   double sum = 0, size = 0;

@@ -76,8 +76,8 @@ std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surf
 }
 
 // Shortens the edges that are longer than the two other sides of a face together to their sum.
-// Short ones come first: what is shortened later is no shorter, and few edges have their turn more
-// than once.
+// Short edges come first: an edge that is shortened later is no shorter, and few edges are
+// shortened more than once.
 template <typename Surface>
 void shorten_to_triangles(const Surface& surface)
 {
@@ -102,9 +102,9 @@ void shorten_to_triangles(const Surface& surface)
   }
 }
 
-// Lengths of type `double` may exceed the triangle inequality by rounding. Made the metric of a
-// surface, exactly, they decide without contradictions: squared lengths that are not one are left
-// out, and the lengths themselves, which are exact then, are shortened.
+// Lengths of type `double` may exceed the triangle inequality by rounding. As the metric of a
+// surface, exactly, they decide without contradictions. Squared lengths without a surface are left
+// out, and the lengths themselves, which then count as exact, are shortened.
 inline void make_triangles_exact(const Exact_surface<double>& input, Input_metric<double>& metric)
 {
   if(!metric.squared_lengths.empty() && violated_triangle(input) != Delta_complex::null_face())

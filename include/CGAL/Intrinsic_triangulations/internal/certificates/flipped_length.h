@@ -45,12 +45,12 @@ struct Half_diamond
 // The error of the other diagonal kl of a diamond whose sides have relative errors of at most
 // `error`.
 //
-// For four points of the plane with the affine dependency a_i p_i + ... = 0, the products a_i a_j
-// are an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero,
-// and that of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive:
-// hence l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here
-// a_k and a_l are the areas of the two triangles; a_i and a_j are the parts of their sum on either
-// side of kl.
+// Consider four points of the plane with the affine dependency a_i p_i + ... = 0. The products a_i
+// a_j are an equilibrium stress. So the sum of a_i a_j l_ij dl_ij over all six distances is zero,
+// and so is the sum of a_i a_j l_ij^2. Only the products of the two diagonals are positive. Hence
+// l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here a_k and
+// a_l are the areas of the two triangles; a_i and a_j are the parts of their sum on either side of
+// kl.
 class Flipped_diagonal
 {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -93,10 +93,11 @@ private:
 
   double heights() const { return m_k.height + m_l.height + 2 * m_root; }
 
-  // Returns a bound for the product of both parts of ij, times that of the heights. The place where
-  // kl cuts ij divides the distance of the feet in the ratio of the heights: it changes by the
-  // error of the feet and by that of this ratio times their distance. If this can bring it outside
-  // of ij, one of a_i and a_j becomes negative, and its products with a_k and a_l count twice.
+  // Returns a bound for the product of both parts of ij, times the product of the heights. The
+  // position where kl cuts ij divides the distance of the feet in the ratio of the heights. It
+  // changes by the error of the feet and by the error of this ratio times their distance. If this
+  // can move it outside of ij, one of a_i and a_j becomes negative. Then its products with a_k and
+  // a_l count twice.
   double cut_parts(double thinness) const
   {
     const double cut = std::abs(m_k.foot * m_root + m_l.foot * m_k.height) /
@@ -109,8 +110,8 @@ private:
              : heights() * ((end + shift - cut) * (end + shift + cut) + outside * m_squares);
   }
 
-  // What is rounded in the formula itself is small changes of the distance of the feet and of both
-  // heights.
+  // Rounding errors of the formula itself are small changes of the distance of the feet and of
+  // both heights.
   double rounding(double thin_k, double thin_l, double inverse) const
   {
     const double sides =
@@ -127,7 +128,7 @@ private:
 };
 
 // Returns the length of the other diagonal of a diamond whose sides have relative errors of at
-// most `error`; the bound is infinite if that may not be small.
+// most `error`. The bound is infinite if the error may not be small.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
   return Flipped_diagonal(length, error)();

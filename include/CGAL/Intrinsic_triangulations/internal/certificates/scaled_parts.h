@@ -16,8 +16,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A number of type `double` times a power of two, whose exponent is a multiple of 256: numbers that
-// leave the range of `double` consist of these.
+// A number of type `double` times a power of two, whose exponent is a multiple of 256. Numbers
+// beyond the range of `double` consist of these.
 struct Scaled_part
 {
   double factor;

@@ -19,8 +19,8 @@ class Epick;
 
 namespace Intrinsic_triangulations {
 
-// What the compiled library holds: its macro is `extern` where this is used, and empty where the
-// library is built. So are those of the other headers in this folder.
+// The contents of the compiled library. Its macro is `extern` for users of the library, and empty
+// while the library is built. The macros of the other headers in this folder work in the same way.
 #ifndef CGAL_LINKED_WITH_TBB
 
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Intrinsic_triangulation<>::Intrinsic_triangulation(

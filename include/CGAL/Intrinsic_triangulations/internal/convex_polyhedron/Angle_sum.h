@@ -14,7 +14,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A sum of angles that is known with twice the digits of `double`: what is missing to a whole turn
+// A sum of angles that is known with twice the digits of `double`. The difference to a full turn
 // has a small relative error, however little it is. Angles are multiplied as complex numbers.
 class Angle_sum
 {

@@ -75,7 +75,7 @@ inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corne
                         la * lb * lc + (a * b) * lc + (b * c) * la + (c * a) * lb);
 }
 
-// A surface of which all faces are seen from the center, each from inside, covers the sphere of
+// If all faces of a surface are seen from the center, each from inside, it covers the sphere of
 // directions. If it covers it once and no edge is concave, it is convex.
 inline Polyhedron_certificate certified_polyhedron(const Delta_complex& mesh,
                                                    const Polyhedron_points& points,
@@ -137,8 +137,9 @@ inline std::vector<Halfedge_index> count_elements(const Delta_complex& mesh,
   return rim;
 }
 
-// The same for a polygon in the plane z = 0 that is covered twice: `flat_edges` are its diagonals
-// on both sides, `convex_edges` its sides. An angle of the polygon is that of the faces above it.
+// Decides the same question about a polygon in the plane z = 0 that is covered twice. `flat_edges`
+// are its diagonals on both sides, `convex_edges` its sides. An angle of the polygon is the angle
+// of the faces above it.
 inline Polyhedron_certificate certified_polygon(const Delta_complex& mesh,
                                                 const Polyhedron_points& points)
 {

@@ -122,8 +122,8 @@ public:
   }
 
 private:
-  // What rounding can come to where a flat vertex lies on a straight line between neighbors: one of
-  // the triangles that a flip leaves there, and a removal takes away, may have no area.
+  // A possible result of rounding if a flat vertex lies on a straight line between neighbors. One
+  // of the triangles that a flip leaves at the vertex, and a removal deletes, may have no area.
   static constexpr double straight_tolerance = 1e-6;
 
   // Returns the edge from `v` whose flip leaves the largest angles; null if none can be flipped.

@@ -29,8 +29,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Finds the positions of the vertices of a convex polyhedron with the surface of a triangulation,
-// and makes the edges of T2 straight lines on it.
+// Finds the positions of the vertices of a convex polyhedron with the surface of a triangulation.
+// It makes the edges of T2 straight lines on it.
 template <typename Traits>
 class Polyhedron_builder
 {
@@ -127,7 +127,7 @@ private:
     return height <= flat_height * t * size;
   }
 
-  // Flips T2 such that its edges are those of the polyhedron, or lie in its faces.
+  // Flips T2 such that its edges are edges of the polyhedron, or lie in its faces.
   void triangulate()
   {
     const auto weight = boost::make_function_property_map<Vertex_index>([this](Vertex_index v) {

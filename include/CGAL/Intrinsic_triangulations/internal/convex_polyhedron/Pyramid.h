@@ -18,9 +18,9 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // A pyramid over a triangle, given by the sides of the triangle and the distances of the apex from
-// its corners. Side s leads from corner s to the next. Its foot, above which the apex is, is the
-// power center of the triangle for the squared distances as weights, which may all have the same
-// number subtracted.
+// its corners. Side s leads from corner s to the next. Its foot, below the apex, is the power
+// center of the triangle for the squared distances as weights. The same number may be subtracted
+// from all weights.
 class Pyramid
 {
   typedef Double_double Number;
@@ -57,7 +57,7 @@ public:
   }
 
   // Returns by how much the curvature at the source of side s grows with the radius of its target,
-  // as far as this pyramid is concerned.
+  // as a contribution of this pyramid.
   double derivative(std::size_t s) const
   {
     return (m_foot_height[s] / m_height * m_radius[s] * m_radius[(s + 1) % 3] /

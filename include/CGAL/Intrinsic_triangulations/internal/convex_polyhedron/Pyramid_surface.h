@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The curvatures at the edges from a common apex of pyramids over the faces of a surface: what the
-// angles between lateral faces lack of a whole turn.
+// The curvatures at the edges from the apex of pyramids over the faces of a surface. A curvature
+// is a full turn less the angles between lateral faces.
 struct Apex_curvatures
 {
   bool exist = true; // whether all pyramids do

@@ -18,7 +18,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The distances of an apex from the vertices of a surface. Their squares are stored as a mean and
-// differences from it: if the apex is far away, distances have no digits for what they differ by.
+// differences from it. If the apex is far away, distances have no digits for their differences.
 class Radii
 {
 public:

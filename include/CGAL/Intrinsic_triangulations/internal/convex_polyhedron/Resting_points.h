@@ -39,7 +39,7 @@ struct Coordinates_in_triangle
   std::array<double, 3> coordinates;
   double least;
 
-  // In a triangle without area no point is at its place.
+  // In a triangle without area no point has a position.
   Coordinates_in_triangle(const std::complex<double>& p,
                           const std::array<std::complex<double>, 3>& q)
   {
@@ -58,8 +58,8 @@ private:
   static constexpr double least_area = 1e-7;
 };
 
-// Points on a surface that stay where they are when its edges are flipped. Coordinates are those in
-// a face, of the source of its halfedge first.
+// Points on a surface that keep their positions when its edges are flipped. Coordinates are
+// relative to a face, beginning with the source of its halfedge.
 class Resting_points
 {
 public:
@@ -105,10 +105,10 @@ public:
     }
   }
 
-  // Moves the points of the three faces around a vertex to the face that takes their place, and
-  // lets the vertex rest there. `outgoing` are its edges, counterclockwise, with their lengths, and
-  // `side` are the lengths of the edges between their ends. Returns the points, where the face has
-  // the ends as corners in this order.
+  // Moves the points of the three faces around a vertex to the face that replaces them, and lets
+  // the vertex rest in it. `outgoing` are its edges, counterclockwise, with their lengths, and
+  // `side` are the lengths of the edges between their ends. Returns the points; the face has the
+  // ends as corners in this order.
   std::vector<Point> before_removal(std::size_t number,
                                     const std::array<Halfedge_index, 3>& outgoing,
                                     const std::array<Double_double, 3>& outgoing_length,

@@ -123,7 +123,7 @@ private:
             (Number(-1) * sine) * frame.along + cosine * frame.across};
   }
 
-  // Returns the frame of the face beyond the halfedge of `frame`: it is turned by the sum of the
+  // Returns the frame of the face beyond the halfedge of `frame`. It is turned by the sum of the
   // angles of both pyramids at the edge, from one base through the inside to the other.
   Frame beyond(const Frame& frame) const
   {
@@ -137,7 +137,7 @@ private:
             cosine * frame.across + (Number(-1) * sine) * cross(frame.along, frame.across)};
   }
 
-  // Returns the height of the apex over the face of `h`, and that of its foot over `h`.
+  // Returns the height of the apex over the face of `h`, and the height of its foot over `h`.
   std::array<Number, 2> over(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_surface.mesh();

@@ -51,9 +51,9 @@ public:
   Index apex(std::size_t side) const { return corner(side / 3, (side + 2) % 3); }
   bool ascends(std::size_t side) const { return source(side) < target(side); }
 
-  // Returns for each side the one before it around its edge: the sides of an edge are in the order
-  // of their indices, and where there are more than two in that of `order(bundle)`. Complexity:
-  // linear beside `order`.
+  // Returns for each side the one before it around its edge. The sides of an edge are in the order
+  // of their indices; more than two sides are in the order of `order(bundle)`. Complexity: linear
+  // beside `order`.
   template <typename Order>
   std::vector<Index> sides_before(const Order& order) const
   {
@@ -122,7 +122,8 @@ private:
         visit((std::min)(from, to), (std::max)(from, to), side++);
   }
 
-  // Returns the sides in the order of their smaller vertices; those of vertex v begin at first[v].
+  // Returns the sides in the order of their smaller vertices; the sides of vertex v begin at
+  // first[v].
   std::vector<Numbered_end> sorted_by_smaller_vertex(std::vector<Index>& first) const
   {
     first.assign(m_number_of_vertices + 2, 0);

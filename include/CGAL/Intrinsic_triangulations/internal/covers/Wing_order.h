@@ -16,11 +16,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Orders triangles that have a side in common by their angles around it, counterclockwise for who
-// looks against the direction of the side. The angle is zero at a reference. All decisions are
-// exact. Triangles with one angle lie in one plane, and are stacked there by their indices, in the
-// direction of the normal whose first component that is not zero is positive: equal triangles are
-// in one order around all their sides. Triangles without a plane come last.
+// Orders triangles that have a side in common by their angles around it. The order is
+// counterclockwise, seen against the direction of the side. The angle is zero at a reference. All
+// decisions are exact. Triangles with one angle lie in one plane. They are stacked by their
+// indices, in the direction of the normal whose first nonzero component is positive. So equal
+// triangles are in one order around all their sides. Triangles without a plane come last.
 template <typename Point_>
 class Wing_order
 {

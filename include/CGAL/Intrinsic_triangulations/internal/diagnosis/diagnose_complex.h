@@ -35,8 +35,7 @@ struct Edge_side
 };
 
 // Faces glued along edges in any way whatever: any number of faces at an edge, any orientation.
-// Faces that cannot take part in it have no corner.
-// Indices have 32 bits, as those of `Surface_mesh` have.
+// Faces that cannot take part in it have no corner. Indices have 32 bits, as in `Surface_mesh`.
 struct Diagnosis_complex
 {
   typedef std::uint32_t Index;

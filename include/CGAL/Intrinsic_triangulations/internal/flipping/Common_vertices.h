@@ -38,9 +38,9 @@ constexpr bool can_have_inserted_vertices()
   return Has_distance<Traits>::value && std::is_floating_point_v<typename Traits::FT>;
 }
 
-// Makes two triangulations over one T1 have the same vertices: those that only the other one has
-// are inserted. What is inserted into the first one, T2, is inserted into it over itself, too: so
-// there is a triangulation with the vertices of both over T2 as it was.
+// Makes two triangulations over one T1 have the same vertices, by inserting vertices that only the
+// other one has. A vertex inserted into the first one, T2, is also inserted into T2 over itself.
+// So one triangulation has the vertices of both over the original T2.
 template <typename Traits>
 class Common_vertices
 {

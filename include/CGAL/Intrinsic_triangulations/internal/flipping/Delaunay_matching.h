@@ -56,11 +56,10 @@ private:
   std::size_t more_flips = 0;
 };
 
-// The way from T3 to T2, two triangulations over T1 with the same vertices, over the Delaunay
-// triangulation of these. Its edges are straight: an edge that starts in the same corner of T1,
-// crosses the same edges of T1, and ends at the same vertex is the same. Those that are in one of
-// the two only, because of ties, lie in polygons without vertices inside, which are flipped to
-// fans.
+// The flips from T3 to T2, two triangulations over T1 with the same vertices, over the Delaunay
+// triangulation of these. Its edges are straight. So two edges are equal if they start in the same
+// corner of T1, cross the same edges, and end at the same vertex. Because of ties, edges may be in
+// one of the two only. They lie in polygons without vertices inside, which are flipped to fans.
 template <typename Traits>
 class Delaunay_matching
 {
@@ -79,10 +78,10 @@ public:
     check();
   }
 
-  // the halfedge of T2 that takes the place of the halfedge `h` of T3
+  // the halfedge of T2 that replaces the halfedge `h` of T3
   Halfedge_index image(Halfedge_index h) const { return m_image[h]; }
 
-  // Calls `flip(h)` for the halfedges of T2 that are turned on the way to T3.
+  // Calls `flip(h)` for the halfedges of T2 that are turned to reach T3.
   template <typename Flip>
   void flip_to_tri(const Flip& flip) const
   {

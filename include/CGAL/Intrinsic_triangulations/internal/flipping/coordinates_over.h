@@ -52,7 +52,7 @@ struct Flipped_to_input
   std::vector<Halfedge_index> flips;
 };
 
-// Copies the coordinates of each halfedge h of `mesh` from that of `other` which is image[h].
+// Copies the coordinates of each halfedge h of `mesh` from the halfedge image[h] of `other`.
 template <typename Integer>
 void copy_coordinates(const Delta_complex& mesh, const std::vector<Halfedge_index>& image,
                       const Integer_coordinates<Integer>& from, Integer_coordinates<Integer>& to)
@@ -64,8 +64,9 @@ void copy_coordinates(const Delta_complex& mesh, const std::vector<Halfedge_inde
 }
 
 // Returns the connectivity of T3, the second triangulation of `pair`, with the integer coordinates
-// of T2, the second one of `base`: as if T2 were the input. T2, which is shared with itself in the
-// beginning, is flipped to T1, and T1 to T3, in the reverse order of the flips from T3.
+// of T2, the second one of `base`. T2 is the input of the result. T2, which is shared with itself
+// in the beginning, is flipped to T1. Then T1 is flipped to T3, in the reverse order of the flips
+// from T3.
 template <typename Traits>
 Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
                                const Triangulation_pair<Traits>& pair)

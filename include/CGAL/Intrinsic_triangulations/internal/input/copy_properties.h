@@ -60,7 +60,7 @@ double rounded_length(Edge_index e, const Input_metric<K>& metric, const Surface
   return std::sqrt(dot(d, d));
 }
 
-// The lengths of a file, which are those that its metric determines.
+// The lengths of a file, which its metric determines.
 template <typename Surface, typename Metric, typename Traits>
 void check_lengths(const Surface& surface, [[maybe_unused]] const Metric& metric,
                    const Traits& traits)
@@ -93,7 +93,7 @@ void check_triangles(const Surface& surface, const Traits& traits)
   }
 }
 
-// Copies length(e) of each edge of `g` to that of the edge with its index in `copy`.
+// Copies length(e) of each edge of `g` to the edge of `copy` with its index.
 template <typename Graph, typename Numbering, typename Surface, typename Length>
 void set_lengths(const Graph& g, const Numbering& numbering, const Surface& copy,
                  const Length& length)
@@ -102,7 +102,7 @@ void set_lengths(const Graph& g, const Numbering& numbering, const Surface& copy
     put(copy.length_map(), copy.mesh().edge(numbering.halfedge_of(halfedge(e, g))), length(e));
 }
 
-// the positions of vertices of `g`: those of the named parameter, or its own
+// the positions of vertices of `g`: from the named parameter, or its own
 template <typename Graph, typename NamedParameters>
 auto vertex_points(const Graph& g, const NamedParameters& np)
 {
@@ -117,7 +117,7 @@ constexpr bool has_parameter()
   return !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 }
 
-// Gives `copy` the lengths of `g`: those of the named parameter, the roots of squared ones, or the
+// Gives `copy` the lengths of `g`: lengths of the named parameter, roots of squared ones, or
 // distances of its vertices.
 template <typename Graph, typename NamedParameters, typename Numbering, typename Surface>
 void copy_lengths(const Graph& g, const NamedParameters& np, const Numbering& numbering,
@@ -139,7 +139,7 @@ void copy_lengths(const Graph& g, const NamedParameters& np, const Numbering& nu
   }
 }
 
-// The distances of positions are those of triangles.
+// The distances of positions are lengths of triangles.
 template <typename NamedParameters, typename Surface, typename Traits>
 void check_copied_lengths(const NamedParameters&, const Surface& copy, const Traits& traits)
 {

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Defines the named parameters of a package, in its namespace. This file is included once for each
-// package, after `CGAL_NAMED_PARAMETERS` has been defined as the header that lists them; it has no
+// package, after `CGAL_NAMED_PARAMETERS` has been defined as the header that lists them. It has no
 // include guard, and undefines the macro. A list applies `CGAL_named_parameter` to each name, and
 // to names of other packages unless `CGAL_DEFINING_TAGS` is defined.
 //

@@ -23,9 +23,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point of a face ijk of T2 in the plane, i at the origin, with the edges of T1 that cross ij and
-// ik laid out along these. So the relative error of a position is that of its vector from i,
-// however thin the face and the regions are. Errors are not tracked.
+// A point of a face ijk of T2 in the plane, with i at the origin. The edges of T1 that cross ij
+// and ik are laid out along these. So the relative error of a position is the relative error of
+// its vector from i, for any thin face and regions. Errors are not tracked.
 template <typename Traits>
 class Developed_location
 {
@@ -152,7 +152,7 @@ private:
   }
 
   // Sets the coordinates of the point `p` in the triangle of `side`, and its distances from the
-  // sides; `unit` is the length of a vector of length 1.
+  // sides. `unit` is the length of a vector of length 1.
   void set_position(const Complex& p, const Placed_side& side, double unit)
   {
     m_triangle = side.halfedge;

@@ -82,8 +82,8 @@ public:
     return m_tri.measured(m, m_decisions);
   }
 
-  // The rounded position of a vertex is not on an edge that is not shared: it is inserted into the
-  // face beside it, and the edge is flipped if this is possible.
+  // The rounded position of a vertex is not on an edge that is not shared. So the vertex is
+  // inserted into the face beside it, and the edge is flipped if this is possible.
   template <typename Insert>
   BOOST_NOINLINE Vertex_index split_crossed_edge(Halfedge_index h, double t, double closeness,
                                                  const Insert& insert)
@@ -138,7 +138,7 @@ public:
     return {};
   }
 
-  // Computes the lengths of the shared edges of a face that has taken the place of a vertex.
+  // Computes the lengths of the shared edges of a face that has replaced a vertex.
   BOOST_NOINLINE void after_removal(Face_index f)
   {
     for(Halfedge_index h : sides(f, m_mesh))
@@ -169,7 +169,7 @@ private:
   Decisions m_decisions;
 };
 
-// The changes with exact decisions; where decisions cannot be exact, those with rounded ones.
+// The changes with exact decisions; if decisions cannot be exact, the changes with rounded ones.
 template <typename Traits>
 using Exact_insertion_of = std::conditional_t<has_exact_decisions<Traits>(),
                                               Exact_insertion<Traits>, Rounded_insertion<Traits>>;

@@ -23,8 +23,8 @@ inline double difference_of_products(double a, double d, double b, double c)
   return std::fma(a, d, -bc) + std::fma(-b, c, bc);
 }
 
-// A part of an edge of T1 between two points on it, each given by its weights at the source and at
-// the target of a halfedge. What is near an end of the edge loses no digits.
+// A part of an edge of T1 between two points on it. Each point is given by its weights at the
+// source and at the target of a halfedge. A part near an end of the edge loses no digits.
 struct Part_of_input_edge
 {
   typedef std::array<double, 2> Weights;

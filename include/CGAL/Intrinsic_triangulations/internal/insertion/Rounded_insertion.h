@@ -72,8 +72,8 @@ public:
     return Point{Face_location<FT>(f, map(m_p.second)), m_p};
   }
 
-  // Returns the point of this curve that comes closest. The distance is that on the surface: in a
-  // thin face any other would carry what rounding puts the point off the curve to along the curve.
+  // Returns the nearest point of this curve. The distance is the distance on the surface. In a
+  // thin face, any other distance would move rounding errors across the curve to errors along it.
   std::optional<Point> on_curve(const Region_corner& from, const Region_corner& to) const
   {
     const Curve curve = regions().curve(from, to);
@@ -138,8 +138,8 @@ public:
     m_courses.after_flip(h);
   }
 
-  // Returns whether the angles of the diamond of `h` at its ends exceed pi by rounding only. A flat
-  // angle is allowed there.
+  // Returns whether the angles of the diamond of `h` at its ends exceed pi by rounding only. A
+  // flat angle is allowed at the ends.
   bool can_be_flipped(Halfedge_index h, bool) const
   {
     return (std::max)(angle_excess(h, m_tri), angle_excess(opposite(h), m_tri)) <

@@ -63,7 +63,7 @@ typename Traits::FT distance_to_apex(const Triangulation_pair<Traits>& pair, Hal
                                   : distance_to_corner(pair, h, barycentric_coordinates(0, t), 2);
 }
 
-// The edge that takes the place of two at an inserted vertex which lie along one edge of T1.
+// The edge that replaces two at an inserted vertex which lie along one edge of T1.
 struct Merged_edge
 {
   Halfedge_index side; // null if there are no such two
@@ -77,8 +77,8 @@ Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
 {
   const Delta_complex& mesh = pair.mesh();
   const auto& coordinates = pair.coordinates();
-  // `side` will lead from the target of the outgoing halfedge `x` to that of the outgoing halfedge
-  // `y`
+  // `side` will lead from the target of the outgoing halfedge `x` to the target of the outgoing
+  // halfedge `y`
   const auto merge = [&](Halfedge_index x, Halfedge_index y, Halfedge_index side) -> Merged_edge {
     return {side, coordinates.roundabout(opposite(x)), coordinates.roundabout(opposite(y)),
             pair.is_constrained(Edge_index(x)) && pair.is_constrained(Edge_index(y))};

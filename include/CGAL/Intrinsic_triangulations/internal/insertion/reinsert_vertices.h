@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Inserts vertices into T2, which is T1 with such vertices and without flips, exactly at their
-// places: every edge of T2 lies in one triangle of T1.
+// Inserts vertices into T2, exactly at their positions. T2 is T1 with such vertices and without
+// flips: every edge of T2 lies in one triangle of T1.
 template <typename Traits>
 class Vertex_reinserter
 {
@@ -64,9 +64,9 @@ private:
                        m_tri.input_location(m_mesh.next(h)).second);
   }
 
-  // Returns a side of the face in which the point lies, that on which it lies if it is on one. The
-  // walk begins in the face with the number `f`, which lies in that of T1; turns at random keep it
-  // from going in circles.
+  // Returns a side of the face in which the point lies; if it lies on a side, this side. The walk
+  // begins in the face with the number `f`, which lies in the same face of T1. Turns at random
+  // keep it from going in circles.
   Halfedge_index locate(const Weights& point, Face_index f)
   {
     Halfedge_index h = m_mesh.halfedge(f);

@@ -57,8 +57,8 @@ std::complex<double> rounded(const std::complex<Real>& x)
   return {CGAL::to_double(x.real()), CGAL::to_double(x.imag())};
 }
 // The Cholesky factorization of a Hermitian matrix of numbers with many digits, given by its upper
-// triangle. Rows whose diagonal entries are so large that sums in `double` would lose what matters
-// are eliminated with all digits; the rest is factorized in `double`. Such rows belong to vertices
+// triangle. Rows with large diagonal entries would lose significant digits in `double`, and are
+// eliminated with all digits. The rest is factorized in `double`. Such rows belong to vertices
 // that nearly coincide, or that lie almost on a border edge.
 template <typename Scalar, typename Rounded>
 class Mixed_Cholesky
@@ -122,7 +122,7 @@ private:
   bool is_first(int i) const { return m_number[index(i)] < 0; }
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  // Splits the rows into those that are eliminated first and the rest.
+  // Splits the rows into rows that are eliminated first and the rest.
   void set_numbers(const Matrix& upper)
   {
     m_first.clear();

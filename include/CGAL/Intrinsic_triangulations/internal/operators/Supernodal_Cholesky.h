@@ -57,8 +57,8 @@ private:
 #endif
 };
 
-// Eigen's interface to CHOLMOD, supernodal where that pays, for Hermitian matrices given by their
-// upper triangles (what is below is ignored), in the order they have. It adds settings, an order of
+// Eigen's interface to CHOLMOD, supernodal if that pays. Hermitian matrices are given by their
+// upper triangles (entries below are ignored), in their order. It adds settings, an order of
 // elimination of its own, errors, and solutions in many threads with one factor.
 template <typename Scalar>
 class Supernodal_Cholesky

@@ -163,8 +163,8 @@ public:
     : m_surface(surface), m_mesh(surface.mesh())
   {}
 
-  // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as there are
-  // faces: a circumcenter that is farther away belongs to a face that is not Delaunay, since no
+  // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as the number
+  // of faces. A circumcenter that is farther away belongs to a face that is not Delaunay, since no
   // empty circle is that large.
   template <typename Is_fixed, typename Layout>
   End walk(Face_index f, const Is_fixed& is_fixed, const Layout& layout)
@@ -241,7 +241,7 @@ private:
 
   bool is_left_of_side(std::size_t s) const { return area_at_side(s) >= 0; }
 
-  // goes on in the face beyond side `s`, which becomes side 0 there
+  // continues in the face beyond side `s`, which becomes its side 0
   template <typename Layout>
   void cross_side(std::size_t s, const Layout& layout)
   {
@@ -250,8 +250,8 @@ private:
     m_corner = {source, target, layout.apex(m_halfedge, source, target)};
   }
 
-  // A circumcenter close to an edge is put there, since it would leave a face without area and, on
-  // an edge of T1, a piece without length.
+  // A circumcenter close to an edge snaps to it. Otherwise it would leave a face without area and,
+  // on an edge of T1, a piece without length.
   template <typename Is_fixed, typename Layout>
   End place(const Is_fixed& is_fixed, const Layout& layout)
   {
@@ -276,7 +276,7 @@ private:
     return result;
   }
 
-  // The center is moved along the height, not towards the corner opposite: in a face thinner than
+  // The center is moved along the height, not towards the opposite corner. In a face thinner than
   // its distance from the side, that corner can be anywhere along the side.
   End move_to_side(std::size_t s, const FT& foot)
   {

@@ -31,9 +31,9 @@ struct Refinement_limits
   std::size_t flips; // before the first insertion, and after each
 };
 
-// Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
-// or the boundary or constrained edge that hides it is split and circumcenters near by are removed
-// again.
+// Chew's second algorithm on a surface (Algorithm 5). It inserts the circumcenter of a bad face.
+// If a boundary or constrained edge hides the circumcenter, it splits the edge and removes
+// circumcenters near by.
 //
 // `Bounds` has is_too_thin(f), is_too_large(f) and is_not_simplicial(f); only faces that are too
 // thin can be excused. The visitor is notified of every change.
@@ -61,9 +61,9 @@ public:
       m_stack(m_mesh.num_edges())
   {}
 
-  // Ends: every candidate that is taken from the queue leads to an insertion, of which there is a
-  // limited number, or changes nothing and is gone. Returns whether rounding has left no doubt;
-  // with `stops_if_filter_fails` it ends as soon as it has.
+  // It ends: every candidate from the queue leads to an insertion, whose number is limited, or
+  // changes nothing and is dropped. Returns whether all decisions are certain. With
+  // `stops_if_filter_fails` it ends at the first uncertain decision.
   bool run(bool stops_if_filter_fails, Refinement_result& result)
   {
     m_result = &result;
@@ -183,9 +183,10 @@ private:
     return result;
   }
 
-  // Returns a loop among the sides of `f`, or else the shortest superfluous one, which runs around
-  // a thin part of the surface: where such are split, long ones along it are simplicial. If no side
-  // is superfluous, it is any side of a face whose corners are those of another, or null.
+  // Returns a loop among the sides of `f`, or else the shortest superfluous side, which runs
+  // around a thin part of the surface. If such sides are split, long ones along the part are
+  // simplicial. If no side is superfluous, returns any side of a face whose corners are the
+  // corners of another face, or null.
   Halfedge_index side_to_split(Face_index f) const
   {
     if(!m_bounds.is_not_simplicial(f))
@@ -209,7 +210,7 @@ private:
   }
 
   // Inserts three vertices around `v`, a third of its angle from each other and nearer than all
-  // others: so they are its neighbors, and remain so.
+  // others. So they are its neighbors, and remain so.
   void surround(Vertex_index v)
   {
     const FT distance = surroundings(v).shortest_outgoing() / 2;
@@ -245,8 +246,8 @@ private:
     add_center(m_inserter.insert(m_walk.location(), m_walk.closeness()), f);
   }
 
-  // A face does not outlive a vertex in its circumcircle, unless rounding has misplaced that, or
-  // makes a face that is not Delaunay pass for one.
+  // A face does not outlive a vertex in its circumcircle, unless rounding has misplaced the
+  // vertex, or makes a face appear Delaunay that is not.
   void add_center(Vertex_index m, Face_index f)
   {
     const std::size_t before = version(f);
@@ -263,9 +264,9 @@ private:
                f);
   }
 
-  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but its turn
-  // comes again. The circle is empty: a short edge beyond other faces can be no chord of it that
-  // hides the center, and rounded lengths would split it and its neighbors without end.
+  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but it will be
+  // processed again. The circle is empty. So a short edge beyond other faces can be no chord of it
+  // that hides the center. Rounded lengths would split this edge and its neighbors without end.
   void split_fixed(Halfedge_index h, Face_index f)
   {
     const FT radius = m_tri.length(m_mesh.edge(h));

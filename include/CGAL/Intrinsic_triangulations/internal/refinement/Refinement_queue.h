@@ -21,11 +21,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Bad faces in the order of their refinement. Those of bad shape come first: where angles are
-// large, the middle of an edge is not near to a vertex. Among them the greatest circle comes first,
-// up to a tenth of its radius, and then the latest, so that consecutive insertions are near each
-// other in memory. Wider classes would be faster, but take up to a tenth more vertices. Sides are
-// split in the order of arrival, lest one of them waits for ever.
+// Bad faces in the order of their refinement. Faces of bad shape come first: at large angles, the
+// midpoint of an edge is not near to a vertex. Among them the order is by decreasing circumradius,
+// in classes of 10 %, newest first. So consecutive insertions are near each other in memory. Wider
+// classes would be faster, but take up to a tenth more vertices. Sides are split in the order of
+// arrival, lest one of them waits for ever.
 class Refinement_queue
 {
 public:

@@ -25,9 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The vertices at which no triangulation can have large angles: the angle between two boundary or
-// constrained edges there is less than 60 degrees (Section 3.6), or the angle around them less than
-// `least_sum`.
+// The vertices at which no triangulation can have large angles. Either two boundary or constrained
+// edges enclose less than 60 degrees (Section 3.6), or the angle sum is less than `least_sum`.
 template <typename Traits>
 class Small_angle_vertices
 {
@@ -44,9 +43,9 @@ public:
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which small-angle
-  // vertex: if exactly one of its corners is narrow, or else if it lies in faces of T1 at a
-  // small-angle vertex and is crossed by no other edges than those at this vertex. `courses()` has
-  // the courses of all edges and is called only if they are needed.
+  // vertex. Either exactly one of its corners is narrow, or it lies in faces of T1 at a
+  // small-angle vertex. In the second case all edges that cross it must be edges at this vertex.
+  // `courses()` has the courses of all edges and is called only if they are needed.
   template <typename Courses>
   std::optional<Remaining_face> excuse(Face_index f, const Courses& courses) const
   {
@@ -92,9 +91,9 @@ private:
                             [&](Halfedge_index h) { return angle_at_source(h, m_tri); });
   }
 
-  // A face that is crossed only by edges at one vertex lies in faces at this vertex. If it had to
-  // lie in one of them, the wedge at a small-angle vertex would be filled with ever smaller faces
-  // where several faces of T1 share it.
+  // A face that is crossed only by edges at one vertex lies in faces at this vertex. It need not
+  // lie in one of them. Otherwise the wedge at a small-angle vertex would be filled with ever
+  // smaller faces if several faces of T1 share it.
   std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
                                                       const Edge_courses<Traits>& courses) const
   {
@@ -132,7 +131,7 @@ private:
     return true;
   }
 
-  // Angles around a vertex are those of T1, whose corners need no strips, however often edges
+  // Angles around a vertex are angles of T1, whose corners need no strips, however often edges
   // cross. Inserted vertices are not narrow.
   BOOST_NOINLINE void set_by_input()
   {

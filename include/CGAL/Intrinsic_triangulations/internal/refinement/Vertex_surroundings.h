@@ -35,8 +35,9 @@ public:
                                [&](Halfedge_index h) { m_outgoing_halfedges.push_back(h); });
   }
 
-  // Returns whether fewer than three vertices are its neighbors, and the circumcenters of its faces
-  // would hide them all and leave it with fewer than three again, as on a pointed cone.
+  // Returns whether fewer than three vertices are its neighbors, and the circumcenters of its
+  // faces would not help. They would hide all neighbors and leave it with fewer than three again,
+  // as on a pointed cone.
   bool is_pointed_without_neighbors() const
   {
     FT sum(0);

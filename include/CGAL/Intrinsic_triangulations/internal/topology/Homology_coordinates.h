@@ -63,7 +63,7 @@ private:
   std::vector<Entry> m_entries;
 };
 
-// Integer vectors that are part of a basis of all integer vectors, one after the other: linear
+// Integer vectors that are part of a basis of all integer vectors, one after the other. Linear
 // functions that vanish on all of them complete them. Each new vector is reduced by the algorithm
 // of Euclid until all functions but one vanish on it, too.
 class Partial_basis

@@ -23,8 +23,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The places of crossings, derived anew from the metric of T1, with the errors of numbers of type
-// `N`.
+// The positions of crossings, derived again from the metric of T1, with the errors of numbers of
+// type `N`.
 template <typename Traits, typename N>
 class Crossing_enclosure
 {
@@ -38,7 +38,7 @@ public:
     : m_corners(exact_input(pair)), m_development(pair, courses, m_corners)
   {}
 
-  // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge.
+  // Returns the positions of the crossings on the halfedge `h` of T2, the first of its edge.
   std::vector<Enclosure> operator()(Halfedge_index h)
   {
     const auto from_source = m_development.strip(h);
@@ -52,8 +52,8 @@ public:
   }
 
 private:
-  // Returns the place where `h`, which has this direction, passes a side of T1, as it is seen from
-  // both its ends.
+  // Returns the position where `h`, which has this direction, passes a side of T1, as it is seen
+  // from both its ends.
   template <typename Complex, typename Side>
   static Enclosure place(Halfedge_index h, const Complex& direction, const Side& near,
                          const Side& far)
@@ -122,8 +122,8 @@ public:
     : m_pair(pair), m_courses(courses), m_in_double(pair, courses), m_extended(pair, courses)
   {}
 
-  // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge, in
-  // intervals of this width, or wider ones if `most_digits` do not suffice.
+  // Returns the positions of the crossings on the halfedge `h` of T2, the first of its edge. They
+  // are intervals of this width, or wider ones if `most_digits` do not suffice.
   Enclosures operator()(Halfedge_index h, double width)
   {
     const Enclosures result = with_few_digits(h, width);
@@ -131,8 +131,8 @@ public:
                                      : Crossing_enclosure<Traits, Long_float>(m_pair, m_courses)(h);
   }
 
-  // Returns the same, but takes no more than 106 bits if `h` passes a face without area: where it
-  // runs along an edge, more do not help.
+  // Returns the same positions, but takes no more than 106 bits if `h` passes a face without area.
+  // If it runs along an edge, more bits do not help.
   Enclosures with_digits_that_help(Halfedge_index h, double width)
   {
     Enclosures result = with_few_digits(h, width);

@@ -180,7 +180,7 @@ private:
 
   // ---- Thin faces ----
 
-  // What tells where rounded lengths do not determine places.
+  // Determines where rounded lengths do not determine positions.
   struct Doubt
   {
     std::vector<float> input_heights, heights; // of faces, empty if all places are certain
@@ -208,7 +208,7 @@ private:
     return !(input_height * height * height >= least_product_of_heights());
   }
 
-  // Notes the crossings of a part of the edge of `input`, of which one or all are doubtful.
+  // Notes the crossings of a part of the edge of `input` that are doubtful, one or all.
   void note_doubt(Halfedge_index input, const Edge_tracer<Traits>& tracer)
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -224,8 +224,8 @@ private:
     }
   }
 
-  // Finds the places of crossings on edges of T2 where one is doubtful on the exact surface. Where
-  // edges run along each other, they stay: any common place is right.
+  // Finds the positions of crossings on edges of T2 with a doubtful crossing on the exact surface.
+  // If edges run along each other, they stay: any common position is right.
   void enclose_doubtful(Concurrency concurrency)
   {
     if(m_doubt.is_doubtful.empty())
@@ -328,7 +328,7 @@ private:
 
   // ---- Order ----
 
-  // the place on an edge of a crossing that is still to be found there
+  // the position on an edge of a crossing that is still to be found on it
   static FT unknown() { return FT(-1); }
 
   Record& on_intrinsic(Edge_index e, size_type p)
@@ -337,8 +337,9 @@ private:
   }
 
   // Rounding may move a crossing along an edge, but never past another. At faces without area,
-  // edges run along each other: there, what would be moved by more than rounding is moved on both
-  // its edges, which ends after few rounds; if not, it is moved on one: no move is beyond 1.
+  // edges run along each other. A crossing at such a face that would move by more than rounding is
+  // moved on both of its edges, which ends after few rounds. If it does not end, it is moved on
+  // one edge: no move is beyond 1.
   void settle_places(Concurrency concurrency)
   {
     constexpr bool has_distance = Has_distance<Traits>::value;
@@ -393,8 +394,8 @@ private:
     return result;
   }
 
-  // Finds crossings in the strip of T1 along `e`: its lengths define the surface, while those of T2
-  // are rounded.
+  // Finds crossings in the strip of T1 along `e`: lengths of T1 define the surface, while lengths
+  // of T2 are rounded.
   void place_along_intrinsic(Edge_index e)
   {
     FT t(0);
@@ -405,7 +406,7 @@ private:
     });
   }
 
-  // Finds crossings whose place on `e` is unknown, and moves those that are out of order.
+  // Finds crossings whose position on `e` is unknown, and moves crossings that are out of order.
   void move_along_intrinsic(Edge_index e)
   {
     FT t(0);

@@ -36,9 +36,9 @@ Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
 }
 
 // The courses of all halfedges of T2, from the integer coordinates alone. They are stored, or
-// computed when they are read: then each crossing is followed to an end of its edge of T1, until
-// that has taken more steps than there are crossings. From then on all are stored, since following
-// takes quadratic time where edges of T1 cross a large part of T2.
+// computed when they are read. To compute one, each crossing is followed to an end of its edge of
+// T1. This continues until it has taken more steps than the number of crossings. From then on all
+// are stored, since following takes quadratic time if edges of T1 cross a large part of T2.
 //
 // Objects that compute courses must not be read by several threads at once.
 template <typename Traits>
@@ -99,7 +99,7 @@ public:
     after_cut({a, b, next_around_source(b, mesh)});
   }
 
-  // To be called after a vertex has been inserted into an edge, of which `h` is the second part.
+  // To be called after a vertex has been inserted into an edge; `h` is its second part.
   void after_split(Halfedge_index h)
   {
     const Delta_complex& mesh = m_pair->mesh();
@@ -128,7 +128,7 @@ private:
   }
 
   // Splits the course of an edge that has been split into `im` and `mj`; the second has the index
-  // of the whole. If the new vertex lies on an edge of T1, one crossing is gone.
+  // of the whole. If the new vertex lies on an edge of T1, one crossing is removed.
   void split(Halfedge_index im, Halfedge_index mj)
   {
     m_first.resize(m_pair->mesh().num_edges(), unknown);
@@ -246,9 +246,9 @@ private:
     append(e, exits);
   }
 
-  // The curves that cross `h` and then cut off the corner at its source or target cross the other
-  // side there; the rest ends. A side whose course is not known yet is left out: its curves cross
-  // the face of `h`, too.
+  // Some curves cross `h` and then cut off the corner at its source or target. They cross the
+  // other side at this corner; the rest ends. A side whose course is not known yet is left out:
+  // its curves cross the face of `h`, too.
   void copy_from_beyond(Halfedge_index h, Exits& exits) const
   {
     const Delta_complex& mesh = m_pair->mesh();
@@ -279,7 +279,7 @@ private:
     m_exits.insert(m_exits.end(), exits.begin(), exits.end());
   }
 
-  // Removes the exits of which no edge is left.
+  // Removes the exits that belong to no edge.
   void compact()
   {
     std::vector<Halfedge_index> exits;

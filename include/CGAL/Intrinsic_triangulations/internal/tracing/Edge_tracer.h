@@ -41,7 +41,7 @@ struct Part_of_edge
   // returns its length on a halfedge of length `whole`
   FT length(const FT& whole) const { return (end - begin) * whole; }
 
-  // returns the place at a part `t` of the way
+  // returns the position at a part `t` of the way
   FT operator()(const FT& t) const { return (std::min)(FT(begin + t * (end - begin)), end); }
 };
 
@@ -71,7 +71,7 @@ crossing_not_before(const typename Traits::FT& least, std::size_t m,
 
 // Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight
 // line in the strip of triangles (Algorithm 3). One object traces many edges and allocates no
-// memory for those that are no longer than the ones before.
+// memory for edges that are no longer than earlier ones.
 template <typename Traits>
 class Edge_tracer
 {
@@ -85,7 +85,7 @@ public:
 
   explicit Edge_tracer(const Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
 
-  // Traces curve number `k` of those that start in the corner of `outgoing`.
+  // Traces curve number `k` of the curves that start in the corner of `outgoing`.
   void trace(Halfedge_index outgoing, const Integer& k)
   {
     m_crossings.clear();
@@ -102,7 +102,7 @@ public:
 
   std::size_t size() const { return m_crossings.size(); }
 
-  // Crossing number `m` of the curve: it leaves the face of the halfedge there.
+  // Crossing number `m` of the curve, through which it leaves the face of the halfedge.
   const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
 
   // Returns the halfedge of T2 that ends with the curve, clockwise from it.

@@ -72,9 +72,9 @@ FT squared_distance(const Barycentric_coordinates<FT>& a, const Barycentric_coor
 }
 
 // A projective map, given by the corners of a convex polygon and their images. As vectors, corners
-// are multiples of their images, and the map is linear; if they are all the same multiples,
-// barycentric coordinates are mapped linearly too. Sums to be computed are convex combinations of
-// images, so that rounding in nearly flat polygons is not amplified.
+// are multiples of their images, and the map is linear. If they are all the same multiples,
+// barycentric coordinates are mapped linearly too. All sums are convex combinations of images, so
+// rounding in nearly flat polygons is not amplified.
 template <typename FT>
 class Polygon_map
 {
@@ -127,9 +127,9 @@ public:
   }
 
 private:
-  // Returns the image of a point of a triangle, given its barycentric coordinates. Where the
-  // triangle is thin, rounding spoils them. So only one is used, that across the longest side, or
-  // across a side on which the point lies; the place along that side is found by projection.
+  // Returns the image of a point of a triangle, given its barycentric coordinates. If the triangle
+  // is thin, rounding spoils them. So only one is used: the coordinate across the longest side, or
+  // across a side on which the point lies. The position along that side is found by projection.
   Coordinates image_in_triangle(const Coordinates& p, const std::array<std::size_t, 3>& corner,
                                 const Coordinates& weight) const
   {
@@ -164,8 +164,8 @@ private:
     return result;
   }
 
-  // returns the place of the projection of `p` on the line from corner `a` to corner `b`, from 0 to
-  // 1
+  // returns the position of the projection of `p` on the line from corner `a` to corner `b`, from
+  // 0 to 1
   FT place_along(std::size_t a, std::size_t b, const Coordinates& p) const
   {
     return clamped(dot(m_corner[a], m_corner[b], m_corner[a], p) /
@@ -215,12 +215,16 @@ private:
 // Maps points of one face to the other triangulation: finds the region between curves in which a
 // point lies, and maps that.
 //
-// `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of
-// crossing p on it; across(s, p), the place on the halfedge of the other triangulation that leaves
-// the face there; scale(s, p), how many times the vector across the vector here is;
-// outgoing_before(s), the last outgoing halfedge of the other triangulation at or clockwise from
-// side s; and vertex_across(s, at), the place of the source of side s on the other triangulation,
-// which is `at` unless it is not a vertex there: then only the face of `at` counts.
+// `Marks` describes the sides of the face:
+// - crossings(s): the number of crossings on side s
+// - here(s, p): the position of crossing p on side s
+// - across(s, p): the position on the halfedge of the other triangulation that leaves the face at
+//   crossing p
+// - scale(s, p): how many times the vector across the vector here is
+// - outgoing_before(s): the last outgoing halfedge of the other triangulation at or clockwise from
+//   side s
+// - vertex_across(s, at): the position of the source of side s on the other triangulation. It is
+//   `at` unless the source is not a vertex of it: then only the face of `at` counts.
 template <typename FT, typename Marks>
 class Face_map
 {
@@ -292,7 +296,8 @@ private:
     return corner.is_vertex() ? FT(1) : m_marks.scale(corner.side, corner.mark);
   }
 
-  // Returns the place of a corner in the face of the other triangulation in which the region lies.
+  // Returns the position of a corner in the face of the other triangulation in which the region
+  // lies.
   Face_location<FT> corner_across(const Region& region, std::size_t c) const
   {
     const Region_corner& corner = region[c];

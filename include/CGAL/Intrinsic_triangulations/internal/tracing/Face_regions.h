@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A corner of a region of a face: corner `side` of the face if `mark` is `none`, otherwise crossing
-// number `mark` on side `side`, which leads from corner `side` to the next one.
+// A corner of a region of a face: corner `side` of the face if `mark` is `none`, otherwise
+// crossing number `mark` on side `side`. Side s leads from corner s to the next one.
 struct Region_corner
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -69,8 +69,8 @@ Size first_where(const Condition& condition, Size n)
 }
 
 // The regions into which curves cut a face (Figure 3.7), from the numbers of crossings on its
-// sides. First come those around corner 0 (outwards from it), corner 1, corner 2; then the rest,
-// which is one region, or is fanned by the curves that leave a corner.
+// sides. Regions around corner 0 come first (outwards from it), then around corner 1 and corner 2.
+// Then comes the rest, which is one region, or is fanned by the curves that leave a corner.
 class Face_regions
 {
 public:
@@ -91,7 +91,7 @@ public:
 
   std::size_t size() const { return m_around[0] + m_around[1] + m_around[2] + m_leaving + 1; }
 
-  // Returns the number of curves that cut off corner `s`, and of those that leave corner `apex()`
+  // Returns the number of curves that cut off corner `s`, and of curves that leave corner `apex()`
   std::size_t around(std::size_t s) const { return m_around[s]; }
   std::size_t leaving() const { return m_leaving; }
   std::size_t apex() const { return m_apex; }
@@ -105,9 +105,9 @@ public:
   std::size_t first_of_rest() const { return size() - 1 - m_leaving; }
 
   // Returns the region of a point. `is_at_corner(s, j)` is whether it lies before curve `j` around
-  // corner `s`, as seen from the corner; `is_before_curve(j)` whether before curve `j` from the
-  // apex, as seen from the side after the apex. Each is asked a logarithmic number of times, also
-  // about both curves at the region.
+  // corner `s`, as seen from the corner. `is_before_curve(j)` is whether it lies before curve `j`
+  // from the apex, as seen from the side after the apex. Each is asked a logarithmic number of
+  // times, also about both curves at the region.
   template <typename At_corner, typename Before_curve>
   std::size_t find(const At_corner& is_at_corner, const Before_curve& is_before_curve) const
   {
@@ -150,9 +150,9 @@ public:
     return crossings;
   }
 
-  // The curve around corner `corner`, or if it ends there, from the apex; `number` counts from the
-  // corner, or from the side after the apex. `mark` is where it leaves, and `other` where it comes
-  // from.
+  // The curve around corner `corner`, or, if it ends at the corner, from the apex. `number` counts
+  // from the corner, or from the side after the apex. `mark` is where it leaves, and `other` where
+  // it comes from.
   struct Curve
   {
     std::size_t corner, number;

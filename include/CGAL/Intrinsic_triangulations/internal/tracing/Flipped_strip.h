@@ -85,7 +85,8 @@ private:
                          il, lj);
   }
 
-  // Finds the edges from b to the ends of an edge ij from those to the next edge, il or lj.
+  // Finds the edges from b to the ends of the next edge, il or lj, from the edges to the ends of
+  // the edge ij.
   static void set_from_b(Inner_edge& x, const Inner_edge& next)
   {
     const auto other = [&](const Edge& after, const Edge& before) {

@@ -116,8 +116,8 @@ public:
     return piece ? std::optional<Region_id>(region_at(reversed(*piece))) : std::nullopt;
   }
 
-  // Calls `visit(c, neighbor)` for the corners of a region with a neighbor in the face of `side`
-  // beyond the piece of an edge of the other side after them.
+  // Calls `visit(c, neighbor)` for the corners of a region with a neighbor in the face of `side`.
+  // The neighbor lies beyond the piece of an edge of the other side after the corner.
   template <typename Visit>
   void for_each_exit(Side side, const Region_id& id, const Visit& visit) const
   {
@@ -214,8 +214,8 @@ public:
   }
 
 private:
-  // Returns the region beyond the piece through which the line from the first corner of the face of
-  // T1 to `p` leaves the region; none if `p` is not beyond it.
+  // Returns the region beyond the piece through which a line leaves the region. The line leads
+  // from the first corner of the face of T1 to `p`. Returns none if `p` is not beyond the piece.
   std::optional<Region_id> next_region(const Region_id& id, const Coordinates& p) const
   {
     const Mapped_region face(id, *this);

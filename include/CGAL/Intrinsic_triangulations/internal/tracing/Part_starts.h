@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where the parts of the edges of T1 start on T2, along the first halfedges of the edges: one at
-// the source, and one at each inserted vertex.
+// The positions on T2 where the parts of the edges of T1 start, along the first halfedges of the
+// edges. One is at the source, and one at each inserted vertex.
 template <typename Traits>
 class Part_starts
 {

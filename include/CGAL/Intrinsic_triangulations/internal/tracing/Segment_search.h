@@ -77,7 +77,7 @@ struct Segment_end
 };
 
 // Returns the end of a segment at the point `p` of a face. Its rank on an edge is the same in both
-// faces there, so that segments with a common end stay connected.
+// faces of the edge, so that segments with a common end stay connected.
 template <typename Traits>
 Segment_end<typename Traits::FT> segment_end(const Correspondence<Traits>& correspondence,
                                              Side side, Face_index f,
@@ -104,8 +104,8 @@ Segment_end<typename Traits::FT> segment_end(const Correspondence<Traits>& corre
   return end;
 }
 
-// Returns the place between two places on an edge, with weights that are not negative; the middle
-// if both are zero.
+// Returns the position between two positions on an edge, with weights that are not negative; the
+// middle if both are zero.
 template <typename FT>
 FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weight_of_b)
 {
@@ -113,8 +113,8 @@ FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weig
   return (1 - t) * a + t * b;
 }
 
-// A straight segment in a face, in barycentric coordinates, and where it crosses others on the way
-// to its end.
+// A straight segment in a face, in barycentric coordinates, and where it crosses others before its
+// end.
 template <typename FT>
 class Crossed_segment
 {
@@ -152,7 +152,7 @@ public:
 
 private:
   // Returns twice the signed area of the triangle with its ends and `p`, which is positive on its
-  // left. What is near to its start loses no digits.
+  // left. Points near to its start lose no digits.
   FT left(const Coordinates& p) const
   {
     const auto greatest =
@@ -161,7 +161,7 @@ private:
     return (m_to[x] - m_from[x]) * (p[y] - m_from[y]) - (m_to[y] - m_from[y]) * (p[x] - m_from[x]);
   }
 
-  // Returns the place of the projection of `p` on the line, from 0 to 1 between the ends.
+  // Returns the position of the projection of `p` on the line, from 0 to 1 between the ends.
   FT along(const Coordinates& p) const
   {
     const FT square = dot(m_from, m_to, m_from, m_to);
@@ -172,10 +172,10 @@ private:
   FT m_passed = FT(0); // the place of the last crossing along the segment
 };
 
-// Finds segments in a face of one triangulation on the other. Of all ways between the regions of
-// both ends over pieces of edges that the segment meets up to rounding, it takes one that crosses
-// the fewest. So the regions are connected, whatever rounding says about vertices. In a face
-// without inserted vertices there is one way.
+// Finds segments in a face of one triangulation on the other. Ways between the regions of both
+// ends lead over pieces of edges that the segment meets up to rounding. It takes a way that
+// crosses the fewest. So the regions are connected, for any rounding of vertices. In a face
+// without inserted vertices only one way exists.
 template <typename Traits>
 class Segment_search
 {
@@ -359,7 +359,7 @@ private:
     return {};
   }
 
-  // A segment from a vertex starts in the last region there.
+  // A segment from a vertex starts in the last region at the vertex.
   std::vector<Step> steps_to(const Region_id& last, const End& from,
                              const std::map<Region_id, Step>& reached_from) const
   {
@@ -370,7 +370,8 @@ private:
     return steps;
   }
 
-  // Returns where the segment leaves a region, on the edge of the other triangulation there.
+  // Returns where the segment leaves a region, on the edge of the other triangulation at this
+  // point.
   Surface_point<FT> crossing(const Step& step, Crossed_segment<FT>& segment) const
   {
     const Mapped_region face = this->face(step.region);

@@ -16,10 +16,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lays out the triangles of `mesh` that a line passes which leaves a face through each of the
-// halfedges `exits`, at least one. `length` returns what `strip` takes for a halfedge. The line
-// starts at the corner opposite to the first exit and ends at the one beyond the last; or if `ends`
-// is a pair of barycentric coordinates, at the points with these in the same triangles, that of the
-// corner first.
+// halfedges `exits`, at least one. `length` returns the argument of `strip` for a halfedge. The
+// line starts at the corner opposite to the first exit and ends at the corner beyond the last. If
+// `ends` is a pair of barycentric coordinates, it starts and ends at points with these coordinates
+// in the same triangles. They begin with the corner.
 template <typename Strip, typename Length, typename Exits, typename... Ends>
 void lay_out_strip_with(Strip& strip, const Delta_complex& mesh, const Length& length,
                         const Exits& exits, const Ends&... ends)

@@ -63,8 +63,8 @@ void check_inserted(const Triangulation_pair<Traits>& pair)
     throw Invalid_input("the numbers of vertices and of places differ");
 }
 
-// Whether the shared edge `e` has its length in T1: a whole edge to the bit, a part of one up to
-// the rounding of the places of its ends.
+// Whether the shared edge `e` has its length in T1. A whole edge must have it to the bit, a part
+// of one up to the rounding of the positions of its ends.
 template <typename Traits>
 bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
 {
@@ -77,7 +77,7 @@ bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
   return CGAL::abs(FT(pair.length(e) - length)) <= rounding_unit<FT>() * pair.input_length(whole);
 }
 
-// What is wrong between the two valid complexes, empty if nothing is.
+// A defect between the two valid complexes, empty if they have none.
 template <typename Traits>
 std::string correspondence_defect(const Triangulation_pair<Traits>& pair)
 {
