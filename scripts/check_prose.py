@@ -3,8 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Checks sentences of the manuals, of README.md and the like, of public doc comments (///), and of the
-messages of the program: at most 25 words each, no pronoun in place of a noun ("that of"), no words
+"""Checks sentences of the manuals, of README.md and the like, of comments of headers, and of the messages
+of the program: at most 25 words each, no pronoun in place of a noun ("that of"), no words
 other than those of the field. Prints file:line of each violation, and exits with 1 if there is any.
 
 Without arguments all files are checked, except those that scripts/prose_pending.txt lists: their
@@ -21,7 +21,7 @@ PENDING = ROOT / "scripts" / "prose_pending.txt"
 MOST_WORDS = 25
 
 TEXTS = ["doc/**/*.txt", "README.md", "CHANGES.md", "CONTRIBUTING.md"]
-HEADERS = ["include/CGAL/*.h", "include/CGAL/*/*.h", "doc/*/Concepts/*.h"]
+HEADERS = ["include/CGAL/**/*.h", "doc/*/Concepts/*.h"]
 SOURCES = ["demo/**/*.cpp", "demo/**/*.h"]
 
 # Pronouns and adverbs that stand for a noun: the noun is to be repeated.
@@ -72,7 +72,7 @@ class Block:
 
 
 SENTENCE_END = re.compile(r"[.!?][)\"'*]*$|[.!?]</?\w+>$")
-ABBREVIATIONS = re.compile(r"(?:\b(?:e\.g|i\.e|cf|Fig|Figs|Eq|Eqs|Sec|Ch|No|vs|etc|al|resp)|\b[A-Z])\.$")
+ABBREVIATIONS = re.compile(r"(?:\b(?:e\.g|i\.e|cf|Fig|Figs|Eq|Eqs|Sec|Ch|No|vs|etc|al|resp))\.$|^\(?[A-Z]\.(?:-[A-Z]\.)?$")
 
 
 def sentences(words):
@@ -206,7 +206,8 @@ def blocks_of_text(path):
 
 
 def blocks_of_header(path):
-    """Blocks of comments that Doxygen reads, except headers' copyright."""
+    """Blocks of comments on lines of their own, and of those after members that Doxygen reads, except
+    headers' copyright."""
     result, lines = [], []
 
     def finish():
@@ -217,14 +218,19 @@ def blocks_of_header(path):
             result.extend(blocks_of(numbered, False))
             lines.clear()
 
-    in_block = False
+    in_block, was_public = False, False
     for number, line in enumerate(path.read_text().split("\n"), 1):
         stripped = line.strip()
         if in_block or stripped.startswith(("/*!", "/**")):
             in_block = "*/" not in stripped
             lines.append((number, re.sub(r"^/\*[!*]|\*/$|^\*(?!/)", "", stripped)))
-        elif re.match(r"///(?!/)", stripped):
-            lines.append((number, re.sub(r"^///<? ?", "", stripped)))
+        elif re.match(r"///?(?!/)", stripped):
+            is_public = stripped.startswith("///")
+            if lines and is_public != was_public:
+                finish()
+            was_public = is_public
+            if not re.match(r"// (?:Copyright|SPDX)", stripped):
+                lines.append((number, re.sub(r"^///?<? ?", "", stripped)))
         else:
             finish()
             trailing = re.search(r"///< ?(.*)$", line)
@@ -284,7 +290,7 @@ def violations(path):
 def files(patterns):
     for pattern in patterns:
         for path in sorted(ROOT.glob(pattern)):
-            if not {"internal", "license", "CMakeLists.txt"} & set(path.parts):
+            if not {"license", "CMakeLists.txt"} & set(path.parts):
                 yield path
 
 

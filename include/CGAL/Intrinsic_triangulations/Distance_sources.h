@@ -30,8 +30,8 @@ class Heat_method;
 
 struct Access_to_sources;
 
-// The data of a vertex about a source in one of its faces: the integral of its hat function over
-// the source, and the distance within the face.
+// The data of a vertex about a source in one of its faces. It has the integral of its hat function
+// over the source, and the distance within the face.
 template <typename FT>
 struct Vertex_and_source
 {

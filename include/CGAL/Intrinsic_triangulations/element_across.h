@@ -133,9 +133,9 @@ private:
   }
 
   // Compares sides, seen from the edge of T1 that passes `mark` and `end`. Returns POSITIVE if the
-  // point with coordinates `b` in a face of T2 is on the side of the source of the side that has
-  // `mark`. The result is the sign of the sum of the heights of the corners over that edge, with
-  // these weights.
+  // point with coordinates `b` in a face of T2 is on the side of the source. This is the source of
+  // the side that has `mark`. The result is the sign of the sum of the heights of the corners over
+  // that edge, with these weights.
   Sign side_of_input(const std::array<Halfedge_index, 3>& halfedge, const Region_corner& mark,
                      const Region_corner& end, const Coordinates& b)
   {

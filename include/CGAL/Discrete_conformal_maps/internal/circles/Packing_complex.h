@@ -19,14 +19,13 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A triangulated sphere of which one face is removed: the circles of its corners touch each other,
-// and all other circles lie between them. A disk becomes a sphere by an apex, which is joined to
-// its boundary: the outside of the circle of the apex is the disk.
+// A triangulated sphere without one face. The circles of the corners of this face touch each
+// other, and all other circles lie between them. A disk becomes a sphere by an apex, which is
+// joined to its boundary: the outside of the circle of the apex is the disk.
 class Packing_complex
 {
 public:
-  // `size` has what is known of the sizes of circles at the vertices of `mesh`; without, degrees
-  // take its place.
+  // `size` has known sizes of circles at the vertices of `mesh`; without it, degrees replace them.
   // \throws Invalid_input if `mesh` is not a simplicial sphere or disk
   explicit Packing_complex(const Delta_complex& mesh, std::vector<double> size = {})
   {

@@ -29,14 +29,14 @@ struct Side_change
   double weight, change;
 };
 
-// Shifts points on a line such that sides of faces change as they are to, in the sense of weighted
-// least squares.
+// Shifts points on a line such that sides of faces change by given amounts, in the sense of
+// weighted least squares.
 class Least_squares_shift
 {
 public:
   typedef Eigen::VectorXd Vector;
 
-  // `for_each_side(visit)` visits all sides, the number of which is known.
+  // `for_each_side(visit)` visits all sides, whose number is known.
   template <typename For_each_side>
   Least_squares_shift(std::size_t number_of_points, std::size_t number_of_sides,
                       const For_each_side& for_each_side)
@@ -53,11 +53,11 @@ public:
     });
   }
 
-  // Point `i` stays; so do those without sides. One of every component that sides connect must be
-  // held, unless one of its signs is -1.
+  // Point `i` stays, and so do points without sides. One of every component that sides connect
+  // must be held, unless one of its signs is -1.
   void fix(int i) { m_is_held[static_cast<std::size_t>(i)] = 1; }
 
-  // `order` is that of the points
+  // `order` is the order of the points
   void factorize(const std::shared_ptr<Shared_order>& order)
   {
     for(Eigen::Index i = 0; i < m_diagonal.size(); ++i)

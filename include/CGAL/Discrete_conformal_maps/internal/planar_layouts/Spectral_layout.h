@@ -25,16 +25,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector
-// of L z = lambda B z with the least eigenvalue beside the constants, where z^* L z is the
-// conformal energy, Dirichlet's energy less the area, and z^* B z the mean square on the boundary.
+// The spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008). It is the
+// eigenvector of L z = lambda B z with the least eigenvalue beside the constants. Here z^* L z is
+// the conformal energy, Dirichlet's energy less the area, and z^* B z the mean square on the
+// boundary.
 //
-// L is a sum over faces of |r|^2 / (8 area), where r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0)
+// L is a sum over faces of |r|^2 / (8 area). Here r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0)
 // vanishes if the image is similar to the face. Faces may differ by twenty orders of size, and an
 // eigenvector as a whole has no digits for the small ones. So the inverse iteration z <- L^-1
-// (lambda B z), with Rayleigh's quotient lambda, is computed as z - L^-1 (L z - lambda B z): what
-// is solved for is the correction of a layout, and r comes from differences. On a flat chart L has
-// one more vector in its kernel, the layout; its scale is left as it is.
+// (lambda B z), with Rayleigh's quotient lambda, is computed as z - L^-1 (L z - lambda B z). The
+// unknown is the correction of a layout, and r comes from differences. On a flat chart L has one
+// more vector in its kernel, the layout; its scale is left unchanged.
 template <typename FT>
 class Spectral_chart
 {
@@ -62,9 +63,9 @@ public:
   }
 
   // Improves a layout of the chart as long as corrections get smaller and, up to rounding, the
-  // energy does not rise. The area of the result is that of the faces. A chart with a face without
-  // area stays as it is. `order` is that of the points.
-  // \throws Numerical_error if L has no factorization
+  // energy does not rise. The area of the result is the area of the faces. A chart with a face
+  // without area does not change. `order` is the order of the points. \throws Numerical_error if L
+  // has no factorization
   void improve(std::vector<Vector>& z, const Shared_order& order = {}) const
   {
     Energy energy = evaluate(z);

@@ -26,10 +26,10 @@ using Intrinsic_triangulations::Cut_graph;
 // are turned by the angles of faces, so that small faces beside large ones do not suffer from
 // differences of positions. Corners that are not apart at a seam are one point.
 //
-// A planar layout is a function object. `layout(faces, order)` moves the points of unfolded faces,
-// which rounding has shifted where faces meet that were reached on different ways; `order` is that
-// in which the vertices are eliminated. Models: `Incremental_layout`, `Least_squares_layout` and
-// `Spectral_layout`.
+// A planar layout is a function object. `layout(faces, order)` moves the points of unfolded faces.
+// Rounding has shifted them where faces meet that were reached on different ways. `order` is the
+// order in which the vertices are eliminated. Models: `Incremental_layout`, `Least_squares_layout`
+// and `Spectral_layout`.
 template <typename FT_>
 class Unfolded_faces
 {
@@ -106,7 +106,7 @@ private:
                           : position[h.idx()] + (-length(p)) * m_direction[p.idx()];
   }
 
-  // how the boundary of a face turns at the source of `h`: by pi less the angle there
+  // how the boundary of a face turns at the source of `h`: by pi less its angle
   Vector turn(Halfedge_index h) const
   {
     using std::sqrt;
@@ -138,7 +138,7 @@ private:
   std::vector<Delta_complex::size_type> m_point; // at the source of each halfedge
 };
 
-// Leaves the points where unfolding has put them: errors add up on the way.
+// Leaves the points where unfolding has put them: errors add up from face to face.
 struct Incremental_layout
 {
   template <typename FT>

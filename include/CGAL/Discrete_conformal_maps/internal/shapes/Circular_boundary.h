@@ -29,8 +29,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns the exterior angles of a polygon in a circle, at the start of each edge, for half of the
-// angles under which the center sees its edges.
+// Returns the exterior angles of a polygon in a circle, at the start of each edge. Arguments are
+// half of the angles under which the center sees its edges.
 inline std::vector<double> angles_between(const std::vector<double>& half_arc)
 {
   const std::size_t n = half_arc.size();
@@ -40,10 +40,10 @@ inline std::vector<double> angles_between(const std::vector<double>& half_arc)
   return result;
 }
 
-// Returns the exterior angles of the polygon in a circle whose edges have these lengths: at the
-// start of each edge. Half the angle under which the center sees an edge of length l, in a circle
-// with the diameter 1 / x, is asin(l x); if the center is outside, this is pi less that for the
-// longest. Precondition: no length is zero, none is greater than the others together.
+// Returns the exterior angles of the polygon in a circle whose edges have these lengths, at the
+// start of each edge. In a circle with the diameter 1 / x, the center sees an edge of length l
+// under twice the angle asin(l x). If the center is outside, the half angle of the longest edge is
+// pi less this. Precondition: no length is zero, none is greater than the others together.
 inline std::vector<double> circle_angles(const std::vector<double>& length)
 {
   constexpr double pi = boost::math::constants::pi<double>();
@@ -70,8 +70,8 @@ inline std::vector<double> circle_angles(const std::vector<double>& length)
   return angles_between(arcs);
 }
 
-// The exterior angles of a boundary whose components are circles, found by repetition: those that a
-// circle has depend on the lengths in the plane.
+// The exterior angles of a boundary whose components are circles. They are found by repetition,
+// since the angles of a circle depend on the lengths in the plane.
 class Circular_boundary : public Free_shape
 {
   typedef Eigen::VectorXd Vector;
@@ -102,7 +102,8 @@ public:
         set(side.source, Vertex_condition::curvature(m_angle[i++]));
   }
 
-  // Finds scale factors until the angles are those of circles, or have been changed often enough.
+  // Finds scale factors until the angles are the angles of circles, or have been changed often
+  // enough.
   template <typename Flattening, typename Find>
   void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
@@ -143,14 +144,14 @@ private:
 
   // The angles of most disks need no more rounds than that.
   static constexpr std::size_t usual_rounds = 20;
-  // Beyond the range of `double`, rounds take long, and only the angles of the hemisphere are close
-  // enough to those of the circle.
+  // Beyond the range of `double`, rounds take long, and only the angles of the hemisphere are
+  // close enough to the angles of the circle.
   static constexpr std::size_t greatest_number_of_wide_rounds = 10;
 
   // Beyond this range of scale factors, faces lose their shape in the picture.
   static constexpr double usual_range = 18;
 
-  // Where the first angles are as far from those of the surface, the next ones are far off, too.
+  // If the first angles are far from the angles of the surface, the next ones are far off, too.
   static bool is_far_off(const Minimization_result& first) { return first.iterations > 16; }
 
   template <typename FT>
@@ -198,8 +199,8 @@ private:
     return result;
   }
 
-  // Takes the scale factors of an inscribed polygon, if it has its exterior angles with rounded
-  // lengths, or else with those of the exact surface.
+  // Takes the scale factors of an inscribed polygon. It must have its exterior angles with rounded
+  // lengths, or else with the lengths of the exact surface.
   template <typename Flattening>
   bool take_polygon(Doubled_problem& problem, Flattening& flattening)
   {
@@ -270,9 +271,9 @@ private:
     }
   }
 
-  // Takes angles and scale factors of the map of the disk to a hemisphere, of which this one is the
-  // stereographic projection unless edges of T^C cross the boundary: then the angles are close to
-  // these. Others are good enough if they succeed and scale factors differ by little. Returns
+  // Takes angles and scale factors of the map of the disk to a hemisphere. Unless edges of T^C
+  // cross the boundary, this map is its stereographic projection. If they do, the angles are close
+  // to these. Others are good enough if they succeed and scale factors differ by little. Returns
   // whether it has taken them.
   template <typename Flattening>
   bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
@@ -295,7 +296,7 @@ private:
     return true;
   }
 
-  // Moves the angles towards those of circles with the lengths of the image, and returns the
+  // Moves the angles towards the angles of circles with the lengths of the image, and returns the
   // greatest difference of both before.
   double update(const std::vector<double>& length)
   {

@@ -15,15 +15,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Finds a fixed point of a function in fewer evaluations than by repeating it: goes to the fixed
-// point of the linear function through the last evaluations (Anderson's method).
+// Finds a fixed point of a function in fewer evaluations than by repeating it. It goes to the
+// fixed point of the linear function through the last evaluations (Anderson's method).
 class Fixed_point_acceleration
 {
 public:
   typedef Eigen::VectorXd Vector;
 
-  // Returns where to evaluate the function after its value at `x` is `image`. The sum of entries is
-  // that of the images.
+  // Returns where to evaluate the function after its value at `x` is `image`. The sum of entries
+  // is the sum of the entries of the images.
   Vector next(const Vector& x, const Vector& image)
   {
     remember(image, image - x);

@@ -40,8 +40,8 @@ public:
                      [&](std::size_t i, std::size_t j) { return m_angle[i] > m_angle[j]; });
   }
 
-  // Returns four places in ascending order: as far apart along the loop as is possible while the
-  // sum of their exterior angles is nine tenths of that of the four sharpest, or more.
+  // Returns four positions in ascending order, as far apart along the loop as possible. The sum of
+  // their exterior angles must be at least nine tenths of the sum of the four sharpest.
   Corners corners() const
   {
     Corners result = sharpest_at_distance(0);

@@ -30,7 +30,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image of a hemisphere in the plane of its equator, which is the unit circle: the
+// The image of a hemisphere in the plane of its equator, which is the unit circle. It is the
 // stereographic projection from the pole of the other hemisphere.
 struct Round_disk
 {
@@ -49,9 +49,9 @@ struct Round_polygon : Round_disk
 };
 
 // Returns half of the angles under which the center of the unit disk, the image of the half plane,
-// sees the sides of its boundary, from each vertex of `boundary` to the next; nothing if these do
-// not sum up to half a turn, or are negative. Sides that are too short for their positions have the
-// angle zero.
+// sees the sides of its boundary. They lead from each vertex of `boundary` to the next. Returns
+// nothing if their sum is not half a turn, or if some are negative. Sides that are too short for
+// their positions have the angle zero.
 inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layout,
                                                     const std::vector<Vertex_index>& boundary)
 {
@@ -129,9 +129,9 @@ std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
   });
 }
 
-// Returns the greatest error of an exterior angle of a polygon, against those that are prescribed,
-// on both sides of the double. Lengths that rounding has changed differ on both, by much if there
-// are needles.
+// Returns the greatest error of an exterior angle of a polygon, against the prescribed angles, on
+// both sides of the double. Lengths that rounding has changed differ on both, by much if there are
+// needles.
 inline std::optional<double> exterior_angle_error(const Doubled_problem& problem,
                                                   const Round_polygon& polygon)
 {

@@ -28,7 +28,7 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // T^C with its lengths in the plane, and the crossings of T^A. The boundary of the surface is the
-// axis of the flat double, on which its edges are straight lines.
+// axis of the flat double, and its edges are straight lines on it.
 class Flat_strips
 {
   typedef Intrinsic_triangulations::Intrinsic_triangulation<
@@ -36,8 +36,8 @@ class Flat_strips
     Triangulation;
 
 public:
-  // `FT` has the range of the lengths. Beyond that of `double`, they are in proportion to the
-  // longest.
+  // `FT` has the range of the lengths. Lengths beyond the range of `double` are in proportion to
+  // the longest.
   template <typename FT>
   Flat_strips(Doubled_problem& problem, const std::vector<FT>& scale)
   {
@@ -55,7 +55,7 @@ public:
   const Delta_complex& mesh() const { return m_triangulation.mesh(); }
   const std::vector<double>& length_map() const { return m_length; }
 
-  // The length of the straight line that the edge of `h`, a halfedge of T^A, is; zero if squares of
+  // The length of the edge of `h`, a halfedge of T^A, as a straight line. It is zero if squares of
   // the lengths that it crosses are out of range.
   double length(Halfedge_index h) const
   {

@@ -20,7 +20,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // two families; chords of one family do not cross. A chord leads from its first end to its last.
 //
 // Along the boundary, the open chords of one family are a stack. When a chord closes, it crosses
-// those of the other family that have been opened since it was.
+// the chords of the other family that have been opened since it was.
 class Chord_crossings
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();

@@ -96,7 +96,7 @@ public:
   const Chord<FT>& operator[](std::size_t chord) const { return m_chords[chord]; }
   const Chord_crossings& crossings() const { return m_crossings; }
 
-  // the places of a crossing on the earlier and the later of its chords
+  // the positions of a crossing on the earlier and the later of its chords
   const std::array<FT, 2>& places(std::size_t crossing) const { return m_places[crossing]; }
 
 private:
@@ -197,8 +197,9 @@ private:
     }
   }
 
-  // The place on the shorter one comes from areas. On the longer one it is where the point so found
-  // is projected to: however flat the angle, the two places are the same point.
+  // The position on the shorter one comes from areas. The position on the longer one is the
+  // projection of the point so found. So both positions are the same point, however flat the
+  // angle.
   static std::array<FT, 2> intersection(const Chord<FT>& earlier, const Chord<FT>& later)
   {
     if(squared_length(earlier) < squared_length(later)) {
@@ -220,7 +221,7 @@ private:
     return Intrinsic_triangulations::internal::orientation(c.place[0], c.place[1], p);
   }
 
-  // the place of a line on a chord whose ends have these distances from it, which should not be
+  // the position of a line on a chord whose ends have these distances from it, which should not be
   // negative
   static FT place_between(FT first, FT last)
   {

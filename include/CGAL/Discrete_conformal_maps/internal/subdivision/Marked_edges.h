@@ -65,8 +65,8 @@ struct Mark
   Surface_point<FT> other;  // in the other family's triangulation
 };
 
-// The marks of both families on the edges of B, in one order. That of either family is exact;
-// between the two families their places decide, and where these are equal, A comes first along the
+// The marks of both families on the edges of B, in one order. The order of either family is exact.
+// Between the two families their positions decide, and if these are equal, A comes first along the
 // first halfedge.
 template <typename FT>
 class Marked_edges

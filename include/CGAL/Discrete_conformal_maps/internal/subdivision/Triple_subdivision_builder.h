@@ -84,7 +84,7 @@ private:
                                              });
   }
 
-  // Numbers what is inside faces, face by face, and returns the numbers of all elements.
+  // Numbers the elements inside faces, face by face, and returns the numbers of all elements.
   Size number_elements()
   {
     for_each_face([this](Face_builder& builder, Face_index f) { m_first[f] = builder.size(f); });
@@ -120,7 +120,7 @@ private:
       [&] { m_result.resize_mesh(vertices, edges, faces); });
   }
 
-  // Places at vertices that several faces have are those in the last of them.
+  // Vertices of several faces have positions in the last of these faces.
   bool is_last_at_source(Face_index f, Halfedge_index h) const
   {
     return m_last_face[m_b.source(h)] == f;

@@ -64,8 +64,8 @@ inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::
   return to == (from + 1) % 3 ? side[from] : Intrinsic_triangulations::opposite(side[to]);
 }
 
-// the edge on which an end of a segment lies, and the ratio of the distances of the end from
-// source and target of the first halfedge
+// the edge on which an end of a segment lies, and the ratio of its distances from source and
+// target of the first halfedge
 inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Face_point& end,
                                                 const Delta_complex& mesh)
 {

@@ -29,11 +29,11 @@ struct Straight_edge
 // The strip of triangles of T1 that an edge of T2 crosses. It is laid out in `double` from its
 // source by the corners of these triangles, not by lengths.
 //
-// Let u be the rounding unit. A side is the side before times a factor with a relative error of at
-// most 20 u, and the product adds less than 3 u. So a side has at most 24 u for each triangle. The
+// Let u be the rounding unit. A side is the side before times a factor with an error of at most 20
+// u, and the product adds less than 3 u. So a side has at most 24 u for each triangle. The
 // position of a corner is the sum of sides on the shorter way from the source; each sum adds a u
-// of that way. Hence the displacement of a corner is at most 32 u times the number of triangles,
-// times the longest of these ways.
+// of that way. Hence the displacement of a corner is at most a product: 32 u times the number of
+// triangles, times the longest way.
 template <typename Number>
 class Certain_strip : Euclidean_strip<double>
 {

@@ -22,8 +22,8 @@ template <typename FT, typename Integer>
 class Euclidean_geometry_traits;
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// the exact metric of \f$T_1\f$: positions of its vertices, or squared lengths in a field `K` with
-/// exact signs (or of type `double`), or neither of them; then its lengths count as exact.
+/// the exact metric of \f$T_1\f$. It has positions of its vertices, or squared lengths in a field
+/// `K` with exact signs (or of type `double`). If it has neither, its lengths count as exact.
 template <typename K>
 struct Input_metric
 {

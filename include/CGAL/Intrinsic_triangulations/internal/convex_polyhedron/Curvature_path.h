@@ -23,10 +23,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Follows the pyramids whose curvatures at the apex are t times those of equal large radii, from
-// t = 1 towards t = 0, where they form a convex polyhedron (Bobenko and Izmestiev 2008). On the way
-// these curvatures are positive and less than those of the surface, and the radii are determined by
-// them.
+// Follows pyramids whose curvatures at the apex are t times the curvatures of equal large radii
+// (Bobenko and Izmestiev 2008). It starts at t = 1 and ends towards t = 0, where they form a
+// convex polyhedron. In between, these curvatures are positive and less than the curvatures of the
+// surface, and determine the radii.
 class Curvature_path
 {
   typedef Eigen::VectorXd Vector;
@@ -63,7 +63,7 @@ private:
     return Eigen::Map<const Vector>(x.data(), static_cast<Eigen::Index>(x.size()));
   }
 
-  // With large radii the curvatures at the apex are nearly those of the surface.
+  // With large radii the curvatures at the apex are nearly the curvatures of the surface.
   void start()
   {
     // equal radii need a Delaunay triangulation
@@ -125,7 +125,7 @@ private:
     return Radii::mean_of(radii, factors, are_large);
   }
 
-  // Returns whether it has come to the pyramids for `t`.
+  // Returns whether it has reached the pyramids for `t`.
   bool reach(double t)
   {
     return (m_history.size() > 1 && reach(t, prediction(t))) || reach(t, m_radii);

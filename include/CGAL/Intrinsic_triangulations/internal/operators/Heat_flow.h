@@ -99,11 +99,11 @@ public:
   const Mesh_components& components() const { return m_components; }
   // A / t
   const Vector& rates() const { return m_rate; }
-  // that of the vertices, which serves other matrices of the surface too
+  // the order of the vertices, which serves other matrices of the surface too
   const Elimination_order& order() const { return m_factorization.order(); }
 
-  // The heat at the sources: heat falls exponentially with distance, and has a long way to go
-  // before it is below the range of its number type.
+  // The heat at the sources. Heat falls exponentially with distance, and must not fall below the
+  // range of its number type.
   static FT unit()
   {
     typedef std::numeric_limits<FT> Limits;

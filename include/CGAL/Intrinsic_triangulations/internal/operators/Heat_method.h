@@ -103,7 +103,7 @@ public:
     return distance;
   }
 
-  // For a surface of which an order of elimination is known already.
+  // For a surface whose order of elimination is known already.
   template <typename Surface, typename VertexIsFixedMap>
   static Poisson_solver<FT> poisson_solver(const Surface& surface, const Elimination_order& order,
                                            const VertexIsFixedMap& is_fixed)

@@ -28,9 +28,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Frames at the vertices, as `Tangent_frames`, but on the boundary angles are those of the surface:
-// no curvature is spread around a vertex there, and a field that is parallel inside stays so along
-// the boundary.
+// Frames at the vertices, as `Tangent_frames`, but on the boundary angles are angles of the
+// surface. So no curvature is spread around a boundary vertex, and a field that is parallel inside
+// is parallel along the boundary.
 template <typename Surface>
 class Vertex_frames
 {
@@ -96,8 +96,8 @@ public:
         "heat flow of vectors")
   {}
 
-  // Returns the heat from the unit normals on the right of the segments of a curve: its mean on
-  // each face, with components as in gradient_matrix(), times a common factor.
+  // Returns the heat from the unit normals on the right of the segments of a curve. It is the mean
+  // on each face, with components as in gradient_matrix(), times a common factor.
   Vector spread(const Surface_curve<FT>& curve) const
   {
     const Field heat = m_factorization.solve(normalized(moments(curve)));

@@ -92,8 +92,8 @@ private:
     return beyond.is_valid() && beyond != f ? beyond : m_mesh.face(h);
   }
 
-  // Returns the points of a face at which a place is: several if the face meets itself there. If
-  // the path crosses a side of the face, only this side counts.
+  // Returns the points of a face that a position of a path denotes: several if the face meets
+  // itself at the position. If the path crosses a side of the face, only this side counts.
   Points points(const Point& p, Face_index f, Halfedge_index crossed) const
   {
     if(const auto* inside = std::get_if<Face_location<FT>>(&p))
