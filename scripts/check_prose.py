@@ -5,7 +5,7 @@
 
 """Checks sentences of the manuals, of README.md and the like, of comments of headers, and of the messages
 of the program: at most 25 words each, no pronoun in place of a noun ("that of"), no words
-other than those of the field. Prints file:line of each violation, and exits with 1 if there is any.
+other than words of the field. Prints file:line of each violation, and exits with 1 if there is any.
 
 Without arguments all files are checked, except those that scripts/prose_pending.txt lists: their
 sentences are still to be rewritten. With --pending these are checked instead; with --count, a line for
@@ -30,10 +30,10 @@ STAND_INS = [
     (r"\bthose (?:of|in|on|at|with|without|which|that|who|whose|from|to|for|by|above|below|alone|are|is)\b",
      "repeat the noun"),
     (r"\bthose(?=[.,;:)]|$)", "repeat the noun"),
-    (r"\b[Ww]hat is\b", "name the thing"),
+    (r"\bwhat is\b", "name the thing"),
     (r"\bof which\b", "make two sentences, or write 'whose'"),
     # "there is" states existence; elsewhere the word stands for a place that has a name.
-    (r"\b[Tt]here\b(?! (?:is|are|was|were|has|have|can|may|must|exists?|remains?|be)\b)",
+    (r"\bthere\b(?! (?:is|are|was|were|has|have|can|may|must|exists?|remains?|be)\b)",
      "name the position"),
 ]
 
@@ -58,7 +58,7 @@ HOUSE_WORDS = [
     (r"\bis gone\b|\bare gone\b", "is removed, or no longer exists"),
     (r"\bcome to rest\b|\bhas come to\b", "ends with"),
 ]
-RULES = [(re.compile(pattern), advice) for pattern, advice in STAND_INS + HOUSE_WORDS]
+RULES = [(re.compile(pattern, re.IGNORECASE), advice) for pattern, advice in STAND_INS + HOUSE_WORDS]
 
 
 class Block:

@@ -93,7 +93,7 @@ private:
 };
 
 // Cuts each face of T2 into its regions. An edge of T2 becomes one edge for each of its pieces; so
-// does a part of an edge of T1, unless it is shared. Those of T1 come first.
+// does a part of an edge of T1, unless it is shared. Parts of T1 come first.
 template <typename Traits, typename Point>
 class Common_subdivision<Traits, Point>::Builder
 {

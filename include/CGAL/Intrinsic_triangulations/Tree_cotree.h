@@ -33,7 +33,7 @@ enum class Boundary_loops
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// cuts each component of a surface into one disk: the faces are joined along shortest ways from a
 /// first face. Among the edges that are open then is a tree with all vertices; the others are the
-/// generators, two for each handle. Those with the shortest loops through the first face are chosen
+/// generators, two for each handle. Edges with the shortest loops through the first face are chosen
 /// (Erickson and Whittlesey 2005, on the dual graph). Boundary components count as faces, see
 /// `Boundary_loops`; their indices follow the indices of the faces.
 class Tree_cotree : public Cut_graph

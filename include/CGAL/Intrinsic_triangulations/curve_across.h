@@ -63,8 +63,8 @@ void add_segments(const std::vector<Surface_point<FT>>& places, const Delta_comp
   }
 }
 
-// The places of a path whose pieces are added in order. Between a vertex and the next place, it
-// crosses no edge at this vertex, whatever rounding says.
+// The positions of a path whose pieces are added in order. Between a vertex and the next position,
+// it crosses no edge at this vertex, with any rounding.
 template <typename FT>
 class Joined_path
 {

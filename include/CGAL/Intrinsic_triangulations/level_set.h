@@ -110,8 +110,8 @@ private:
 ///        standard library, such as distances
 /// \param level the value
 /// \returns the curves, each with its length and the points on edges that it runs through, and with
-///          greater values on its left. Those from boundary to boundary come first; a closed one
-///          ends where it starts.
+///          greater values on its left. Curves from boundary to boundary come first; a closed
+///          curve ends where it starts.
 ///
 /// Complexity: linear.
 template <typename Surface, typename Values>

@@ -80,8 +80,8 @@ inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layo
   return std::nullopt;
 }
 
-// Returns the logarithmic scale factors of the image of a half plane in the unit disk. Those of the
-// hemisphere are `on_sphere`; the factor of the projection is one on the equator.
+// Returns the logarithmic scale factors of the image of a half plane in the unit disk. The factors
+// of the hemisphere are `on_sphere`; the factor of the projection is one on the equator.
 inline std::vector<More_extended> log_scales_in_disk(const Spherical_layout& half_plane,
                                                      const std::vector<double>& on_sphere)
 {

@@ -65,10 +65,10 @@ double polygon_area(std::size_t n, const At& at)
   return sum;
 }
 
-// Carries a face of the fine level through the operations to the coarse level. Like a curve it is
-// cut where it is crossed by a new edge, and its cells go their ways alone. Those on the two sides
-// of a cut know their common points by index, and agree on their coordinates to the last bit. So
-// whatever rounding does, cells are a subdivision of the face.
+// Maps a face of the fine level through the operations to the coarse level. A new edge cuts it,
+// like a curve, and each cell is mapped alone. Cells on the two sides of a cut know their common
+// points by index, and agree on their coordinates to the last bit. So with any rounding, cells are
+// a subdivision of the face.
 class Face_cutter
 {
 public:

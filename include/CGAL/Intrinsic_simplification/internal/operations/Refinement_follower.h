@@ -78,7 +78,7 @@ public:
     m_visitor.before_exact_refinement();
   }
 
-  // A place that is rounded to a vertex is not a new one.
+  // A position that is rounded to a vertex is not a new vertex.
   template <typename Traits>
   void after_insertion(Vertex_index v,
                        const Intrinsic_triangulations::Vertex_inserter<Traits>& inserter)

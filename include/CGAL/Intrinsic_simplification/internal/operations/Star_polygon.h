@@ -113,7 +113,7 @@ private:
   }
 
   // An ear can be cut off if it is convex and does not contain the center, which may come to lie on
-  // the cut. Those whose circumcircle has the center closest to its inside come first: in a
+  // the cut. Ears whose circumcircle has the center closest to its inside come first: in a
   // Delaunay star they are Delaunay.
   void rate(std::size_t n)
   {

@@ -154,7 +154,7 @@ public:
       add_products(a.data(), a.size(), b.data(), b.size(), sign, sum.data());
   }
 
-  // Returns the sign of a + b sqrt(c). That of an element that has several roots and is not zero is
+  // Returns the sign of a + b sqrt(c). If an element has several roots and is not zero, its sign is
   // found in floating point as a rule; otherwise by recursion.
   Sign sign(const Element& e) const
   {

@@ -34,7 +34,7 @@ exact_input(const Triangulation_pair<Traits>& pair)
 }
 
 // Returns the square of pq, or NaN if products of the squares of three sides may underflow or
-// overflow. Those of Long_float never do.
+// overflow. Products of Long_float never do.
 template <typename N>
 N square_in_range(const N& pq, const N& pr, const N& qr)
 {

@@ -136,8 +136,8 @@ private:
     return Vertex_index();
   }
 
-  // Returns the vertices that have been inserted into `from` and not into `to`. Those of both are
-  // noted.
+  // Returns the vertices that have been inserted into `from` and not into `to`. Vertices of both
+  // are noted.
   Vertices missing(const Triangulation& from, const Triangulation& to, bool from_base)
   {
     const Keys there = keys_of_inserted(to);

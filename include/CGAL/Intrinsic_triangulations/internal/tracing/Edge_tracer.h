@@ -32,7 +32,7 @@ struct Curve_start
   bool is_shared() const { return k < 0; }
 };
 
-// The places on a halfedge of T1 from one vertex of T2 on it to the next.
+// The positions on a halfedge of T1 from one vertex of T2 on it to the next.
 template <typename FT>
 struct Part_of_edge
 {
