@@ -21,7 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns a number of crossings. \throws Overflow_error if a mesh cannot number as many.
+// Returns a number of crossings.
+// \throws Overflow_error if a mesh cannot number as many.
 template <typename Integer>
 Delta_complex::size_type countable(const Integer& crossings)
 {

@@ -131,12 +131,10 @@ public:
   /// \cgalNamedParamsEnd
   ///
   /// Complexity: linear.
-  /// \throws Invalid_input in these cases:
-  /// - A face is not a triangle, an edge has no face, or a vertex has more than one vertex fan.
-  /// - A length is not positive and finite.
-  /// - The triangle inequality fails in a face. With exact traits and without positions it must
-  ///   hold exactly. Lengths of type `double` that exceed it by rounding error are shortened: the
-  ///   triangle becomes flat.
+  /// \throws Invalid_input if `g` is no triangulated surface with one fan at each vertex, a length
+  ///   is not positive and finite, or the triangle inequality fails. With exact traits and without
+  ///   positions it must hold exactly. Lengths of type `double` that exceed it by rounding error
+  ///   are shortened.
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values());

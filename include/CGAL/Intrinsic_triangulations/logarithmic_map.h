@@ -82,8 +82,9 @@ public:
 
   explicit Path_directions(const Surface_view<EdgeLengthMap>& surface) : Base(surface) {}
 
-  // Returns an outgoing halfedge of the source, or a halfedge of its face, and the direction of the
-  // path in the frame of this halfedge. \pre the path has a length that is positive and finite
+  // Returns an outgoing halfedge of the source, or a halfedge of its face, and the direction of
+  // the path in the frame of this halfedge.
+  // \pre the path has a length that is positive and finite
   std::pair<Halfedge_index, Vector> start(Last_part part, const Location& q) const
   {
     Location end = q;

@@ -73,9 +73,9 @@ private:
   std::size_t m_limit = 1024;
 };
 
-// Motions of the plane that put charts beside each other: each lies in the smallest rectangle that
-// holds it, the longer side below, and these stand on shelves, the highest first, with gaps of a
-// hundredth of the width of the whole. The first stands at the origin.
+// Motions of the plane that put charts beside each other. Each chart lies in its smallest
+// enclosing rectangle, with the longer side below. Rectangles stand on shelves, the highest first,
+// with gaps of a hundredth of the total width. The first stands at the origin.
 class Chart_packing
 {
   typedef std::complex<double> Complex;
@@ -169,7 +169,7 @@ private:
     return result;
   }
 
-  // at least that of the widest chart, and about that of a square for all
+  // at least the width of the widest chart, and about the side of a square for all
   double width_of_shelves() const
   {
     double widest = 0, area = 0;

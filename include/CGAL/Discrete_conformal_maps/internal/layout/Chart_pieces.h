@@ -25,8 +25,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image of the input in the plane as convex polygons: faces of T^C that belong to the input as
-// a whole, and of others the parts that do. Those that rounding has left without area are left out.
+// The image of the input in the plane as convex polygons. They are faces of T^C that belong to the
+// input as a whole, and the parts of other faces that do. Polygons that rounding has left without
+// area are left out.
 class Chart_pieces
 {
 public:
@@ -114,7 +115,7 @@ private:
     return result;
   }
 
-  // Corners at one place up to rounding are not in convex position: their hull is.
+  // Corners at equal positions up to rounding are not in convex position: their hull is.
   Convex_polygon part(Face_index f) const
   {
     Convex_polygon result;

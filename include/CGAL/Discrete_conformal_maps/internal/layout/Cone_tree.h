@@ -27,15 +27,15 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// The edges of a short tree that joins all terminals of each component: the shortest paths that a
-// minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at cut edges are joined
-// already. Complexity: O(n log n).
+// The edges of a short tree that joins all terminals of each component. They are the shortest
+// paths that a minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at cut
+// edges are joined already. Complexity: O(n log n).
 class Cone_tree
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `length` is that of edges; a cut edge is not passed
+  // `length` has lengths of edges; a cut edge is not passed
   Cone_tree(const Delta_complex& mesh, const std::vector<double>& length,
             const std::vector<char>& is_cut_edge, const std::vector<char>& is_terminal)
     : m_mesh(mesh),
@@ -121,10 +121,10 @@ private:
   std::vector<char> m_contains;
 };
 
-// Returns what says in which order edges of these lengths are crossed, the greatest first. The
-// longest are: positions are handed on through large triangles. With numbers that have digits
-// enough it is the shortest, so that no small face is reached from another one across large ones,
-// and errors are small in proportion to both.
+// Returns an order in which edges of these lengths are crossed, the greatest first. Without many
+// digits, the longest edges are first: positions are passed on through large triangles. With
+// enough digits, the shortest edges are first. Then no small face is reached from another one
+// across large ones, and errors are small in proportion to both.
 template <typename FT>
 std::vector<double> crossing_order(const std::vector<FT>& length)
 {
@@ -137,10 +137,10 @@ std::vector<double> crossing_order(const std::vector<FT>& length)
   return result;
 }
 
-// Cuts a surface into pieces that can be unfolded into the plane. `length` is that of edges, which
-// are crossed in the order of `order`; `is_cut_edge` says which are not passed; `is_used` which
-// faces are wanted; every vertex where faces cannot close up, a cone or an end of a cut edge, is a
-// terminal.
+// Cuts a surface into pieces that can be unfolded into the plane. `length` has lengths of edges,
+// which are crossed in the order of `order`. `is_cut_edge` determines which edges are not passed,
+// and `is_used` which faces are used. Every vertex where faces cannot close up, a cone or an end
+// of a cut edge, is a terminal.
 inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
                                const std::vector<double>& order,
                                const std::vector<char>& is_cut_edge,

@@ -28,8 +28,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // half-space, the others are in its boundary plane.
 //
 // It minimizes the weighted sum of the distances to horospheres, which is convex along geodesics,
-// by Newton's method. A step leads from the center of the sphere of directions; after each the
-// plane is shifted and scaled such that this is the present point.
+// by Newton's method. A step leads from the center of the sphere of directions. After each step
+// the plane is shifted and scaled such that the center is the present point.
 template <typename FT>
 class Conformal_barycenter
 {
@@ -39,8 +39,8 @@ public:
   typedef std::array<FT, 2> Point;
 
   // Complexity: linear for each iteration; there are about five, and more by a tenth of the
-  // hyperbolic distance from the start to the result. \throws Numerical_error if rounding keeps it
-  // from an end
+  // hyperbolic distance from the start to the result.
+  // \throws Numerical_error if rounding keeps it from an end
   // \pre no mass is half of all or more
   Conformal_barycenter(const std::vector<Point>& position, const std::vector<double>& mass,
                        std::size_t at_infinity)

@@ -83,8 +83,8 @@ inline Bbox_2 bounding_box(const Convex_polygon& polygon)
 
 // The area that at least one of some convex polygons covers. A vertical line sweeps over slabs
 // between all corners and crossings, in which the covered height is linear. Complexity: O(n log n)
-// for n corners and crossings, and for each of these linear, up to a logarithm, in the polygons
-// that the line meets there.
+// for n corners and crossings. For each of these it is linear, up to a logarithm, in the polygons
+// that the line meets.
 class Covered_area
 {
   typedef std::complex<double> Complex;

@@ -23,17 +23,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The positions of the vertices of a doubled disk in the plane, one vertex of the boundary at
-// infinity: the others of the boundary are on the real line, the disk is above it, and copies are
-// mirror images. So there are unknowns at the vertices of the disk only.
+// The positions of the vertices of a doubled disk in the plane, with one vertex of the boundary at
+// infinity. The other vertices of the boundary are on the real line, the disk is above it, and
+// copies are mirror images. So only vertices of the disk are unknowns.
 template <typename FT>
 class Half_plane_layout
 {
 public:
   typedef Plane_vector<FT> Vector;
 
-  // `unfolded` has the positions anywhere in the plane, of copies as far as they are known.
-  // Distances stay as they are.
+  // `unfolded` has the positions anywhere in the plane; some copies may have none. Distances do
+  // not change.
   Half_plane_layout(const Delta_complex& mesh, const Doubled_problem& problem,
                     const std::vector<std::optional<Vector>>& unfolded)
     : m_mesh(mesh), m_problem(problem), m_position(problem.size(), Vector{FT(0), FT(0)})
@@ -54,8 +54,8 @@ public:
         m_position[v.idx()].y = 0;
   }
 
-  // The sum over all sides of faces of the double of the squared change of the side, from that of
-  // `unfolded`, relative to its length, becomes least among symmetric positions.
+  // Minimizes a sum over all sides of faces of the double, among symmetric positions. A term is
+  // the squared change of the side, compared with `unfolded`, relative to its length.
   void distribute_errors(const Unfolded_faces<FT>& unfolded)
   {
     for(const auto coordinate : {&Vector::x, &Vector::y})
@@ -130,9 +130,10 @@ private:
   };
   typedef std::priority_queue<Shift> Shifts;
 
-  // Positions have errors in proportion to the greatest length on the way from one to the other,
-  // and faces beside the axis may be smaller than what they miss it by. So every vertex is shifted
-  // by what takes the vertex on the axis to it that can be reached by the shortest edges.
+  // Errors of positions are in proportion to the greatest length between them, and faces beside
+  // the axis may be smaller than such errors. So every vertex moves together with a vertex on the
+  // axis, the one that can be reached by the shortest edges. It is shifted as this vertex is
+  // shifted to the axis.
   void shift_to_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
     Shifts queue = shifts_of_axis(unfolded);
@@ -153,7 +154,8 @@ private:
     }
   }
 
-  // Returns those of vertices on the boundary, and of others whose axis is halfway to their copy.
+  // Returns the positions of vertices on the boundary, and of others whose axis is halfway to
+  // their copy.
   Shifts shifts_of_axis(const std::vector<std::optional<Vector>>& unfolded) const
   {
     Shifts result;

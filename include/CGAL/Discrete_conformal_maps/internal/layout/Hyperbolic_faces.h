@@ -42,8 +42,8 @@ inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
 }
 
 // The faces of closed hyperbolic surfaces in the Poincare disk, beside each other along a tree.
-// Each corner of a face has a frame: the motion that takes the origin there, and the direction of
-// the real axis to that of the halfedge that starts there.
+// Each corner of a face has a frame. This is the motion that maps the origin to the corner, and
+// the real direction to the halfedge that starts at it.
 template <typename FT>
 class Hyperbolic_faces
 {
@@ -63,14 +63,14 @@ public:
   // the frame at the source of `h`, in the face of `h`
   const Motion& frame(Halfedge_index h) const { return m_frame[h.idx()]; }
 
-  // the motion that takes the face beyond `h` to its place beside the face of `h`
+  // the motion that maps the face beyond `h` to its position beside the face of `h`
   Motion gluing(Halfedge_index h) const
   {
     return beyond(h) * m_frame[m_mesh.opposite(h).idx()].inverse();
   }
 
-  // How far the motions that take the faces around `v` to their places one after the other are from
-  // closing up.
+  // How far the motions that map the faces around `v` to their positions, one after the other, are
+  // from closing up.
   double gluing_error(Vertex_index v) const
   {
     Motion product;
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // the frame of the opposite halfedge of `h` in the face beside that of `h`
+  // the frame of the opposite halfedge of `h` in the face beside the face of `h`
   Motion beyond(Halfedge_index h) const
   {
     return m_frame[h.idx()] * m_along[Edge_index(h).idx()] * Motion::rotation(FT(0), FT(1));

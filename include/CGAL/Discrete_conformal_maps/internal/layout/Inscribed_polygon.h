@@ -29,12 +29,12 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The image of a disk all of whose vertices are on the boundary. The mirror symmetry of its double
-// fixes all vertices of the ideal polyhedron, hence is the reflection in a plane that has them all:
-// the polyhedron is an ideal polygon seen from both sides. Its boundary are the geodesics of the
-// boundary of the disk, and every triangulation of it is one of the convex hull.
+// fixes all vertices of the ideal polyhedron. So it is the reflection in a plane that has them
+// all, and the polyhedron is an ideal polygon seen from both sides. Its boundary consists of the
+// geodesics of the boundary of the disk, and every triangulation of it is one of the convex hull.
 //
-// So nothing is minimized. Edges of T^B that cross the boundary are flipped, and the chords from
-// the vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
+// So nothing is minimized. Edges of T^B that cross the boundary are flipped. The chords from the
+// vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
 // quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
 //
 // Positions near infinity and near the origin have all digits, whatever their scale. So these two
@@ -80,8 +80,9 @@ public:
 
   const Unfolded_sphere& result() const { return m_result; }
 
-  // Returns the logarithmic scale factors in the unit disk. A vertex with a chord c from infinity,
-  // at x on the line, of which the unit is `m_scale`, has the factor 2 / (m_scale c^2 (1 + x^2)).
+  // Returns the logarithmic scale factors in the unit disk. Consider a vertex at x on the line, in
+  // units of `m_scale`, with a chord c from infinity. It has the factor 2 / (m_scale c^2 (1 +
+  // x^2)).
   std::vector<More_extended> log_scales_in_disk() const
   {
     const More_extended unit = converted<More_extended>(m_scale);
@@ -133,7 +134,7 @@ private:
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
   }
 
-  // Flips until the edges of the boundary are there, and notes which halfedges of T^C have the
+  // Flips until the edges of the boundary exist, and notes which halfedges of T^C have the
   // boundary on their right.
   void flip_to_boundary()
   {
@@ -176,8 +177,8 @@ private:
     }
   }
 
-  // The lengths of the chords from the vertex at infinity: first those of its faces, then, beyond
-  // each side, that to the opposite corner.
+  // The lengths of the chords from the vertex at infinity. Chords of its faces come first, and
+  // then, beyond each side, the chord to the opposite corner.
   void measure_chords()
   {
     m_chord.assign(m_problem.size(), FT(1));
@@ -231,8 +232,8 @@ private:
       [this](Halfedge_index h, Halfedge_index o) { return gap(h) < gap(o); });
   }
 
-  // With the center of mass in the center, or, if 32 digits are too few for the vertices then, with
-  // the origin and infinity at both ends: positions beside the origin have all digits.
+  // The center of mass is in the center. If 32 digits are too few for the vertices then, the
+  // origin and infinity are at both ends: positions beside the origin have all digits.
   void lay_out(const std::vector<double>& mass)
   {
     const std::vector<Halfedge_index> sides = sides_in_plane();
@@ -286,8 +287,8 @@ private:
       mesh(), [this](Edge_index e) { return m_surface.length(e); }, m_position, m_at_infinity);
   }
 
-  // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the
-  // fewest digits.
+  // Puts the source of a side at `x`, and all others beside it. Sums that start at this side lose
+  // the fewest digits.
   void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const FT& x)
   {
     at(mesh().source(sides[first])) = x;

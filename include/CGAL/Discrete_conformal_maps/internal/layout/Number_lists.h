@@ -24,7 +24,7 @@ public:
   std::size_t operator()(std::size_t i, std::size_t k) const { return m_numbers[m_first[i] + k]; }
 
   // Returns for each number below `n` the indices of the lists that have it, in order. A list that
-  // has it twice is there twice. Complexity: linear.
+  // has it twice occurs twice. Complexity: linear.
   Number_lists inverse(std::size_t n) const
   {
     Number_lists result;

@@ -20,14 +20,14 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Moves the corners of polygons, which are convex up to rounding, until no three corners of a
-// polygon, in order, turn right: then no triangle is reversed, however polygons are cut into
+// polygon, in order, turn right. Then no triangle is reversed, for any cut of polygons into
 // triangles. A triangle without area is not reversed. Points are in the plane, or vectors in space
 // that are seen from the origin.
 //
 // Exact predicates decide. A move is made only if it reduces the number of triples that turn
 // right, so the search ends; its work is bounded beside that. No coordinate of a point changes by
 // more than `maximum_move` units in the last place of the greatest one. Points stay in their
-// bounding box, and those on a side of it stay there.
+// bounding box, and points on a side of it stay on this side.
 template <std::size_t dimension>
 class Orientation_repair
 {
@@ -44,7 +44,8 @@ public:
       m_maximum_work((std::min)(std::size_t(30000000), 2000 * polygons.size()))
   {}
 
-  // Returns the polygons that remain reversed. Without any, the points stay as they are.
+  // Returns the polygons that remain reversed. If no polygon is reversed, the points do not
+  // change.
   std::vector<std::size_t> run()
   {
     std::vector<std::size_t> result;
@@ -103,7 +104,7 @@ private:
     m_is_in_cluster.assign(m_points.size(), 0);
   }
 
-  // Returns those of these polygons, and of others that a move has reversed, that are reversed.
+  // Returns the reversed polygons among these polygons and among others that a move has reversed.
   std::vector<std::size_t> mended(std::vector<std::size_t> polygons)
   {
     for(std::size_t n = 0; n < polygons.size(); ++n)

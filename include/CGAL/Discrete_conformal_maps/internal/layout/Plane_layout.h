@@ -24,8 +24,8 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The positions of the vertices of a sphere in the plane, one vertex of it at infinity. `length`
-// has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5). A doubled
-// disk, as far as it is there, has its axis on the real line, with the disk above it.
+// has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5). The
+// existing part of a doubled disk has its axis on the real line, with the disk above it.
 template <typename FT>
 class Plane_layout
 {
@@ -49,7 +49,7 @@ public:
       lay_out_edges();
   }
 
-  // that of the vertex at infinity has no meaning
+  // the position of the vertex at infinity has no meaning
   std::vector<Point> positions() const
   {
     std::vector<Point> result;
@@ -59,12 +59,12 @@ public:
   }
 
 private:
-  // Weights of sides are squares in `double`. Where sizes of faces are beyond its range, positions
-  // stay as they are, and have digits enough.
+  // Weights of sides are squares in `double`. If sizes of faces are beyond its range, positions do
+  // not change, and have digits enough.
   static constexpr bool distributes_errors = !std::is_same<FT, Long_number>::value;
 
-  // The finite faces that can be reached from a vertex inside the surface itself: all but some
-  // copies, where more copies would be needed to reach them.
+  // The finite faces that can be reached from a vertex inside the surface itself. Some copies are
+  // missing if more copies would be needed to reach them.
   std::vector<char> faces_in_plane() const
   {
     std::vector<char> is_finite(m_mesh.num_faces(), 1), is_reached(is_finite.size(), 0);

@@ -23,7 +23,7 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Exact predicates on points with coordinates of type `double` or `Extended`: a filter first, then
-// numbers with all digits. What is not finite is on every line, circle and plane.
+// numbers with all digits. A point that is not finite is on every line, circle and plane.
 template <typename FT>
 class Plane_predicates
 {

@@ -205,8 +205,8 @@ private:
     return result;
   }
 
-  // Lays the vertices out in the plane such that the inverse of the stereographic projection has
-  // their center of mass in the center of the sphere, in the triangulation that is convex there.
+  // Lays the vertices out in the plane. The inverse of the stereographic projection must have
+  // their center of mass in the center of the sphere. The triangulation is convex on the sphere.
   // `flips` have led to the triangulation `mesh`.
   template <typename FT>
   void lay_out(const Delta_complex& mesh, const std::vector<Halfedge_index>& flips,
@@ -232,8 +232,8 @@ private:
     compare(position);
   }
 
-  // Moves the center of mass of all vertices to that of the sphere, and returns by how much the
-  // plane is scaled down. The mirror images of the vertices of a disk have mass, too: its axis
+  // Moves the center of mass of all vertices to the center of the sphere, and returns by how much
+  // the plane is scaled down. The mirror images of the vertices of a disk have mass, too: its axis
   // stays the real line.
   template <typename Point>
   auto center(std::vector<Point>& points) const

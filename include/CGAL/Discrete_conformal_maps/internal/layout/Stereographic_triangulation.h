@@ -23,8 +23,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // A triangulated sphere with vertices in the plane and one at infinity: the stereographic
 // projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the
-// sphere. Of a symmetric one, there may be only as much of one half as is reached by edges from
-// the other; beyond its border, it is the mirror image of the other.
+// sphere. Of a symmetric sphere, a part of one half may be missing if edges from the other half do
+// not reach it. Beyond its border, it is the mirror image of the other half.
 template <typename FT>
 class Stereographic_triangulation
 {

@@ -53,7 +53,7 @@ struct Unfolded_sphere
     return is_certified() && cross_ratio_error <= greatest_error;
   }
 
-  // Certified results come first, then those with less error.
+  // Certified results come first, then results with less error.
   bool operator<(const Unfolded_sphere& other) const
   {
     return is_certified() != other.is_certified() ? is_certified()
@@ -61,8 +61,8 @@ struct Unfolded_sphere
   }
 };
 
-// Returns positions in the plane as they are stored: nothing but infinity can be told from those
-// whose squares are beyond the range of `double`.
+// Returns positions in the plane as a map stores them. Positions whose squares are beyond the
+// range of `double` cannot be distinguished from infinity.
 template <typename FT>
 std::vector<std::array<Extended, 2>>
 in_range_of_squares(const std::vector<std::array<FT, 2>>& position)
@@ -83,10 +83,10 @@ double log_of_one_plus(const Number& x)
   return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
 }
 
-// Returns the logarithmic scale factors of lengths on the sphere: first those of the plane, `u`,
-// which is scaled down by `plane_scale` to `position`, then those of the stereographic projection.
-// At infinity, where neighbors have the distance one of horocycles, there is only the latter.
-// Isolated vertices of `surface` have zero.
+// Returns the logarithmic scale factors of lengths on the sphere. The first part are the factors
+// of the plane, `u`, which is scaled down by `plane_scale` to `position`. The second part are the
+// factors of the stereographic projection. At infinity, where neighbors have the distance one of
+// horocycles, only the second part exists. Isolated vertices of `surface` have zero.
 template <typename FT>
 std::vector<double> spherical_log_scales(const std::vector<double>& u, const FT& plane_scale,
                                          const std::vector<std::array<FT, 2>>& position,

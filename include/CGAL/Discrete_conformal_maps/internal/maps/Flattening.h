@@ -35,7 +35,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns what every map to the plane that is laid out is promised to have there.
+// Returns the promises of every map to the plane that has a layout.
 inline std::vector<Map_promise> planar_promises(const Plane_picture& picture)
 {
   return {
@@ -164,7 +164,7 @@ private:
   }
 
   // On a doubled surface, only edges of T^C with a part inside the input are passed, which the
-  // subdivision tells.
+  // subdivision determines.
   void find_cut_edges()
   {
     m_is_cut_edge.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
@@ -202,8 +202,8 @@ private:
     return m_problem.component(mesh().target(mesh().halfedge(f)));
   }
 
-  // What is to be added to the scale factors of the surface: nothing, or where none are prescribed,
-  // what keeps the area of the component.
+  // The sum to be added to the scale factors of the surface. It is zero, or, if no scale factors
+  // are prescribed, it preserves the area of the component.
   std::vector<double> area_correction() const
   {
     const auto& Delaunay = m_builder.data().ab;
@@ -240,7 +240,7 @@ private:
     m_layout.is_seam.assign(mesh().num_edges(), 1);
   }
 
-  // With more digits, if those of `double` do not give the curvatures that are promised, or errors
+  // With more digits, if scale factors in `double` do not give the promised curvatures, or errors
   // of positions are more than their rounding.
   template <typename Layout_model>
   void lay_out_in_plane(const Layout_model& layout)
@@ -356,7 +356,7 @@ private:
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };
 
-// those to start from
+// scale factors to start from
 template <typename Graph, typename NamedParameters>
 std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
 {

@@ -31,7 +31,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Tree_cotree;
 
-// Scale factors, the same for all vertices of a component, with which small hyperbolic triangles
+// Scale factors that all vertices of a component share. With them, small hyperbolic triangles
 // would have the area that a component must have by Gauss and Bonnet.
 inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
 {
@@ -47,7 +47,7 @@ inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
   return result;
 }
 
-// The steps from a doubled problem to a map, whose group is that of the whole double.
+// The steps from a doubled problem to a map, whose group is the group of the whole double.
 template <typename Visitor>
 class Hyperbolic_uniformization
 {
@@ -98,7 +98,7 @@ private:
     m_layout.seam.assign(mesh().num_edges(), m_layout.no_seam);
   }
 
-  // of a side of a face, in the Poincare disk: a hyperbolic length shrinks by half of 1 - r^2 at
+  // of a side of a face, in the Poincare disk. A hyperbolic length shrinks by half of 1 - r^2 at
   // the distance r from the center
   double length_in_disk(Halfedge_index h) const
   {
@@ -138,7 +138,8 @@ private:
       lay_out_with_more_digits<More_extended>();
   }
 
-  // What is Delaunay with rounded scale factors has another metric with precise ones.
+  // A triangulation that is Delaunay with rounded scale factors has another metric with precise
+  // ones.
   template <typename FT>
   double lay_out_with_more_digits()
   {
@@ -251,8 +252,8 @@ private:
     }
   }
 
-  // Returns the error of the relation in the precision of the layout, or of generators as they are
-  // stored if that is greater.
+  // Returns the error of the relation in the precision of the layout, or the error of the stored
+  // generators if that is greater.
   template <typename FT>
   double set_group(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut, std::size_t c)
   {

@@ -105,8 +105,8 @@ public:
     result.erase(std::unique(result.begin(), result.end()), result.end());
   }
 
-  // Notes faces of T^C with a side of which `size(h)`, its length in a picture with coordinates of
-  // at most one, may be no more than their rounding.
+  // Notes faces of T^C with a side whose `size(h)` may be no more than rounding. `size(h)` is its
+  // length in a picture with coordinates of at most one.
   template <typename Size>
   void find_crowded(const Size& size)
   {
@@ -118,7 +118,7 @@ public:
     set_crowded(is_crowded);
   }
 
-  // Decides about the map, by what was measured on it. `curvature_error` is that of all vertices.
+  // Decides about the map, by measurements on it. `curvature_error` is the error at all vertices.
   void judge(Discrete_conformal_map& map, double curvature_error, std::vector<Map_promise> promises)
   {
     m_outcome.max_curvature_error = greater_error(m_outcome.max_curvature_error, curvature_error);
@@ -134,8 +134,8 @@ public:
       m_data.log_scale[v] += correction[m_data.input_vertex[v].idx()];
   }
 
-  // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors, of
-  // which `scale` has the values at the vertices of the surface itself.
+  // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors.
+  // `scale` has their values at the vertices of the surface itself.
   template <typename Scale_factors>
   void flip(const Scale_factors& scale)
   {
@@ -145,8 +145,8 @@ public:
       flip_exactly();
   }
 
-  // As `flip()`, or takes the triangulation of the problem as it is if lengths with these scale
-  // factors are out of range; returns whether they are in range.
+  // As `flip()`, or takes the triangulation of the problem without flips if lengths with these
+  // scale factors are out of range. Returns whether they are in range.
   template <typename Scale_factors>
   bool flip_if_in_range(const Scale_factors& scale)
   {
@@ -166,7 +166,7 @@ public:
     set_flips(std::move(flips));
   }
 
-  // Makes T^C ideal Delaunay with more precise scale factors, those at the vertices of the surface
+  // Makes T^C ideal Delaunay with more precise scale factors at the vertices of the surface
   // itself. Returns its scaled lengths.
   template <typename FT>
   std::vector<FT> flip_again(const std::vector<FT>& u)
@@ -185,7 +185,7 @@ public:
   }
 
   // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision,
-  // unless it is there. Beside a factor of a layout, it takes most memory.
+  // unless it exists. Beside a factor of a layout, it takes most memory.
   template <typename Visitor>
   void subdivide(Visitor& visitor)
   {
@@ -207,7 +207,7 @@ public:
 
   double scaled_length(Halfedge_index h) const { return m_data.scaled_length(h); }
 
-  // of the edges of T^C, by the recorded flips in the precision of the scale factors, which `u` has
+  // of the edges of T^C, by the recorded flips in the precision of the scale factors. `u` has them
   // for the vertices of the surface itself
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
@@ -230,8 +230,8 @@ public:
   }
 
 private:
-  // With the digits and the range of the scale factors, unless `flip_exactly()` decides in `double`
-  // what is exact for these numbers.
+  // With the digits and the range of the scale factors, unless `flip_exactly()` decides in
+  // `double`, exactly for these numbers.
   template <typename Scale_factors>
   std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
   {
@@ -246,8 +246,8 @@ private:
     return m_problem.scaled(scale.values()).flips();
   }
 
-  // Makes T^C exactly ideal Delaunay with the scale factors and lengths as they are in `double`,
-  // where rounding has left it undecided. An edge at which the copy of the surface ends stays.
+  // Makes T^C exactly ideal Delaunay with the stored scale factors and lengths in `double`, if
+  // rounding has left it undecided. An edge at which the copy of the surface ends stays.
   void flip_exactly()
   {
     std::vector<double> factor;

@@ -111,7 +111,7 @@ private:
     return best;
   }
 
-  // Takes the result of the unfolding, and what is promised about it.
+  // Takes the result of the unfolding, and its promises.
   void store(Unfolded_sphere sphere)
   {
     const std::vector<Map_promise> exact = promises_on_exact_surface(sphere);
@@ -151,8 +151,8 @@ private:
     add("cross_ratio", cross_ratio_error, tolerance::cross_ratio, Map_status::not_conformal);
   }
 
-  // Returns the errors on the exact surface, of which the problem has the lengths: of the scale
-  // factors of the plane at vertices that are not at their bounds. A polygon has none.
+  // Returns the errors on the exact surface, whose lengths the problem has. They are errors of the
+  // scale factors of the plane at vertices that are not at their bounds. A polygon has none.
   Scale_errors errors(const Unfolded_sphere& sphere)
   {
     if(sphere.in_plane.empty())

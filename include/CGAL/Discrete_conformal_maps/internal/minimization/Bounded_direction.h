@@ -45,8 +45,8 @@ public:
   void set_fixed_to_zero(Vector& v) const { m_fixed.set_fixed_to_zero(v); }
   double remove_means(Vector&) const { return 0; }
 
-  // Variables some roundings from their bounds, or below them, are put there: functions may not
-  // distinguish them.
+  // Variables some roundings from their bounds, or below them, are put on the bounds: functions
+  // may not distinguish them.
   Vector feasible(const Vector& point) const
   {
     Vector result = point;
@@ -151,8 +151,8 @@ private:
     return gradient.dot(m_direction) <= 0;
   }
 
-  // First all that are at their bounds are active, later the active set of the last time and what
-  // is held by its bound.
+  // First all variables at their bounds are active. Later the active set consists of the previous
+  // one and of variables that their bounds hold.
   void start(const Vector& gradient)
   {
     const bool is_first = m_is_active.empty();
@@ -205,7 +205,7 @@ private:
     return result;
   }
 
-  // The variables that break a condition of the minimum, by more than rounding. Of those below
+  // The variables that break a condition of the minimum, by more than rounding. If some are below
   // their bounds, the lowest are enough: others will follow them up.
   std::vector<Eigen::Index> violations(const Matrix& hessian, const Vector& diagonal,
                                        const Vector& gradient) const

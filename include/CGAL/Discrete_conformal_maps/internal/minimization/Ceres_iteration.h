@@ -70,10 +70,10 @@ private:
   Eigen::SimplicialLLT<Matrix, Eigen::Upper> m_factor;
 };
 
-// Runs of Ceres on the variables that move, each from the best point so far, in coordinates in
-// which the Hessian at that point is the identity, and with values relative to that point: so each
-// run gets as many digits as the last one had left. Exceptions do not pass through Ceres: they wait
-// until it has returned.
+// Runs of Ceres on the variables that move, each from the best point so far. The coordinates make
+// the Hessian at that point the identity, and values are relative to that point. So each run gains
+// as many digits as the last one had left. Exceptions do not pass through Ceres: they wait until
+// it has returned.
 template <typename Energy, typename Visitor>
 class Ceres_iteration
 {

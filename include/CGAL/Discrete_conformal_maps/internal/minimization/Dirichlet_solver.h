@@ -21,9 +21,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of
-// some variables are left out; what is left is positive definite, up to rounding. Solutions are
-// as good as estimates and corrections need to be.
+// Solves systems with a symmetric positive semidefinite matrix. Rows and columns of some variables
+// are left out; the remaining matrix is positive definite, up to rounding. Solutions are as good
+// as estimates and corrections need to be.
 class Dirichlet_solver
 {
 public:

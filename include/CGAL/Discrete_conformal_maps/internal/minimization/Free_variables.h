@@ -52,7 +52,7 @@ public:
   // every point is allowed
   const Eigen::VectorXd& feasible(const Eigen::VectorXd& point) const { return point; }
 
-  // how far a gradient is from that of a minimum
+  // how far a gradient is from the gradient of a minimum
   double norm(const Eigen::VectorXd& gradient, const Eigen::VectorXd& /* point */) const
   {
     return max_norm(gradient);

@@ -24,9 +24,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns whether the gradient of an energy has continuous derivatives, as far as the energy says
-// so: then there is a path to its minimum on which the gradient shrinks in proportion. Such an
-// energy can move its origin.
+// Returns whether the gradient of an energy has continuous derivatives, as far as the energy
+// declares it. Then a path to its minimum exists on which the gradient shrinks in proportion. Such
+// an energy can move its origin.
 template <typename Energy, typename = void>
 struct Has_smooth_gradient
 {
@@ -41,15 +41,15 @@ struct Has_smooth_gradient<
   static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
 };
 
-// Follows the path on which the gradient g of an energy shrinks to zero in proportion: angle
-// defects move from those of today to those that are prescribed. Its tangent is Newton's direction,
-// of which a step takes a part t such that the greatest |g_i| shrinks by t/4 of it or more. The
-// slope along the direction, which suffices near a minimum, can vanish where single defects have
-// grown to full turns, and from there Newton's method hardly moves.
+// Follows the path on which the gradient g of an energy shrinks to zero in proportion. Angle
+// defects move from their present values to the prescribed ones. Its tangent is Newton's
+// direction. A step takes a part t of it such that the greatest |g_i| shrinks by t/4 of it or
+// more. The slope along the direction suffices near a minimum. It can vanish where single defects
+// have grown to full turns, and Newton's method hardly moves from such points.
 //
-// How far the tangent is good depends on how much neighbors change relative to each other, not on
-// how much they change together: the scale factors of a strip can move by hundreds in one step. So
-// a bound holds for differences of neighbors, which grows and shrinks with the steps that succeed.
+// How far the tangent is good depends on changes of neighbors relative to each other, not on their
+// common change. The scale factors of a strip can move by hundreds in one step. So a bound holds
+// for differences of neighbors, which grows and shrinks with the steps that succeed.
 template <typename Descent>
 class Gradient_path
 {
@@ -61,8 +61,8 @@ public:
     : m_descent(descent), m_direction(direction)
   {}
 
-  // Takes a step; returns the status if none could be taken, or if a minimum should have been found
-  // before: paths of 200 steps are rare, and longer ones lead nowhere.
+  // Takes a step. Returns the status if no step could be taken, or if a minimum should have been
+  // found before. Paths of 200 steps are rare, and longer ones lead nowhere.
   std::optional<Status> take_step()
   {
     if(m_steps++ == greatest_number_of_steps)
@@ -111,7 +111,8 @@ private:
         return m_short_steps < 30 ? std::nullopt : std::optional(Status::no_descent);
       }
       has_been_finite |= is_finite;
-      // where the slope vanishes by the secant, but neither far from there nor close to the last
+      // where the slope vanishes by the secant, but neither far from this point nor close to the
+      // last
       const double beyond = is_finite ? slope() : 0;
       m_step *= beyond > 0 ? std::clamp(base_slope / (base_slope - beyond), 0.1, 0.5) : 0.5;
     }

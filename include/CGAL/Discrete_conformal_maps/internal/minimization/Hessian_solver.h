@@ -87,7 +87,7 @@ private:
     count(&Factorization_counts::symbolic_analyses);
   }
 
-  // Variables that are left out have a place, too: others may take them.
+  // Variables that are left out have an entry, too: others may use it.
   void reorder(const Matrix& matrix)
   {
     const Eigen::VectorXi order = Cholesky::fill_reducing_order(matrix);

@@ -21,12 +21,12 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Solves with the Laplacian of a graph with positive weights, however different they are. What a
-// diagonal entry has beyond the weights of its row is a number of its own, so that nothing is
-// subtracted where vertices are eliminated: each weight keeps all its digits, as in the algorithm
-// of Grassmann, Taksar and Heyman (1985). A factorization by Cholesky forgets a weight of 1 beside
-// one of 10^16. With more digits than `double` has, solutions of strongly tied variables differ by
-// what they should.
+// Solves with the Laplacian of a graph with positive weights, however different they are. The
+// excess of a diagonal entry over the weights of its row is stored as a number of its own. So
+// nothing is subtracted if vertices are eliminated: each weight keeps all its digits, as in the
+// algorithm of Grassmann, Taksar and Heyman (1985). A factorization by Cholesky forgets a weight
+// of 1 beside one of 10^16. With more digits than `double` has, solutions of strongly tied
+// variables have correct differences.
 template <typename FT>
 class Laplacian_elimination
 {

@@ -21,9 +21,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`.
-// Entries of the gradient that vanish still need a positive diagonal. The lift, relative to the
-// diagonal, is against rounding in the factorization.
+// Numbers that are added to the diagonal of a Hessian against steps beyond a bound: see
+// `Newton_direction`. Entries of the gradient that vanish still need a positive diagonal. The
+// lift, relative to the diagonal, is against rounding in the factorization.
 inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
                                const Eigen::VectorXd& gradient, double bound, double lift)
 {
@@ -31,9 +31,9 @@ inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
   return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
 }
 
-// On a component where constants are in the kernel of a Hessian, one diagonal entry is doubled, as
-// if the variable were tied to a fixed one. If the gradient sums to zero, that does not change the
-// other entries of the solution up to a constant. The strongest variable is taken, for accuracy.
+// If constants are in the kernel of a Hessian on a component, one diagonal entry is doubled. This
+// ties the variable to a fixed one. If the gradient sums to zero, this does not change the other
+// entries of the solution up to a constant. The strongest variable is taken, for accuracy.
 inline Eigen::VectorXd grounding(const Eigen::SparseMatrix<double>& hessian,
                                  const Free_variables& variables)
 {
@@ -51,11 +51,11 @@ inline Eigen::VectorXd grounding(const Eigen::SparseMatrix<double>& hessian,
 
 // Finds directions in which a convex function falls, from its gradient and Hessian.
 //
-// Where the Hessian alone is singular, or gives a step that is too long (max norm), the entries
-// |g_i| / bound are added to its diagonal. For a Hessian with positive diagonal and non-positive
-// off-diagonals, as a Laplacian has, no entry of the step is then above the bound (maximum
-// principle): where the function is almost linear the step has the length allowed, elsewhere it is
-// as before; and what is added vanishes with the gradient.
+// If the Hessian alone is singular, or gives a step that is too long (max norm), the entries |g_i|
+// / bound are added to its diagonal. Consider a Hessian with positive diagonal and non-positive
+// off-diagonals, as a Laplacian has. Then no entry of the step is above the bound (maximum
+// principle). Where the function is almost linear the step has the length allowed; elsewhere it
+// hardly changes. The added numbers vanish with the gradient.
 class Newton_direction
 {
 public:

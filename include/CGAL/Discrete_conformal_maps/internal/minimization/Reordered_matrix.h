@@ -36,7 +36,7 @@ public:
   }
 
   // Takes the pattern of `source`, which is compressed, with its rows and columns in `order`. The
-  // diagonal is always there. Complexity: linear.
+  // diagonal always exists. Complexity: linear.
   void set_pattern(const Matrix& source, const Order& order)
   {
     m_outer.assign(source.outerIndexPtr(), source.outerIndexPtr() + source.outerSize() + 1);
@@ -47,8 +47,8 @@ public:
     fill_pattern(order, rank);
   }
 
-  // Takes the values of `source`, whose pattern is that of before, and adds `diagonal` (an entry
-  // for each row of `source`).
+  // Takes the values of `source`, which has the same pattern as before, and adds `diagonal` (an
+  // entry for each row of `source`).
   void set_values(const Matrix& source, const Eigen::VectorXd& diagonal, const Order& order)
   {
     double* values = m_upper.valuePtr();

@@ -19,9 +19,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The order in which the variables of a problem are eliminated, where all who factorize its
-// matrices find it: an order takes as long as several factorizations. The matrices differ by some
-// flips, and by variables that are left out.
+// The order in which the variables of a problem are eliminated, shared by all who factorize its
+// matrices. An order takes as long as several factorizations. The matrices differ by some flips,
+// and by variables that are left out.
 class Shared_order
 {
 public:
@@ -56,7 +56,7 @@ public:
     return result;
   }
 
-  // Returns the order of other variables, of which each, i, stands for the variable `origin[i]` of
+  // Returns the order of other variables. Each variable i stands for the variable `origin[i]` of
   // this order, with `multiplicity` times as many neighbors.
   template <typename Index>
   std::shared_ptr<Shared_order> refined(const std::vector<Index>& origin,

@@ -20,8 +20,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Groups of variables that are tied to each other much more strongly than to others by a Laplacian,
-// such as the vertices of a surface that are close to each other: by single linkage.
+// Groups of variables that a Laplacian ties to each other much more strongly than to others. An
+// example are vertices of a surface that are close to each other. Groups come from single linkage.
 class Variable_groups
 {
 public:

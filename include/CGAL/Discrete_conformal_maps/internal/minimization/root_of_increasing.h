@@ -20,8 +20,8 @@ struct Interval_of_root
 };
 
 // Returns an interval at whose ends an increasing function has different signs, or is at most
-// `limit` from zero at one of them, if there is one. Steps from zero begin with that of Newton's
-// method, for the slope there.
+// `limit` from zero at one of them. Returns nothing if it finds none. Steps from zero begin with
+// the step of Newton's method, for the slope at zero.
 template <typename FT, typename Function>
 Interval_of_root<FT> interval_of_root(const Function& function, double slope, double limit)
 {

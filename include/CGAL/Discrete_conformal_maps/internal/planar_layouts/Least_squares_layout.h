@@ -80,7 +80,8 @@ public:
     return result;
   }
 
-  // Shifts the coordinates of points. \pre `factorize()` has been called
+  // Shifts the coordinates of points.
+  // \pre `factorize()` has been called
   template <typename Point, typename FT>
   void shift(const Vector& right_side, std::vector<Point>& points, FT Point::*coordinate)
   {

@@ -64,8 +64,8 @@ public:
 
   // Improves a layout of the chart as long as corrections get smaller and, up to rounding, the
   // energy does not rise. The area of the result is the area of the faces. A chart with a face
-  // without area does not change. `order` is the order of the points. \throws Numerical_error if L
-  // has no factorization
+  // without area does not change. `order` is the order of the points.
+  // \throws Numerical_error if L has no factorization
   void improve(std::vector<Vector>& z, const Shared_order& order = {}) const
   {
     Energy energy = evaluate(z);

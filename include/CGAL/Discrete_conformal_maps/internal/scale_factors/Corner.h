@@ -72,8 +72,8 @@ FT straight_angle()
   return Corner<FT>{FT(-1), FT(0)}.angle();
 }
 
-// What a full turn exceeds an angle and those that are subtracted from it, with as many digits as
-// double has also where that is little.
+// The excess of a full turn over an angle and the angles that are subtracted from it. It has as
+// many digits as `double`, also if it is little.
 template <typename FT>
 class Angle_difference
 {
@@ -87,7 +87,7 @@ public:
       m_turned = {cos(angle), sin(angle)};
   }
 
-  // returns what is needed of a corner besides itself
+  // returns the data that are needed of a corner besides itself
   static double rounded_angle(const Corner<FT>& corner) { return corner.rounded_angle(); }
 
   // Complex numbers are multiplied: that takes much less time than an inverse tangent of high

@@ -39,18 +39,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary
-// is doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
-// unknowns at the vertices of the surface only. Of the second copy, there is as much as the edges
-// across the boundary reach: beyond that, it is the mirror image of the first.
+// The surface that is uniformized, and the conditions at its vertices. A surface with boundary is
+// doubled (Section 4.3.4). Conditions are symmetric, so the result is symmetric, and only vertices
+// of the surface are unknowns. Of the second copy, the part that edges across the boundary reach
+// exists. Beyond it, the copy is the mirror image of the first.
 class Doubled_problem : public Prescribed_curvatures
 {
 public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
 
-  // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
-  // is kept; `condition` has one entry for each of its vertices. With circles, rounded lengths
-  // decide.
+  // `half` is the surface, without flips. Only its connectivity, lengths and positions are kept.
+  // `condition` has one entry for each of its vertices. With circles, rounded lengths decide.
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, Exactness exactness = Exactness::none,
                   Vertex_circles circles = Vertex_circles())
@@ -82,7 +81,7 @@ public:
   // whether T^B and T^C are Delaunay, or the same as T^A
   Flipping flipping() const { return m_flipping; }
 
-  // whether several threads are used, by those that solve the problem
+  // whether functions that solve the problem use several threads
   Intrinsic_triangulations::Concurrency concurrency() const { return m_concurrency; }
   void set_concurrency(Intrinsic_triangulations::Concurrency c) { m_concurrency = c; }
 
@@ -93,7 +92,7 @@ public:
   // in which the vertices of the surface are eliminated, wherever they are variables
   const std::shared_ptr<Shared_order>& order() const { return m_order; }
 
-  // that of the vertices of the triangulation
+  // the values of the vertices of the triangulation
   std::shared_ptr<Shared_order> expanded_order() const { return m_order->refined(m_original); }
 
   // from T^A to T^B
@@ -108,7 +107,8 @@ public:
   // whether rounding changes angles of the input, so that lengths of T^B need more digits
   bool has_needles() const { return m_has_needles && has_precise_lengths(); }
 
-  // whether the lengths of T^B are those on the exact surface, with more digits than `double` has
+  // whether the lengths of T^B are lengths on the exact surface, with more digits than `double`
+  // has
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
   // Makes T^B by exact decisions, and computes its lengths on the exact surface, from now on.
@@ -146,8 +146,8 @@ public:
     return m_circles.radii<FT>(m_original);
   }
 
-  // Returns the lengths of T^B with the digits of `FT`, or those of the tangents of circles. `t` is
-  // the triangulation of the problem, which may have been moved.
+  // Returns the lengths of T^B with the digits of `FT`, or the lengths of the tangents of circles.
+  // `t` is the triangulation of the problem, which may have been moved.
   template <typename FT>
   auto lengths(const Triangulation& t) const
   {
@@ -169,13 +169,12 @@ public:
   // the surface itself
   const Delta_complex& surface() const { return m_half; }
 
-  // for each vertex of the triangulation, the vertex of the surface of which it is a copy, or which
-  // it is
+  // for each vertex of the triangulation, the vertex of the surface that it equals or copies
   const std::vector<Vertex_index>& originals() const { return m_original; }
   Vertex_index original(Vertex_index v) const { return m_original[v.idx()]; }
 
-  // For each vertex of the triangulation another one with the same original, until there are no
-  // more: from a vertex of the surface, they lead to all its copies.
+  // For each vertex of the triangulation another one with the same original, until the last one.
+  // From a vertex of the surface, they lead to all its copies.
   std::vector<Vertex_index> next_copies() const
   {
     std::vector<Vertex_index> result(m_original.size());
@@ -199,7 +198,7 @@ public:
 
   bool has_no_copies() const { return m_original_face.size() == m_half.num_faces(); }
 
-  // values at the vertices of the triangulation: those of the surface and of copies
+  // values at the vertices of the triangulation: at vertices of the surface and at copies
   Vector expanded(const Vector& value) const
   {
     Vector result(Eigen::Index(m_original.size()));
@@ -217,7 +216,7 @@ public:
     return result;
   }
 
-  // For each vertex of the triangulation, whether faces need not close up there: a scale factor is
+  // For each vertex of the triangulation, whether faces need not close up at it: a scale factor is
   // prescribed, or a curvature other than zero.
   std::vector<char> cones() const
   {
@@ -228,9 +227,9 @@ public:
     return result;
   }
 
-  // Returns whether the second copy is not deep enough for these flips, from T^B on: beyond a seam,
-  // the triangulation is the mirror image of that of the surface. As seams and their mirror images
-  // bound a symmetric region, it is enough that no seam has to be flipped.
+  // Returns whether the second copy is not deep enough for these flips, from T^B on. Beyond a
+  // seam, the triangulation is the mirror image of the triangulation of the surface. As seams and
+  // their mirror images bound a symmetric region, it is enough that no seam has to be flipped.
   bool has_exceeded(const std::vector<Halfedge_index>& flips)
   {
     m_exceeded.clear();
@@ -365,7 +364,7 @@ private:
       m_has_copy[f.idx()] = has_copy[regions.find_set(f.idx())];
   }
 
-  // Makes T^A and T^B anew.
+  // Makes T^A and T^B again.
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);

@@ -22,10 +22,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A surface and a copy of some of its faces, glued along the boundary (Section 4.3.4): the double
-// of the surface, or as much of it as is needed. The surface itself keeps its indices, and its
-// border halfedges become those of copied faces. Where copied and other faces meet, the copy has a
-// border.
+// A surface and a copy of some of its faces, glued along the boundary (Section 4.3.4). It is the
+// double of the surface, or a sufficient part of it. The surface itself keeps its indices, and its
+// border halfedges become halfedges of copied faces. Where copied and other faces meet, the copy
+// has a border.
 class Doubled_surface
 {
   typedef Delta_complex::size_type size_type;
@@ -55,11 +55,11 @@ public:
 
   const Delta_complex& mesh() const { return m_mesh; }
 
-  // for each vertex the one of which it is a copy, or which it is; where the copies of the faces
-  // around a vertex are not connected, there are several
+  // for each vertex the vertex that it equals or copies. If the copies of the faces around a
+  // vertex are not connected, it has several copies
   const std::vector<Vertex_index>& originals() const { return m_original; }
 
-  // for each face the one of which it is a copy, or which it is
+  // for each face the face that it equals or copies
   const std::vector<Face_index>& original_faces() const { return m_original_face; }
 
   // the edges of the surface between a face with and a face without a copy
@@ -81,8 +81,8 @@ public:
                   [&](Edge_index e) { return length[e.idx()]; })));
   }
 
-  // Returns the triangulation with the positions of the vertices of the surface. Rounded lengths of
-  // a thin face may be those of one without area; positions are not.
+  // Returns the triangulation with the positions of the vertices of the surface. Rounded lengths
+  // of a thin face may be lengths of a face without area; positions are not.
   Intrinsic_triangulations::Intrinsic_triangulation<>
   triangulation(const std::vector<std::array<double, 3>>& point_on_surface) const
   {

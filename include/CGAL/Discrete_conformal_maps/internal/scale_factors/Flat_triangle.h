@@ -20,8 +20,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns the exponent of a unit for numbers as great as `size`, a power of two that keeps fourth
-// powers in the range of the number type. It is zero for usual numbers.
+// Returns the exponent of a unit for numbers as great as `size`. The unit is a power of two that
+// keeps fourth powers in the range of the number type. It is zero for usual numbers.
 template <typename FT>
 int exponent_of_unit(const FT& size)
 {
@@ -56,7 +56,7 @@ in_range(std::array<Intrinsic_triangulations::Decorated_length<FT>, 3> side)
 // The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate
 // the triangle inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
 // With circles at the corners, the cotangents are twice the heights of the power center over the
-// opposite sides, divided by these: the derivatives of angles by scale factors.
+// opposite sides, divided by these. They are the derivatives of angles by scale factors.
 template <typename FT>
 class Flat_triangle
 {
@@ -79,13 +79,14 @@ public:
       const FT product = Intrinsic_triangulations::doubled_corner_product(
         side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
       m_corner[s] = {product, area};
-      // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
+      // cotangents only lead to a minimum: cotangents of a flat triangle may be any large number
       m_cotangent[s] = product / (area > least ? area : least);
     }
     // A relative error e of sides moves an angle by 2 e times the sum of the cotangents or less.
     m_error = 8 * std::numeric_limits<FT>::epsilon() * squares / (area > least ? area : least);
-    // It moves a cosine by at most 2 e times that of the squares of the sides by the product of the
-    // two at the corner, and an angle near zero or pi by no more than the root of twice that.
+    // An error e moves a cosine by at most 2 e times a quotient. The quotient is the sum of
+    // squares of the sides over the product of the two sides at the corner. It moves an angle near
+    // zero or pi by no more than the root of twice that.
     if(area * area < 2 * least * squares)
       m_error = (std::min)(m_error, root_error(side, least));
   }
@@ -126,8 +127,9 @@ public:
   FT half_defect() const { return FT(0); }
   // of half a side in proportion to the radius of curvature
   static FT squared_tanh(const FT& /* length */) { return FT(0); }
-  // the derivative of the angle at corner s by a logarithmic scale factor there, which multiplies
-  // both its sides by e^(u/2); by one at another corner, it is half the cotangent at the third
+  // The derivative of the angle at corner s by a logarithmic scale factor at s, which multiplies
+  // both its sides by e^(u/2). By a factor at another corner, it is half the cotangent at the
+  // third
   FT angle_derivative(std::size_t s) const
   {
     return -(m_cotangent[(s + 1) % 3] + m_cotangent[(s + 2) % 3]) / 2;

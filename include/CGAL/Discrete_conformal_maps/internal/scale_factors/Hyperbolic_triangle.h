@@ -21,11 +21,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // A hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the
 // next.
 //
-// With the law of cosines, at the corner between sides b and c
+// With the law of cosines, at the corner between sides b and c:
+//
 //   2 l_b l_c cosh(x_b/2) cosh(x_c/2) cos(angle) = p + 2 l_b^2 l_c^2,   p = l_b^2 + l_c^2 - l_a^2,
-// and the same with the sine is d, where d^2 is 16 times the squared area of the Euclidean triangle
-// with sides l plus 4 (l_a l_b l_c)^2. No term cancels beyond what it does in that triangle, to
-// which all tends where the sides are short.
+//
+// With the sine in place of the cosine, the left side is d. Here d^2 is 16 times the squared area
+// of the Euclidean triangle with sides l, plus 4 (l_a l_b l_c)^2. No term cancels more than in that
+// triangle, which is the limit for short sides.
 template <typename FT>
 class Hyperbolic_triangle
 {
@@ -55,7 +57,7 @@ public:
   // angles a
   FT circle_angle(std::size_t s) const { return Corner<FT>{m_product[s], sine()}.angle(); }
 
-  // of the circle angle; only leads the way to a minimum: those of a flat triangle may be any large
+  // Of the circle angle. It only leads to a minimum: for a flat triangle it may be any large
   // number
   FT cotangent(std::size_t s) const { return m_product[s] / divisor(); }
 
@@ -69,8 +71,8 @@ public:
   bool is_flat() const { return !(sine() > 0); }
 
   // A bound for the rounding error of an angle, if the sides have an error of a few units in the
-  // last place: twice that of a flat triangle, since derivatives have the additional factor 1 +
-  // tanh^2(x/2).
+  // last place. It is twice the bound of a flat triangle, since derivatives have the additional
+  // factor 1 + tanh^2(x/2).
   FT angle_error() const
   {
     return 16 * std::numeric_limits<FT>::epsilon() * (1 + m_squares / divisor());

@@ -19,7 +19,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A closed ideal polyhedron, one vertex of which has no horocycle, in the triangulation that is
+// A closed ideal polyhedron with one vertex without horocycle, in the triangulation that is
 // Delaunay for given scale factors of the others (Section 4.4.1). Without that vertex, its edges
 // and its faces it is a disk, the remaining surface.
 template <typename FT_>
@@ -54,8 +54,8 @@ public:
   // With a scale factor of zero at the vertex at infinity. Arcs elsewhere do not depend on it.
   const FT& scaled_length(Edge_index e) const { return m_surface.scaled_length(e); }
 
-  // Takes other scale factors, and flips to the triangulation that is Delaunay with them. That of
-  // the vertex at infinity has no influence.
+  // Takes other scale factors, and flips to the triangulation that is Delaunay with them. The
+  // factor of the vertex at infinity has no influence.
   // \throws Numerical_error if a scaled length is not a length
   void scale(std::vector<FT> u)
   {
@@ -77,9 +77,9 @@ public:
   }
 
 private:
-  // Equation 4.16, where arcs at infinity vanish. A tie is decided in favor of edges to infinity:
-  // they are the limit of triangulations with a horocycle there. The two tolerances differ, so that
-  // no edge is flipped back.
+  // Equation 4.16, in which arcs at infinity vanish. A tie is decided in favor of edges to
+  // infinity: they are the limit of triangulations with a horocycle at infinity. The two
+  // tolerances differ, so that no edge is flipped back.
   bool is_Delaunay(Halfedge_index h) const
   {
     const auto is_finite = [this](Vertex_index v) { return v != m_at_infinity; };

@@ -29,7 +29,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // them do not cross them.
 //
 // The other horocycles shrink at the same rate, and every edge is flipped when it ceases to be
-// Delaunay. So edges stay short on the way.
+// Delaunay. So intermediate edges stay short.
 template <typename FT>
 class Peacock_triangulation
 {
@@ -54,8 +54,8 @@ public:
 
   std::size_t number_of_flips() const { return m_surface.flips().size(); }
 
-  // the distance of the horocycle of the center to that of each vertex; infinity for the center
-  // itself
+  // the distance of the horocycle of the center to the horocycle of each vertex; infinity for the
+  // center itself
   std::vector<FT> distances() const
   {
     using std::log;

@@ -27,9 +27,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The curvature or the scale factor that is prescribed at each vertex of a surface, and the
-// topology of its components, which curvatures have to suit. A component with boundary is doubled
-// (Section 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
+// The prescribed curvature or scale factor of each vertex of a surface, and the topology of its
+// components, which curvatures have to suit. A component with boundary is doubled (Section 4.3.4):
+// its vertices on the boundary have twice the prescribed exterior angle.
 class Prescribed_curvatures
 {
 public:
@@ -106,8 +106,8 @@ public:
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
   // the scale factor where it is prescribed
   double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
-  // What is free in an energy of scale factors: all others are. If scaling changes no angles, those
-  // of a component move together.
+  // The free variables of an energy of scale factors: all that are not prescribed. If scaling
+  // changes no angles, the variables of a component move together.
   Minimization_domain domain(bool has_similar_ones) const
   {
     Minimization_domain result{m_is_fixed, {}};
@@ -140,12 +140,12 @@ public:
     m_bend = (std::min)(tolerance::bend, tolerance::promised_angle / sides);
   }
 
-  // Returns by how much the angle defects that are tried differ from those that are prescribed.
-  // Beside a straight boundary without vertices inside, every triangle reaches to a vertex inside,
-  // however small its side on the boundary is and however far that vertex: lengths of as many
-  // digits would be needed. A bend of 1e-13 is a rounding error of angles, and it makes triangles
-  // with a third corner on the boundary Delaunay where sides are so small. The other exterior
-  // angles of the component shrink in proportion.
+  // Returns by how much the tried angle defects differ from the prescribed ones. Consider a
+  // straight boundary without vertices inside. Every triangle beside it reaches to a vertex
+  // inside, however small its side on the boundary is and however far that vertex. So lengths of
+  // as many digits would be needed. A bend of 1e-13 is a rounding error of angles. It makes
+  // triangles with a third corner on the boundary Delaunay if sides are so small. The other
+  // exterior angles of the component shrink in proportion.
   Vector bends() const
   {
     Vector result = Vector::Zero(m_value.size());
@@ -168,9 +168,9 @@ public:
     return result;
   }
 
-  // Returns the prescribed angle defects with the digits of `FT`. Their sums are those of Gauss and
-  // Bonnet where no scale factor is prescribed: rounding of those other than zero leaves a part of
-  // a unit.
+  // Returns the prescribed angle defects with the digits of `FT`. If no scale factor is
+  // prescribed, their sums obey Gauss and Bonnet. Rounding of defects other than zero leaves a
+  // part of a unit.
   template <typename FT>
   std::vector<FT> balanced_target_defect() const
   {
@@ -192,9 +192,9 @@ public:
     return result;
   }
 
-  // Of each component of the double, how much the prescribed curvatures exceed 2 pi times the Euler
-  // characteristic; this much less must be the curvature of the vertices with prescribed scale
-  // factors (Equation 4.11). Zero for an isolated vertex.
+  // For each component of the double, the excess of the prescribed curvatures over 2 pi times the
+  // Euler characteristic. The curvature of the vertices with prescribed scale factors must be less
+  // by this excess (Equation 4.11). It is zero for an isolated vertex.
   std::vector<double> curvature_excess() const
   {
     std::vector<double> sum(m_components.size(), 0);
@@ -206,8 +206,8 @@ public:
     return sum;
   }
 
-  // How many vertices with prescribed scale factors a component needs at least, for this excess:
-  // each can have a curvature of less than a full turn.
+  // The least number of vertices with prescribed scale factors that a component needs for this
+  // excess. Each can have a curvature of less than a full turn.
   static std::size_t needed_cones(double excess)
   {
     if(std::abs(excess) <= tolerance::curvature_sum)
@@ -228,7 +228,7 @@ public:
     return result;
   }
 
-  // \throws Invalid_input if no flat metric has what is prescribed
+  // \throws Invalid_input if no flat metric satisfies the conditions
   void check() const
   {
     check_angles();
@@ -239,7 +239,7 @@ public:
         throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
   }
 
-  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and
+  // \throws Invalid_input if no hyperbolic metric satisfies the conditions: the area, by Gauss and
   // Bonnet, must be positive
   void check_hyperbolic() const
   {
@@ -325,7 +325,7 @@ private:
           ": its curvature is too great; it must be less than 2 pi, on the boundary less than pi");
   }
 
-  // what is wrong with the curvatures of a component
+  // the error in the curvatures of a component
   std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
   {
     const double own = has_boundary(component) ? excess / 2 : excess; // not of the double

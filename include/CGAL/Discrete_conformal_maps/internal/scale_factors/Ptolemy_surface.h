@@ -26,15 +26,16 @@ FT length_factor(const FT& u)
   return exp(u / 2);
 }
 
-// Equation 4.1: the length of an edge ij after scaling, multiplied by the factors of i and j, which
-// are computed once for each vertex, or with less rounding by that of u_i + u_j.
+// Equation 4.1: the length of an edge ij after scaling. It is multiplied by the factors of i and
+// j, which are computed once for each vertex. With less rounding, it is multiplied by the factor
+// of u_i + u_j.
 template <typename FT, typename... Factor>
 FT scaled_length(const FT& length, const Factor&... factor)
 {
   return (length * ... * factor);
 }
 
-// As above, with the circles at the ends: radii are multiplied by squared factors of lengths.
+// The length with the circles at the ends: radii are multiplied by squared factors of lengths.
 template <typename FT>
 Intrinsic_triangulations::Decorated_length<FT>
 scaled(const Intrinsic_triangulations::Decorated_length<FT>& edge, const FT& u_i, const FT& u_j)
@@ -54,8 +55,8 @@ public:
   typedef Intrinsic_triangulations::Diamond<FT> Diamond;
   typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
 
-  // `length` is a readable property map of lengths; `radii` are those of all vertices, or there are
-  // none
+  // `length` is a readable property map of lengths; `radii` are the radii of all vertices, or
+  // empty
   template <typename EdgeLengthMap>
   Ptolemy_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
                   std::vector<FT> radii = {})
@@ -70,7 +71,7 @@ public:
   const Delta_complex& mesh() const { return m_mesh; }
   const FT& length(Edge_index e) const { return m_length[e.idx()]; }
 
-  // all flips so far; those of another surface with this connectivity can be replayed
+  // all flips so far; flips of another surface with this connectivity can be replayed
   const std::vector<Halfedge_index>& flips() const { return m_flips; }
   void replay(const std::vector<Halfedge_index>& flips)
   {
@@ -78,7 +79,7 @@ public:
       flip(h);
   }
 
-  // the edge ij of `h` and its faces ijk and jil, with other lengths of edges if wanted
+  // the edge ij of `h` and its faces ijk and jil, optionally with other lengths of edges
   Diamond diamond(Halfedge_index h) const { return diamond(h, m_length); }
   Diamond diamond(Halfedge_index h, const std::vector<FT>& length) const
   {
@@ -91,7 +92,7 @@ public:
   bool has_radii() const { return !m_radii.empty(); }
   const std::vector<FT>& radii() const { return m_radii; }
 
-  // the edge of `h` with the circles at its ends, with other lengths and radii if wanted
+  // the edge of `h` with the circles at its ends, optionally with other lengths and radii
   Decorated_length decorated_length(Halfedge_index h) const
   {
     return decorated_length(h, m_length, m_radii);

@@ -45,14 +45,14 @@ class Scale_factors
   using Energy = Symmetric_energy<Conformal_energy<FT, Triangle<FT>>>;
 
 public:
-  // `start` has scale factors to begin with; those that are prescribed do not count
+  // `start` has scale factors to begin with; prescribed ones do not count
   Scale_factors(Doubled_problem& problem, const Vector& start) : m_problem(problem), m_u(start) {}
 
   // the scale factors, rounded to `double`
   const Vector& values() const { return m_u; }
-  // whether there are more digits of them, because those of `double` are too few
+  // whether scale factors have more digits, because `double` has too few
   bool is_extended() const { return m_precise.index() > 0; }
-  // whether those of `Extended` are too few
+  // whether `Extended` has too few digits
   bool is_more_extended() const { return m_precise.index() > 1; }
   // whether lengths with these scale factors may be beyond the range of `double`
   bool is_wide() const { return m_is_wide; }
@@ -117,8 +117,9 @@ public:
       m_status = Map_status::success;
   }
 
-  // Goes on, with more digits, to scale factors of which needles on the exact surface have a
-  // layout. \pre They have been found.
+  // Continues, with more digits, to scale factors with which needles on the exact surface have a
+  // layout.
+  // \pre They have been found.
   template <typename Visitor>
   void sharpen(Visitor& visitor)
   {
@@ -167,7 +168,7 @@ private:
       minimize_in<More_extended>(minimizer, tolerance, visitor);
   }
 
-  // in `double`, unless nothing can be known about the minimum there; measured with all digits
+  // in `double`, unless `double` does not resolve the minimum; measured with all digits
   template <typename Minimizer, typename Visitor>
   void minimize_rounded(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
@@ -184,8 +185,8 @@ private:
     store(precise.scale_factors());
   }
 
-  // Returns whether there are needles whose angles rounding of long edges hides, on the way to the
-  // minimum if not at the start, and notes that.
+  // Returns whether rounding of long edges hides the angles of needles, at the start or during the
+  // minimization. It notes that.
   template <typename FT>
   bool is_unknown(const Energy<FT>& energy, double tolerance)
   {
@@ -232,7 +233,7 @@ private:
       energy.move_origin();
       Vector x = Vector::Zero(m_u.size());
       before = norm;
-      // the digits of x end there
+      // the digits of x end at this point
       norm =
         Newton_minimizer(tolerance::reduction * norm)(energy, x, domain(), visitor).gradient_norm;
     }
@@ -305,7 +306,7 @@ private:
     return true;
   }
 
-  // Where scale factors differ so much, lengths on the way may be beyond the range of `double`.
+  // If scale factors differ so much, intermediate lengths may be beyond the range of `double`.
   bool is_beyond_range() const
   {
     return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() && m_u.size() > 0 &&
@@ -342,8 +343,8 @@ private:
     m_precise = std::move(result);
   }
 
-  // Without enough digits, needles have been turned over on the way: the next search does not start
-  // where this one has ended.
+  // Without enough digits, intermediate flips have turned needles over: the next search does not
+  // start where this one has ended.
   template <typename FT, typename Visitor>
   void descend_from_start(Energy<FT>& energy, double tolerance, Visitor& visitor)
   {

@@ -43,8 +43,8 @@ public:
   FT value() const;
 
   // Returns the derivative by one variable, after some have been moved. The gradient has the angle
-  // defects, with pi instead of 2 pi on the boundary of the remaining surface: a vertex begins with
-  // two right angles for each half of an edge without a face.
+  // defects, with pi instead of 2 pi on the boundary of the remaining surface. A vertex begins
+  // with two right angles for each half of an edge without a face.
   double derivative(Vertex_index v) const
   {
     Angle_difference<FT> defect(FT(0));

@@ -39,7 +39,7 @@ Symmetric_energy<Spherical_energy<FT>> spherical_energy(Doubled_problem& problem
 }
 
 // The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
-// 4.4.4), at the vertices of the surface that has perhaps been doubled.
+// 4.4.4). They belong to the vertices of the surface that has perhaps been doubled.
 template <typename FT>
 class Spherical_scale_factors
 {
@@ -47,7 +47,8 @@ class Spherical_scale_factors
   typedef Symmetric_energy<Spherical_energy<FT>> Energy;
 
 public:
-  // A disk has its vertex at infinity on the boundary: then there are shortest geodesics within it.
+  // A disk has its vertex at infinity on the boundary: then there are shortest geodesics within
+  // it.
   // \throws Numerical_error if the bounds are out of the range of `FT`
   Spherical_scale_factors(Doubled_problem& problem, Vertex_index at_infinity)
     : m_problem(problem),
@@ -65,14 +66,14 @@ public:
 
   // the scale factors; zero at infinity and at isolated vertices
   const std::vector<FT>& values() const { return m_u; }
-  // the least that they may be: there, vertices are neighbors of the one at infinity
+  // their lower bounds: at the bounds, vertices are neighbors of the vertex at infinity
   const std::vector<FT>& bounds() const { return m_bound; }
   const Minimization_result& result() const { return m_result; }
 
-  // The greatest error of an angle that must be full: at vertices that are not at their bounds. At
-  // the others, the slope of the energy is like a root. No number may be close enough to where it
-  // vanishes, and the bound leaves as much as the root of a rounding unit in the gradient, before
-  // which all else in it is lost; but the sum of angles need not be full there.
+  // The greatest error of an angle that must be full, at vertices that are not at their bounds. At
+  // the others, the slope of the energy is like a root. Numbers may not resolve where it vanishes.
+  // The bound leaves as much as the root of a rounding unit in the gradient, before which all
+  // other terms are lost. But the sum of angles need not be full at these vertices.
   double angle_error() const { return m_angle_error; }
 
   // Starts from scale factors of another precision instead of a guess.
@@ -191,8 +192,8 @@ private:
   }
 
   // As if the neighbors of the vertex at infinity remained, with other scale factors like `first`,
-  // up to a constant. With needles, this is so small that scale factors of near vertices, some of
-  // which are neighbors of the vertex at infinity, differ as little as their bounds.
+  // up to a constant. With needles, this is very small. Then scale factors of near vertices differ
+  // as little as their bounds, also if some are neighbors of the vertex at infinity.
   std::vector<FT> start(const std::vector<Extended>& first) const
   {
     FT sum(0), count(0), least = std::numeric_limits<FT>::infinity();

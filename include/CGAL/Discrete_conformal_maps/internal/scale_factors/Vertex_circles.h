@@ -29,8 +29,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The circles at the vertices of a surface, if there are any, for its double: `original` maps
-// vertices of the double to those of the surface.
+// The circles at the vertices of a surface, if it has any, for its double. `original` maps
+// vertices of the double to vertices of the surface.
 class Vertex_circles
 {
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
@@ -70,8 +70,8 @@ public:
     return Intrinsic_triangulations::tangent_length(FT(t.length(e)), FT(r), FT(s));
   }
 
-  // Flips to the weighted Delaunay triangulation, with squared radii as weights. Returns the number
-  // of flips.
+  // Flips to the weighted Delaunay triangulation, with squared radii as weights. Returns the
+  // number of flips.
   // \throws Invalid_input if a circle is hidden by others
   template <typename Visitor>
   std::size_t flip(Triangulation& t, const Originals& original, Visitor& visitor) const
@@ -90,8 +90,8 @@ public:
     return result.flips;
   }
 
-  // Checks that circles at the ends of each edge do not meet, except that two of positive radius
-  // may touch, up to rounding of the length.
+  // Checks that circles at the ends of each edge do not meet. Two circles of positive radius may
+  // touch, up to rounding of the length.
   // \throws Invalid_input if they do
   void check(const Triangulation& t, const Originals& original) const
   {

@@ -16,10 +16,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A number with the digits of `Mantissa`, `double` or `Extended`, and an exponent of its own: the
-// lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares in a row, and
-// are beyond the range of both. Exponents are multiples of 512, so that most operations leave them
-// alone.
+// A number with the digits of `Mantissa`, `double` or `Extended`, and an exponent of its own. The
+// lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares in a row.
+// They are beyond the range of both types. Exponents are multiples of 512, so that most operations
+// leave them alone.
 template <typename Mantissa>
 class Wide_number
 {

@@ -48,9 +48,9 @@ inline bool has_unknown_angles(const Intrinsic_triangulations::Intrinsic_triangu
   });
 }
 
-// What is computed on the exact surface, with more digits than `double` has: nothing; the errors of
-// the map; the flips to T^B and its lengths; and also the flips to T^C, for the rounded numbers of
-// the map.
+// The computations on the exact surface, with more digits than `double` has. They are nothing, or
+// the errors of the map, or the flips to T^B and its lengths. The last value adds the flips to
+// T^C, for the rounded numbers of the map.
 enum class Exactness
 {
   none,

@@ -58,8 +58,8 @@ To converted(const Wide_number<Mantissa>& x)
     return ldexp(converted<To>(x.mantissa()), exponent_of(x));
 }
 
-// What has as many digits of a difference of two numbers as are of use: those of a long number only
-// keep positions apart.
+// A number with as many digits of a difference of two numbers as are useful. More digits of a long
+// number only keep positions apart.
 template <typename FT>
 using Difference_of =
   std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, FT>;

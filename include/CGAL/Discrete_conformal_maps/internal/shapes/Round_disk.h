@@ -151,8 +151,8 @@ inline std::optional<double> exterior_angle_error(const Doubled_problem& problem
   });
 }
 
-// Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing if
-// there is no such map.
+// Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing
+// if there is no such map.
 // \pre the surface is a disk; `boundary` are the vertices of its boundary in cyclic order
 template <typename Visitor>
 std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,

@@ -62,7 +62,7 @@ public:
   }
 
   // Returns the greatest distance of a point of the boundary from the straight line between the
-  // ends of a side, relative to the length of that line. `side` has the border halfedges.
+  // ends of a side. It is relative to the length of that line. `side` has the border halfedges.
   double straightness_error(const Boundary_loop& side, const Delta_complex& mesh) const
   {
     const Point start = position(mesh.source(side.front())),

@@ -35,7 +35,7 @@ struct Planar_layout
 // lengths.
 //
 // A side or a face is crowded if the picture has not its shape, and rounding of its corners alone
-// can be the reason. Errors are those of all others.
+// can be the reason. Errors are errors of all others.
 class Plane_picture
 {
 public:
@@ -94,8 +94,8 @@ public:
     return result;
   }
 
-  // With circles, that of the Gram coordinates, hence of inversive distances: radii are scaled as
-  // they should be, and distances of centers are those of positions.
+  // With circles, the error of the Gram coordinates, hence of inversive distances. Radii are
+  // scaled by their factors, and distances of centers are distances of positions.
   double max_cross_ratio_error() const
   {
     if(m_data.bc.traits().has_radii())

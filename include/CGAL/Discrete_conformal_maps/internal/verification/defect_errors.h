@@ -38,9 +38,9 @@ struct Defect_errors
   }
 };
 
-// Measures the angles of `mesh`, which is T^C, with these lengths of edges, and compares their sums
-// at the vertices of the surface with what the problem prescribes there.
-// Precondition: the problem has its surface yet.
+// Measures the angles of `mesh`, which is T^C, with these lengths of edges. Compares their sums at
+// the vertices of the surface with the conditions of the problem. Precondition: the problem has
+// its surface yet.
 template <typename Triangle, typename FT>
 Defect_errors defect_errors(const Doubled_problem& problem, const Delta_complex& mesh,
                             const std::vector<FT>& length)

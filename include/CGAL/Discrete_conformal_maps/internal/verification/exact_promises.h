@@ -25,14 +25,14 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// How far scale factors are from those of the minimum of an energy.
+// How far scale factors are from the minimum of an energy.
 struct Scale_errors
 {
   double gradient = 0, step = 0; // the greatest derivative, and change in a step of Newton's method
 };
 
 // Returns the greatest change of a variable in a step of Newton's method, for an energy whose
-// Hessian is a Laplacian; infinity if there is none.
+// Hessian is a Laplacian. It is infinite if no such step exists.
 template <typename Energy>
 double newton_step(const Energy& energy, const Free_variables& variables, Eigen::VectorXd gradient)
 {
@@ -51,9 +51,9 @@ double newton_step(const Energy& energy, const Free_variables& variables, Eigen:
   return max_norm(step);
 }
 
-// Returns the errors at the point at which an energy has been evaluated. Derivatives say the less
-// about scale factors the more the weights of a Laplacian differ: if the Hessian is one, a step of
-// Newton's method is measured, too.
+// Returns the errors at the point at which an energy has been evaluated. The more the weights of a
+// Laplacian differ, the less derivatives determine scale factors. If the Hessian is a Laplacian, a
+// step of Newton's method is measured, too.
 template <bool has_Laplacian, typename Energy>
 Scale_errors scale_errors(const Energy& energy, const Minimization_domain& domain)
 {
@@ -66,9 +66,10 @@ Scale_errors scale_errors(const Energy& energy, const Minimization_domain& domai
   return {max_norm(gradient), has_Laplacian ? newton_step(energy, variables, gradient) : 0};
 }
 
-// Returns what is promised of rounded lengths and scale factors on the exact surface; nothing if
-// 1024 bits are too few for that. `measure()` returns the errors of the scale factors, while the
-// problem has lengths of the exact surface. Nothing is promised if the problem has had them before.
+// Returns the promises of rounded lengths and scale factors on the exact surface; nothing if 1024
+// bits are too few for that. `measure()` returns the errors of the scale factors, while the
+// problem has lengths of the exact surface. Nothing is promised if the problem has had them
+// before.
 template <typename Measure>
 std::vector<Map_promise> exact_promises(Doubled_problem& problem, const Measure& measure)
 {

@@ -31,8 +31,9 @@ auto length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Lengt
          (length(mesh.next(o)) / length(mesh.prev(o)));
 }
 
-// The greatest relative error of a length cross ratio, of the edges of halfedges that count,
-// between the lengths of halfedges in an image and those that they should be, up to scale factors.
+// The greatest relative error of a length cross ratio, of the edges of halfedges that count. It
+// compares the lengths of halfedges in an image with their lengths on the surface, up to scale
+// factors.
 template <typename Counts, typename In_image, typename Ideal>
 double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& counts,
                                   const In_image& in_image, const Ideal& ideal)
@@ -46,9 +47,9 @@ double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& count
   return result;
 }
 
-// That of points in the plane, and one at infinity, whose distances are all the same. `length`
-// gives what the length of an edge should be. An edge of a border does not count, nor do those with
-// a side of their faces of which `is_known()` is false.
+// The error for points in the plane, and one at infinity, whose distances are all the same.
+// `length` gives the prescribed length of an edge. An edge of a border does not count. Neither
+// does an edge if `is_known()` is false for a side of its faces.
 template <typename FT, typename Length, typename Is_known>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
                                            const std::vector<std::array<FT, 2>>& position,
@@ -78,8 +79,8 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
     [&](Halfedge_index h) { return converted<Distance>(length(Edge_index(h))); });
 }
 
-// Whether positions in the plane as a map stores them, in the range of squares, tell their distance
-// with the digits that a cross ratio is promised to have.
+// Whether stored positions in the plane, in the range of squares, determine their distance with
+// the digits that a cross ratio is promised to have.
 inline bool has_known_distance(const std::array<Extended, 2>& p, const std::array<Extended, 2>& q)
 {
   double size = 0, distance = 0;

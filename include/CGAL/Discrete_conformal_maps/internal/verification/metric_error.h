@@ -33,10 +33,10 @@ Corner<FT> unit_corner_facing(Halfedge_index h, const Delta_complex& mesh,
   return {corner.cosine / size, corner.sine / size};
 }
 
-// Returns by how much the length of the other diagonal by Ptolemy's relation exceeds that in the
-// plane, relatively: half of 2 a c b d (1 + cos t) / (a c + b d)^2 for opposite angles of a sum t
-// (Bretschneider's formula). A diagonal that is Delaunay may have another length in the ideal
-// polyhedron.
+// Returns by how much the length of the other diagonal by Ptolemy's relation exceeds its length in
+// the plane, relatively. For opposite angles of a sum t, this is half of 2 a c b d (1 + cos t) /
+// (a c + b d)^2 (Bretschneider's formula). A diagonal that is Delaunay may have another length in
+// the ideal polyhedron.
 template <typename FT>
 double ideal_length_error(Halfedge_index h, const Delta_complex& mesh,
                           const std::vector<FT>& length)
@@ -51,8 +51,8 @@ double ideal_length_error(Halfedge_index h, const Delta_complex& mesh,
 }
 
 // Returns how far T^B with lengths in `double` is from the exact surface, on which its edges have
-// the lengths `exact`: the greatest relative error of a length, also of those that are crossed by
-// edges that should have been flipped.
+// the lengths `exact`. It is the greatest relative error of a length. Lengths of edges that cross
+// edges that should have been flipped count, too.
 template <typename FT>
 double metric_error(const Intrinsic_triangulations::Intrinsic_triangulation<>& t,
                     const std::vector<FT>& exact)

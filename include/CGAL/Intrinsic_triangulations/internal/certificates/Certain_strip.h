@@ -46,8 +46,8 @@ public:
 
   // Returns the length of an edge with this course, unless it may have a relative error of more
   // than `error`. Also returns whether it certainly passes between the ends of the edges of T1
-  // that it crosses. \pre the edge crosses some and has no inserted ends, and T1 has positions or
-  // lengths
+  // that it crosses.
+  // \pre the edge crosses some and has no inserted ends, and T1 has positions or lengths
   Straight_edge operator()(const Edge_course& course, double error)
   {
     if(course.size() == 1)

@@ -90,7 +90,8 @@ BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const
           square_qr};
 }
 
-// Returns the products of the triangle on the left of `h`. \pre `input` has no squared lengths
+// Returns the products of the triangle on the left of `h`.
+// \pre `input` has no squared lengths
 template <typename N, typename Number>
 Apex_products<N> apex_products(Halfedge_index h, const Exact_surface<Number>& input)
 {
@@ -111,7 +112,8 @@ struct Apex_ratios
 };
 
 // Returns the products of the triangle on the left of `h`; NaN if products may leave the range of
-// numbers. \pre `input` has no squared lengths
+// numbers.
+// \pre `input` has no squared lengths
 template <typename N, typename Number>
 Apex_ratios<N> apex_ratios(Halfedge_index h, const Exact_surface<Number>& input)
 {

@@ -95,8 +95,8 @@ public:
     return m;
   }
 
-  // Returns the vertex that `insert(location, closeness)` inserts at the point `p` of a face of T2.
-  // Rounded to coordinates on T1, the point may lie outside of its region; then points farther
+  // Returns the vertex that `insert(location, closeness)` inserts at the point `p` of a face of
+  // T2. Rounded to coordinates on T1, the point may lie outside of its region; then points farther
   // inside the face are tried.
   // \throws Numerical_error if the face is so small that this does not help; nothing has changed
   template <typename Insert>
