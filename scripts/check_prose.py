@@ -3,9 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Checks sentences of the manuals, of README.md and the like, of comments of headers, and of the messages
-of the program: at most 25 words each, no pronoun in place of a noun ("that of"), no words
-other than words of the field. Prints file:line of each violation, and exits with 1 if there is any.
+"""Checks sentences of the manuals, of README.md and the like, of comments of headers, and of messages.
+A sentence has at most 25 words, no pronoun in place of a noun ("that of"), and words of the field only. Prints file:line of each violation, and exits with 1 if there is any.
 
 Without arguments all files are checked, except those that scripts/prose_pending.txt lists: their
 sentences are still to be rewritten. With --pending these are checked instead; with --count, a line for
@@ -22,7 +21,7 @@ MOST_WORDS = 25
 
 TEXTS = ["doc/**/*.txt", "README.md", "CHANGES.md", "CONTRIBUTING.md"]
 HEADERS = ["include/CGAL/**/*.h", "doc/*/Concepts/*.h"]
-SOURCES = ["demo/**/*.cpp", "demo/**/*.h"]
+SOURCES = ["demo/**/*.cpp", "demo/**/*.h", "python/src/*.cpp", "python/src/*.h"]
 
 # Pronouns and adverbs that stand for a noun: the noun is to be repeated.
 STAND_INS = [
@@ -270,7 +269,7 @@ def violations(path):
     elif "demo" in path.relative_to(ROOT).parts[:1]:
         blocks = blocks_of_source(path)
     else:
-        blocks = blocks_of_header(path)
+        blocks = blocks_of_header(path) + blocks_of_source(path)
     for block in blocks:
         for sentence in sentences(block.words):
             words = count(sentence)

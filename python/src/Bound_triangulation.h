@@ -13,8 +13,8 @@
 #include <optional>
 #include <utility>
 
-// An intrinsic triangulation as Python has it: with the surface that it was made of, and the
-// correspondence of both, which is found when it is first asked for.
+// An intrinsic triangulation for Python. It has the surface that it was made of, and the
+// correspondence of both, which is computed when it is first needed.
 class Bound_triangulation
 {
 public:

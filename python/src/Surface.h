@@ -52,7 +52,7 @@ struct Surface
 };
 
 // Makes a surface of positions (n, 3) and corners (m, 3).
-// Throws Element_error that names an element if the arrays are not those of a surface; with
+// Throws Element_error that names an element if the arrays are no surface; with
 // `are_zero_lengths_allowed`, edges may have the length zero.
 Surface surface_of_points(const Number_array& points, const Index_array& faces,
                           bool are_zero_lengths_allowed);

@@ -15,9 +15,9 @@
 #include <string>
 #include <utility>
 
-// A visitor for all algorithms: from time to time it lets Python handle signals, such as that of
-// Control-C, and calls a function with the name of the stage and the number of its steps. An
-// exception of either leaves the algorithm.
+// A visitor for all algorithms. From time to time it lets Python handle signals, such as Control-C.
+// It also calls a function with the name of the stage and the number of its steps. An exception of
+// either leaves the algorithm.
 class Watch
 {
   typedef CGAL::Intrinsic_triangulations::Vertex_index Vertex_index;

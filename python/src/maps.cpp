@@ -60,7 +60,7 @@ DCM::Layout layout_named(const std::string& name)
                                  : DCM::Layout::least_squares;
 }
 
-// What is prescribed at each vertex: a logarithmic scale factor, or a curvature.
+// The condition at each vertex: a logarithmic scale factor, or a curvature.
 std::vector<DCM::Vertex_condition> conditions_of(const Index_array& has_log_scale,
                                                  const Number_array& values)
 {
@@ -174,8 +174,8 @@ py::dict promises_of(const DCM::Discrete_conformal_map& map)
   return result;
 }
 
-// The part of the subdivision that belongs to the input: polygons with the corners of each, what
-// they are parts of, and the weights of vertices of the input.
+// The part of the subdivision that belongs to the input. It has polygons with the corners of each,
+// their parents, and the weights of vertices of the input.
 void add_elements(const DCM::Input_part& part, const Surface& surface, py::dict& result)
 {
   std::vector<std::int64_t> corners, starts{0}, input_face;

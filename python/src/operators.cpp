@@ -22,7 +22,7 @@ namespace {
 
 typedef Eigen::SparseMatrix<double> Matrix;
 
-// The names are those of the functions of the Python layer.
+// Functions of the Python layer have the same names.
 template <class Surface>
 Matrix matrix_of(const std::string& name, const Surface& surface)
 {

@@ -102,8 +102,8 @@ py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const 
   }));
 }
 
-// The coarse triangulation in space: positions, corners, the vertices of the input that they are,
-// -1 for inserted ones, and how far both surfaces are apart.
+// The coarse triangulation in space. It has positions, corners, their vertices of the input (-1 for
+// inserted ones), and the distance of both surfaces.
 py::tuple mesh_in_space(const Bound_simplification& self)
 {
   Mesh mesh;

@@ -136,7 +136,7 @@ py::tuple inserted_vertices(const Bound_triangulation& self)
 
 // ---- The correspondence ----
 
-// The place of a point of a trace, for ends that are inserted vertices inside faces, too.
+// The position of a point of a trace, for ends that are inserted vertices inside faces, too.
 Location location_on_input(const IT::Edge_point<double>& p, IT::Vertex_index v,
                            const Triangulation& triangulation)
 {

@@ -102,12 +102,12 @@ off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
 expect 0 distance flat.mesh.off --source 0 -o a.ply
 claim "ply('a.ply').vertex['distance'] == [0, 1, 2]"
 expect 0 distance flat.mesh.off --source 0 -o a.ply --stats a.json --method heat
-says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero, as that of all faces at vertex'
+says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero, like the areas of all faces at vertex'
 claim "s = json('a.json')" 's.mollification == 1e-8' 'near(s.added_length, 4e-8 / 3, 1e-15)'
 rm a.*
 for option in --strict --exact; do
   expect 1 distance flat.mesh.off --source 0 -o a.ply --method heat "$option"
-  says 'the area of face 0 is zero, as that of all faces at vertex'
+  says 'the area of face 0 is zero, like the areas of all faces at vertex'
   [ ! -e a.ply ] || fail 'a file after a failure'
 done
 expect 0 distance flat.mesh.off --source 0 -o - --mollify 1e-3

@@ -105,10 +105,10 @@ rm t_*
 # A face without area has no Laplacian, unless it is mollified. Nothing is written without it.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
 expect 1 operators flat.mesh.off --prefix f --strict
-says 'the area of face 0 is zero, as that of all faces at vertex'
+says 'the area of face 0 is zero, like the areas of all faces at vertex'
 expect_files
 expect 0 operators flat.mesh.off --prefix f
-says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero, as that of all faces at vertex'
+says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero, like the areas of all faces at vertex'
 rm f_*
 expect 0 operators flat.mesh.off --prefix f --mollify 1e-3
 rm f_*

@@ -50,7 +50,7 @@ struct Status_text
 inline Status_text text_of(Map_status status)
 {
   switch(status) {
-    case Map_status::success: return {"success", "the map has what is prescribed", ""};
+    case Map_status::success: return {"success", "the map keeps all of its promises", ""};
     case Map_status::not_converged:
       return {"not_converged", "the minimization has not converged",
               "lengthen the edges of almost flat faces (mollification), or prescribe less"};
@@ -86,7 +86,7 @@ inline Status_text text_of(Map_status status)
       return {"not_inscribed", "the vertices are not on the sphere or the hemisphere",
               "flatten with cones, so that scale factors differ less"};
     case Map_status::not_conformal:
-      return {"not_conformal", "length cross ratios of the image are not those of the mesh",
+      return {"not_conformal", "length cross ratios of the image differ from the mesh",
               "lengthen the edges of thin faces (mollification), or allow cones, so that scale "
               "factors differ less"};
     case Map_status::not_glued:

@@ -156,7 +156,7 @@ public:
     const Edge_point<FT> start = start_on_outgoing(h), end = start_on_outgoing(m_mesh.opposite(h));
     const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
     if(!(start.t < p.t && p.t < 1 - end.t))
-      throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
+      throw Numerical_error("no position is left on edge " + std::to_string(m_mesh.edge(h).idx()));
     return edge_location(m_input.is_border(p.halfedge) ? reversed(p, m_input) : p);
   }
 

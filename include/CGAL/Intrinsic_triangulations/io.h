@@ -187,7 +187,7 @@ private:
                                 const Delta_complex& input) const
   {
     if(input.face(h) != p.first || coordinates_from(h, p, input)[2] != 0)
-      throw Invalid_input("the place of an inserted vertex is not on its halfedge");
+      throw Invalid_input("the position of an inserted vertex is not on its halfedge");
     const auto [at_source, at_target, at_apex] = coordinates_from(h, p, input);
     return Edge_location<FT>{h, {at_source, at_target}};
   }

@@ -62,7 +62,7 @@ inline void check_flat_faces(const std::vector<Face_index>& flat, const Delta_co
     for(Halfedge_index h : sides(f, mesh))
       if(--count[mesh.source(h).idx()] == 0)
         throw Numerical_error("the area of face " + std::to_string(f.idx()) +
-                              " is zero, as that of all faces at vertex " +
+                              " is zero, like the areas of all faces at vertex " +
                               std::to_string(mesh.source(h).idx()));
 }
 

@@ -63,7 +63,7 @@ public:
   /// the type of distances.
   typedef Length_of<Surface> FT;
   static_assert(std::is_constructible<Tangent_frames<FT>, const Surface&>::value,
-                "vertices of a soup have no tangent spaces; those of its tufted cover have");
+                "vertices of a soup have no tangent spaces; vertices of its tufted cover have");
   /// the type of functions: a value for each vertex, by its index.
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 

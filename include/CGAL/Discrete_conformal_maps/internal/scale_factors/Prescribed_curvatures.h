@@ -96,7 +96,7 @@ public:
     const bool is_scale = condition.quantity == Vertex_condition::Quantity::log_scale;
     const double value = !is_scale && is_on_boundary(v) ? 2 * condition.value : condition.value;
     if(!std::isfinite(value))
-      throw Intrinsic_triangulations::Invalid_input("what is prescribed at vertex " +
+      throw Intrinsic_triangulations::Invalid_input("the prescribed value at vertex " +
                                                     std::to_string(v.idx()) + " is NaN");
     m_is_fixed[v.idx()] = is_scale || is_isolated(v);
     m_value[Eigen::Index(v.idx())] = !is_scale && is_isolated(v) ? 0 : value;

@@ -73,7 +73,7 @@ void check_lengths(const Surface& surface, [[maybe_unused]] const Metric& metric
                    exact = rounded_length(e, metric, surface);
       if(!(std::abs(length - exact) <= rounding_unit<double>() * length))
         throw Invalid_input("the length of edge " + std::to_string(e.idx()) +
-                            " is not that of its exact positions or squared length");
+                            " differs from its exact positions or squared length");
     }
   }
 }

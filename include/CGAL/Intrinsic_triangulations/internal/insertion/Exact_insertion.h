@@ -118,7 +118,7 @@ public:
       if(m.is_valid())
         return m;
     }
-    throw Numerical_error("rounded coordinates leave no place in face " +
+    throw Numerical_error("rounded coordinates leave no position in face " +
                           std::to_string(p.first.idx()));
   }
 

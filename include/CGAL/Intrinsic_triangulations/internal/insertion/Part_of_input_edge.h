@@ -50,7 +50,7 @@ struct Part_of_input_edge
     const Edge_location<double> p{
       along, {at_start * start[0] + at_end * end[0], at_start * start[1] + at_end * end[1]}};
     if(!(part(start, p.weight) > 0 && part(p.weight, end) > 0))
-      throw Numerical_error("no place is left on an edge");
+      throw Numerical_error("no position is left on an edge");
     return input.is_border(along) ? reversed(p) : p;
   }
 

@@ -87,7 +87,7 @@ private:
     if(side_of(p.second, h) != ZERO)
       return m_tri.insert_into_face(m_mesh.face(h), {}, p, {});
     if(side_of(p.second, m_mesh.next(h)) == ZERO || side_of(p.second, m_mesh.prev(h)) == ZERO)
-      throw Numerical_error("two inserted vertices are at one place");
+      throw Numerical_error("two inserted vertices have one position");
     return m_tri.insert_into_edge(h, {}, {}, p, {});
   }
 
@@ -116,7 +116,7 @@ private:
       return compare(w, p.end) != LARGER;
     });
     if(compare(w, part->end) == EQUAL)
-      throw Numerical_error("two inserted vertices are at one place");
+      throw Numerical_error("two inserted vertices have one position");
     const auto forward = m_tri.number_of_inserted_outgoing(first), back = 1 - forward;
     const Vertex_index m =
       m_tri.insert_into_edge(part->halfedge, {Integer(-1), Integer(-1), Integer(0), Integer(0)},

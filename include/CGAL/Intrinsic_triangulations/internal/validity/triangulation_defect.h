@@ -58,9 +58,9 @@ void check_inserted(const Triangulation_pair<Traits>& pair)
     throw Invalid_input("vertices cannot be inserted in this geometry");
   for(std::size_t i = 0; i < inserted.size(); ++i)
     if(!can_be_inserted(inserted[i], pair.input_mesh()))
-      throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");
+      throw Invalid_input("inserted vertex " + std::to_string(i) + " has no position in the input");
   if(pair.mesh().num_vertices() != pair.input_mesh().num_vertices() + inserted.size())
-    throw Invalid_input("the numbers of vertices and of places differ");
+    throw Invalid_input("the numbers of vertices and of positions differ");
 }
 
 // Whether the shared edge `e` has its length in T1. A whole edge must have it to the bit, a part
