@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Takes what users have and makes arrays that the compiled part accepts, or says what is wrong."""
+"""Makes arrays that the compiled part accepts from the arguments of users, or names their error."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def integers(
 ) -> Integers:
     """Return indices of type int64, stored by rows, from 0 to `size` - 1."""
     array = _array(values, name)
-    if array.size == 0 and array.dtype.kind == "f":  # that of an empty list
+    if array.size == 0 and array.dtype.kind == "f":  # from an empty list
         array = array.astype(np.int64)
     if array.dtype.kind == "O" and all(isinstance(i, int) for i in array.flat):
         array = np.clip(array, -1, _GREATEST_INDEX + 1).astype(np.int64)  # of huge numbers

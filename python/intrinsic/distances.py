@@ -191,8 +191,8 @@ def all_pairs(
         As of `laplacian()`.
     coarse : int
         Distances are computed between so many vertices of a simplified surface, and prolonged to
-        all pairs. Those that are short compared with edges there are too large. All are exact if
-        it is not given.
+        all pairs. Distances that are short compared with coarse edges are too large. All are exact
+        if it is not given.
     progress : callable
         Is called with "all_pairs" and the number of rows.
 
@@ -469,7 +469,7 @@ class LogMap:
     vectors : (n,) complex array
         For each vertex, the tangent vector with the first direction of the shortest path and its
         length, in the unit of V. Angles are scaled to a full turn at the source, and start at the
-        first edge there. Infinite without a path.
+        first edge of the source. Infinite without a path.
     is_straight : (n,) bool array
         Whether the shortest path is straight, so that `exp_map()` leads to the vertex.
     """
@@ -524,7 +524,7 @@ def exp_map(
     source : int
         The vertex.
     vector : complex
-        The direction and the length, as those of `log_map()`.
+        The direction and the length, as from `log_map()`.
 
     Returns
     -------
@@ -564,7 +564,7 @@ def transport(
     vertices : (k,) integers
         The vertices where vectors are given.
     vectors : (k,) complex numbers
-        The vectors, with angles as those of `connection_laplacian()`.
+        The vectors, with the angles of `connection_laplacian()`.
     time_step_factor : float
         The time for which heat flows, in squared mean edge lengths.
 
@@ -590,7 +590,7 @@ def transport(
     except (TypeError, ValueError):
         raise ArrayError("vectors must be complex numbers") from None
     if given.shape != sources.shape or len(given) == 0:
-        raise ArrayError(f"vectors has the shape {given.shape}; it must be that of vertices, "
+        raise ArrayError(f"vectors has the shape {given.shape}; it must be the shape of vertices, "
                          f"{sources.shape}, with one at least")
     if not np.isfinite(given).all():
         raise InputError("a vector is not finite")

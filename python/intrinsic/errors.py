@@ -33,7 +33,7 @@ class IntrinsicError(Exception):
 
 
 class InputError(IntrinsicError, ValueError):
-    """Is raised if arrays are not those of a surface, or if a parameter has no meaning."""
+    """Is raised if arrays do not describe a surface, or if a parameter has no meaning."""
 
 
 class ArrayError(InputError, TypeError):
@@ -59,7 +59,7 @@ class UnderflowError(NumericalError):
 
 
 class MapError(NumericalError):
-    """Is raised if a map does not have what is promised.
+    """Is raised if a map does not keep its promises.
 
     Attributes
     ----------

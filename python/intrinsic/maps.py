@@ -28,13 +28,13 @@ class MapSubdivision:
     Attributes
     ----------
     V : (k, 3) float array or None
-        Positions on the input; the first n are those of its vertices. None without positions.
+        Positions on the input; the first n belong to its vertices. None without positions.
     corners : (c,) int array
         The vertices of all pieces, one convex polygon after the other, counterclockwise.
     starts : (p + 1,) int array
         Where in `corners` each polygon starts.
     input_face : (p,) int array
-        The face of the input of which each polygon is a part.
+        The face of the input that contains each polygon.
     from_input : (k, n) sparse matrix
         Takes a function at the vertices of the input to all vertices, linear on its faces.
     corner_image : (c,) int array
@@ -91,7 +91,7 @@ class ConformalMap:
 
     @property
     def status(self) -> str:
-        """"success", or what the map does not have of what is promised."""
+        """"success", or the promise that the map does not keep."""
         return str(self._core.status())
 
     @property
@@ -297,7 +297,7 @@ def flatten(
     cones : "greedy", "none", mapping or (n,) floats
         "greedy" places cones inside until scale factors are within `max_log_scale`; the default,
         except for disks and rectangles. A mapping from vertices to angle defects, or an array with
-        that of each vertex, in radians, prescribes them.
+        the defect of each vertex, in radians, prescribes them.
     boundary : str
         "free" does not scale the boundary; "straight" makes all exterior angles zero; "scale" and
         "curvature" prescribe logarithms of scale factors, or exterior angles in radians;
@@ -325,7 +325,7 @@ def flatten(
     Raises
     ------
     MapError
-        If the map does not have what is promised; the error has its `status`, and the `map`.
+        If the map does not keep its promises; the error has its `status`, and the `map`.
 
     Examples
     --------
@@ -438,7 +438,7 @@ class Uniformization:
         The map of a sphere or disk to the sphere, of a torus or annulus to the plane, and of all
         others to the hyperbolic plane.
     modulus : complex or None
-        That of a torus, or the imaginary unit times that of an annulus.
+        The modulus of a torus, or the imaginary unit times the modulus of an annulus.
     """
 
     type: str

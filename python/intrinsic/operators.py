@@ -31,7 +31,7 @@ def laplacian(
     Parameters
     ----------
     V : (n, 3) array of floats, or a mesh object, or a Triangulation
-        Positions. A Triangulation is taken as it is, and has no F.
+        Positions. A Triangulation is used unchanged, and has no F.
     F : (m, 3) array of integers
         The corners of each face, from 0.
     lengths : (m, 3) array of floats
@@ -169,7 +169,7 @@ def soup_operators(
     """Return the Laplacian and the mass matrix of any triangles, or of points alone.
 
     Edges may have three faces or more, and vertices several fans of any orientation: the matrices
-    are those of the tufted cover.
+    belong to the tufted cover.
 
     Parameters
     ----------

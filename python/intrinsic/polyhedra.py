@@ -38,7 +38,7 @@ class ConvexPolyhedron:
         The greatest difference of the length of an edge on the surface and in space, relative to
         it.
     triangulation : Triangulation
-        The intrinsic triangulation of the input whose faces are those of the polyhedron.
+        The intrinsic triangulation of the input whose faces are faces of the polyhedron.
     """
 
     V: Floats

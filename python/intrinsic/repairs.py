@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What is wrong with a mesh, and its repair."""
+"""The defects of a mesh, and its repair."""
 
 from __future__ import annotations
 

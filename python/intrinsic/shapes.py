@@ -67,7 +67,7 @@ def grid(rows: int = 10, columns: int = 10) -> Shape:
 
 
 def folded_sphere(level: int = 4, folds: int = 5, depth: float = 0.25) -> Shape:
-    """Return a sphere with folds, such as those of a brain: the radius waves between 1 - depth and
+    """Return a sphere with folds, like a brain: the radius waves between 1 - depth and
     1 + depth."""
     V, F = icosphere(level)
     wave = np.prod(np.sin(folds * V + [0.3, 1.1, 2.0]), axis=1)

@@ -50,8 +50,8 @@ class Page:
 
 
 def program() -> str:
-    """Return the path of the program `intrinsic`: that of the environment variable
-    INTRINSIC_PROGRAM, or one in the PATH."""
+    """Return the path of the program `intrinsic`, from the environment variable
+    INTRINSIC_PROGRAM, or in the PATH."""
     path = os.environ.get("INTRINSIC_PROGRAM") or shutil.which("intrinsic")
     if path is None or not os.access(path, os.X_OK):
         raise MissingProgramError("the program intrinsic is not found, which writes pages; install "

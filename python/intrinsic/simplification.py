@@ -30,8 +30,8 @@ class CoarseMesh:
     F : (t, 3) int array
         The corners of its faces.
     input_vertex : (k,) int array
-        The vertex of the input; -1 for those that were inserted because there were loops or
-        several edges with the same ends.
+        The vertex of the input; -1 for vertices that were inserted because of loops or several
+        edges with the same ends.
     quality : dict
         "distance_to_coarse" and "distance_to_fine", how far both surfaces are apart, and numbers of
         "inserted_vertices", "flipped_faces", "degenerate_faces" and "self_intersections".
@@ -113,7 +113,7 @@ class Simplification:
 
     def triangulation(self) -> Triangulation:
         """Return the coarse surface, for functions that take one: `laplacian(s.triangulation())`.
-        It has no positions. Loops and several edges with the same ends are ordinary there."""
+        It has no positions. Loops and several edges with the same ends are ordinary in it."""
         return Triangulation._of_core(None, self._core.triangulation())
 
     def coarse_mesh(self) -> CoarseMesh:

@@ -54,13 +54,13 @@ class Curves:
     Attributes
     ----------
     starts : (k + 1,) int array
-        Points `starts[i]` to `starts[i + 1] - 1` are those of curve `i`.
+        Points `starts[i]` to `starts[i + 1] - 1` belong to curve `i`.
     faces : (p,) int array
         The face in which each point lies.
     barycentric : (p, 3) float array
         Its barycentric coordinates, in the order of the corners of the face.
     along : (p,) float array
-        Its place on the edge, from 0 to 1.
+        Its position on the edge, from 0 to 1.
     points : (p, 3) float array or None
         Its position, in the units of V; None if the surface has no positions.
     """
@@ -101,13 +101,13 @@ class CommonSubdivision:
     Attributes
     ----------
     V : (k, 3) float array or None
-        Positions; the first are those of the triangulation's vertices. None without positions.
+        Positions; the first belong to the triangulation's vertices. None without positions.
     corners : (c,) int array
         The vertices of all polygons, one polygon after the other, counterclockwise.
     starts : (p + 1,) int array
         Where in `corners` each polygon starts.
     input_face, intrinsic_face : (p,) int arrays
-        The faces of which each polygon is a part.
+        The faces that contain each polygon.
     from_input : (k, n) sparse matrix
         Takes a function at the vertices of the input to all vertices, linear on input faces.
     from_intrinsic : (k, n2) sparse matrix
@@ -129,7 +129,7 @@ class CommonSubdivision:
 
     @property
     def polygon(self) -> Integers:
-        """The polygon of which each triangle of `F` is a part, (t,)."""
+        """The polygon that contains each triangle of `F`, (t,)."""
         return _fan(self.starts)[1]
 
 
@@ -216,7 +216,7 @@ class Triangulation:
     NotAManifoldError
         If an edge or a vertex is not manifold; the error has its `edge` or `vertex`.
     InputError
-        If the arrays are not those of a surface in another way.
+        If the arrays do not describe a surface for another reason.
 
     Examples
     --------
@@ -285,7 +285,7 @@ class Triangulation:
         Parameters
         ----------
         exact : bool
-            Whether all decisions are exact; that of the constructor if not given.
+            Whether all decisions are exact; by default as in the constructor.
         progress : callable
             Is called with "flip" and the number of flips, some times a second. An exception that
             it raises stops the flips; so does Control-C. The triangulation is valid then.
@@ -325,7 +325,7 @@ class Triangulation:
         max_insertions : int
             The number of vertices that may be inserted; depends on the bounds if not given.
         exact : bool
-            Whether decisions are exact from the beginning; that of the constructor if not given.
+            Whether decisions are exact from the beginning; by default as in the constructor.
         progress : callable
             As of `delaunay()`, with "refine".
 
@@ -506,8 +506,8 @@ class Triangulation:
         Returns
         -------
         pair of (k,) ints and (k, 3) floats, or (n2,) floats
-            The same points there; or the function that is linear on the faces there and closest
-            to the given one in the L2 norm. Its integral is the same.
+            The same points on the other triangulation; or the function that is linear on its faces
+            and closest to the given one in the L2 norm. Its integral is the same.
         """
         from_input = not _is_input(to, "to")
         if isinstance(what, tuple):
