@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checks in exact arithmetic what rounding has left of a map to the plane.
+// Decides in exact arithmetic which edges of a map to the plane are still Delaunay after rounding.
 
 #include <CGAL/Discrete_conformal_maps/certify.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
@@ -34,13 +34,13 @@ int main(int argc, char* argv[])
   const DCM::Planar_conformal_map map = DCM::flatten(mesh);
   const DCM::Map_certificate certificate = DCM::certify(map);
 
-  print("T^B", certificate.on_B);
-  print("T^C", certificate.on_C);
+  print("T2", certificate.on_B);
+  print("T3", certificate.on_C);
   const DCM::Order_certificate& order = certificate.order;
-  std::cout << "ends on edges of T^B: " << order.decided_in_floating_point
+  std::cout << "ends on edges of T2: " << order.decided_in_floating_point
             << " pairs decided in floating point, " << order.decided_in_multiprecision
             << " with more digits, " << order.decided_exactly << " exactly; " << order.ties.size()
-            << " at one place, " << order.exchanged.size() << " exchanged, "
+            << " at one position, " << order.exchanged.size() << " exchanged, "
             << order.undecided.size() << " undecided\n";
   std::cout << (certificate.is_certified() ? "certified\n" : "not certified\n");
 }

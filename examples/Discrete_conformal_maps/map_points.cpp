@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Maps single points of a surface to the plane: those closest to points in space, and some on the
-// way along a triangle. No common subdivision is looked at.
+// Maps single points of a surface to the plane: the points closest to points in space, and some
+// points along a triangle. No common subdivision is computed.
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Maps a mesh to the sphere, and says how much of it is where.
+// Maps a mesh to the sphere, and counts its vertices in the upper half.
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 

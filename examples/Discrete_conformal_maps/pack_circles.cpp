@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Packs circles on the sphere that touch as the vertices of a mesh are joined, and draws them in
-// the plane.
+// Packs circles on the sphere that touch if an edge of a mesh joins their vertices, and draws them
+// in the plane.
 
 #include <CGAL/Discrete_conformal_maps/pack_circles.h>
 #include <CGAL/Simple_cartesian.h>

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a tetrahedron with equal faces of a closed surface without handles: four cones of curvature
+// Makes a closed surface without handles a tetrahedron with equal faces: four cones of curvature
 // pi, flat everywhere else.
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Gives a surface the conformal metric of constant curvature that suits its topology, and prints
-// the modulus of a torus or the generators of the group of a hyperbolic surface.
+// Gives a surface the conformal metric of constant curvature that suits its topology. Prints the
+// modulus of a torus, or the generators of the group of a hyperbolic surface.
 
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
 #include <CGAL/Simple_cartesian.h>

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Draws the edges of a coarse surface on the input: traces one of them, and writes the common
-// subdivision of both levels with the coarse face of each of its faces.
+// subdivision of both levels. Each of its faces has its coarse face.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>

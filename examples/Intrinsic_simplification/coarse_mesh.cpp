@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplifies a surface to a hundred vertices and writes the coarse triangulation as an ordinary
-// mesh in space, with what it has lost.
+// Simplifies a surface to a hundred vertices, writes the coarse triangulation as an ordinary mesh
+// in space, and prints the differences from the input.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One map through three surfaces: a mesh, its Delaunay refinement, and what is left of this after
-// simplification.
+// Maps points through three surfaces: a mesh, its Delaunay refinement, and a simplification of the
+// refinement.
 
 #include <CGAL/Intrinsic_simplification/Composed_map.h>
 #include <CGAL/Intrinsic_simplification/Correspondence_map.h>

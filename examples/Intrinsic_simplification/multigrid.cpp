@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lets heat flow on a surface, in steps that grow: a new matrix each time, but always the same
-// hierarchy.
+// Computes the flow of heat on a surface in growing steps. Each step has a new matrix, but all
+// share one hierarchy.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Multigrid_solver.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplification with a cost of one's own: the vertex whose nearest neighbor is nearest goes first,
-// so that the remaining ones lie about equally far from each other.
+// Simplifies with a user-defined cost: the vertex with the closest neighbor is removed first. The
+// remaining vertices have about equal distances.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lists the pieces on which the map to a coarse surface is projective, and carries a point by the
-// matrix of one.
+// Lists the pieces on which the map to a coarse surface is projective, and maps a point by the
+// matrix of one piece.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplifies a surface, gives the coarse faces angles of 25 degrees, and solves a Poisson equation
-// on it: of the angles, and of the solution on the input.
+// Simplifies a surface, and gives the coarse faces angles of 25 degrees. Solves a Poisson equation
+// on the result, and prolongs the solution to the input.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>

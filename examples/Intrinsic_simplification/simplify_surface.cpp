@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplifies a surface to a twentieth of its vertices, takes a point there and back, and compares
+// Simplifies a surface to a twentieth of its vertices, and maps a point to it and back. Compares
 // the solution of a Poisson equation on the coarse surface with the fine solution.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cuts the handles of a surface and closes its boundary loops, simplifies what is left, and asks
-// where its points come from.
+// Cuts the handles of a surface, closes its boundary loops, simplifies the result, and maps its
+// points to the input.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
