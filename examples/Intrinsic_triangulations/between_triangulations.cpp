@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Two Delaunay triangulations of one surface, with and without sharp edges as constraints: how they
-// lie over each other without the input, and the flips from one to the other. Then the first one is
-// refined, and lies over the second one with inserted vertices.
+// Lays two Delaunay triangulations of one surface over each other, without and with sharp edges as
+// constraints, and flips one to the other. Then refines the first one, and lays it over the second
+// one with inserted vertices.
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>

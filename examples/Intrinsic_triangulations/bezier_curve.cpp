@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Bezier curve on a surface by de Casteljau's algorithm: the midpoint of two points is that of
-// the shortest geodesic between them.
+// Computes a Bezier curve on a surface by de Casteljau's algorithm. The midpoint of two points is
+// the midpoint of the shortest geodesic between them.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>

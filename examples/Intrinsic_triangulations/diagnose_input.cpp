@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lists the defects of a triangle soup with their places, and shows the error of a constructor that
-// is given a mesh with a defect.
+// Lists the defects of a triangle soup with their elements, and shows the error of a constructor
+// for a mesh with a defect.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A flat torus that has no embedding: one vertex, two triangles, and three edges with lengths. The
-// triangulation starts sheared far and becomes Delaunay by flips.
+// Flips a flat torus that has no embedding to Delaunay: one vertex, two triangles, and three edges
+// with lengths. At the start the triangulation is sheared far.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>

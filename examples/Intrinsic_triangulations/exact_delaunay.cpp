@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The intrinsic Delaunay triangulation of a part with flat sides, where many corners lie on common
-// circles: decided in `double`, with a certificate, and decided exactly.
+// Computes the intrinsic Delaunay triangulation of a part with flat sides, whose corners often lie
+// on common circles. It is decided in `double` with a certificate, then exactly.
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>

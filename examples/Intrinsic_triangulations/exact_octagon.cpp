@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A regular octagon with opposite sides glued: a translation surface of genus 2, whose squared
-// lengths are in Q(sqrt 2). Its corners lie on one circle, so that all five diagonals are ties.
+// Flips a regular octagon with opposite sides glued: a translation surface of genus 2, whose
+// squared lengths are in Q(sqrt 2). Its corners lie on one circle, so that all five diagonals are
+// ties.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>

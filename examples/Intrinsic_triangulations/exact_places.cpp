@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where edges of two triangulations of a thin kite cross, and where points of one lie on the other,
-// exactly.
+// Computes exactly the crossings of the edges of two triangulations of a thin kite, and the
+// positions of points of one on the other.
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/element_across.h>

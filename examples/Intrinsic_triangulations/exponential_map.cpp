@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sends geodesics out of a vertex in eight directions, on the mesh and on its intrinsic Delaunay
+// Sends geodesics from a vertex in eight directions, on the mesh and on its intrinsic Delaunay
 // triangulation.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

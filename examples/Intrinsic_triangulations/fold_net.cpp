@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Folds a triangle to a tetrahedron: both halves of each side are glued to each other, and the
-// convex polyhedron that has this surface is computed.
+// Folds a triangle to a tetrahedron: glues both halves of each side to each other, and computes the
+// convex polyhedron with this surface.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Computes the geodesic distance to a vertex by the heat method, on a mesh and on its intrinsic
-// Delaunay triangulation. The latter is better, and is a function on the vertices of the mesh too.
+// Delaunay triangulation. The latter is more accurate, and is a function on the vertices of the
+// mesh too.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>

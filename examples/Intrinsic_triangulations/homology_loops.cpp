@@ -17,8 +17,8 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// Finds a closed geodesic around each handle and each hole, twice as many as there are handles:
-// loops along edges that generate all others, each of them shortened by flips.
+// Finds two closed geodesics for each handle, around it and through its hole. They come from loops
+// along edges that generate all others; flips shorten each of them.
 int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/eight.off");

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of equal distance from a vertex, computed on the intrinsic Delaunay triangulation and
-// carried over to the mesh, where each crosses edges at its points.
+// Computes curves of equal distance from a vertex on the intrinsic Delaunay triangulation, and maps
+// them to the mesh.
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Finds the vertex that is farthest from the first one, and goes halfway in its direction.
+// Finds the vertex that is farthest from the first one, and follows the geodesic in its direction
+// for half of the distance.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>

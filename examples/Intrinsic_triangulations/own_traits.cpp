@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A geometry of one's own: only those edges are flipped that get shorter by a tenth or more.
+// Defines a geometry: only edges that become shorter by a tenth or more are flipped.
 
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

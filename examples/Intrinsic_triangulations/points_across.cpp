@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Takes the centers of all faces of the intrinsic Delaunay triangulation to the mesh, and back.
+// Maps the centers of all faces of the intrinsic Delaunay triangulation to the mesh, and back.
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

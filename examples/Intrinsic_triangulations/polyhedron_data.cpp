@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes distances on the intrinsic Delaunay triangulation of a `CGAL::Polyhedron_3`, and moves
-// them back to its vertices: these have their indices from 0 in the order of `vertices(g)`.
+// Computes distances on the intrinsic Delaunay triangulation of a `CGAL::Polyhedron_3`, and stores
+// them at its vertices. Vertices have indices from 0 in the order of `vertices(g)`.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Inserts vertices until no angle is below 25 degrees, says where the first one lies on the mesh,
-// and writes the common subdivision.
+// Inserts vertices until no angle is below 25 degrees, prints the position of the first one on the
+// mesh, and writes the common subdivision.
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>

@@ -17,7 +17,7 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// Finds how far a mesh reaches from two points, and the path to the vertex that is farthest away.
+// Computes the distances of a mesh from two points, and the path to the farthest vertex.
 int main(int argc, char* argv[])
 {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes the signed distance to a curve through some points of a mesh, and the distance to a
-// point inside a face, on the intrinsic Delaunay triangulation.
+// Computes the signed distance to a curve through points of a mesh, on the intrinsic Delaunay
+// triangulation. Also computes the distance to a point inside a face.
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a mesh with good angles on the surface of another, for programs that know nothing of
-// intrinsic triangulations.
+// Makes a mesh with good angles on the surface of another mesh, for programs without intrinsic
+// triangulations.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>

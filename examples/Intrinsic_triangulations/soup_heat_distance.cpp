@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes a Laplacian and geodesic distances on triangles that are not a surface: a camel with a
-// sail, three triangles that meet its back in an edge, and without orientation.
+// Computes a Laplacian and geodesic distances on triangles that are not a surface. They are a camel
+// with a sail: three triangles that meet its back in an edge, without orientation.
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A visitor shows the progress of a refinement, and stops it after a hundred insertions. The
-// triangulation is valid then, and refinement can go on.
+// Shows the progress of a refinement by a visitor, which stops it after a hundred insertions. The
+// triangulation is valid then, and refinement can continue.
 
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Simple_cartesian.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Traces the edges of a mesh over its intrinsic Delaunay triangulation, once with one thread and
-// once with several.
+// Traces the edges of a mesh over its intrinsic Delaunay triangulation, with one thread and with
+// several.
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Transfers a function from a mesh to its intrinsic Delaunay triangulation and back, so that each
-// time the result is the closest function in the L2 norm.
+// Transfers a function from a mesh to its intrinsic Delaunay triangulation and back. Each result is
+// the closest function in the L2 norm.
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
