@@ -14,17 +14,17 @@
 class ConvexMinimizer
 {
 public:
-  /// minimizes `energy` from `u` on.
+  /// minimizes `energy`, starting from `u`.
   /// \tparam Energy a model of `ConvexEnergy`
   /// \tparam Visitor a model of `MinimizationVisitor`, or a reference to one
   /// \param energy the energy; afterwards it has been evaluated at `u`
-  /// \param u the point to start from; afterwards the point with the least gradient (max norm) that
-  ///        has been seen, finite if the start was. Fixed variables keep their values; on a
-  ///        component without one, the mean stays, up to rounding.
-  /// \param domain which variables are fixed, and where the energy is constant
-  /// \param visitor sees every step; if it throws, `u` is the best point so far. It can be left
-  ///        out, and so can `domain` if all variables move.
-  /// \pre The size of `u` is that of the energy.
+  /// \param u the point to start from; afterwards the visited point with the least gradient (max
+  ///   norm), finite if the start is finite. Fixed variables keep their values. A component without
+  ///   fixed variables keeps its mean, up to rounding.
+  /// \param domain the fixed variables, and the directions along which the energy is constant
+  /// \param visitor sees every step; if it throws, `u` is the best point so far. It can be omitted;
+  ///   `domain` can be omitted too if all variables are free.
+  /// \pre `u` has the size of the energy.
   template <typename Energy, typename Visitor>
   CGAL::Discrete_conformal_maps::Minimization_result
   operator()(Energy& energy, Eigen::VectorXd& u,

@@ -14,13 +14,13 @@
 class FlatteningVisitor
 {
 public:
-  /// is called when a stage of the work begins, in their order. What happens before the first, the
-  /// making of \f$T^B\f$, has no stage. `after_iteration()` is called in
-  /// `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is
-  /// repeated (after a further cone, or in extended precision), iterations are counted from one
+  /// is called when a stage of the work begins, in their order. The flips to \f$T_2\f$, before the
+  /// first stage, have no stage. `after_iteration()` is called in
+  /// `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only. If the minimization is
+  /// repeated, after a further cone or in extended precision, iterations are counted from one
   /// again. On a surface with boundary, `flatten()` traces and subdivides before the layout: the
-  /// subdivision determines which edges of \f$T^C\f$ belong to the surface.
-  /// In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of optimization and layout come
-  /// more than once if the first result is not good. An exception leaves `flatten()`.
+  /// subdivision determines which edges of \f$T_3\f$ belong to the surface.
+  /// `CGAL::Discrete_conformal_maps::map_to_sphere()` repeats the stages of optimization and layout
+  /// if the first result is no success. An exception leaves `flatten()`.
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
 };

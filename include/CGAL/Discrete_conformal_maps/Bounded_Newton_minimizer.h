@@ -24,20 +24,19 @@ namespace CGAL::Discrete_conformal_maps {
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy under lower bounds of its variables (Section 4.4.4).
 ///
-/// Every step leads towards the minimum, under the bounds, of the quadratic function with the
-/// gradient and Hessian of the energy, which a set of active bounds determines. Apart from that it
-/// is as `Newton_minimizer`: the same line search, the same damping, the same factorizations, and
-/// quadratic convergence once the active set stays. All points are within the bounds; a variable
-/// whose bound is active at the minimum is at the bound, to the bit.
+/// Every step leads towards the minimum, under the bounds, of the quadratic model of the energy. A
+/// set of active bounds determines this minimum. Line search, damping and factorizations are as in
+/// `Newton_minimizer`. Convergence is quadratic once the active set stays. All points are within
+/// the bounds. A variable whose bound is active at the minimum is bitwise equal to the bound.
 ///
 /// Results are bitwise reproducible.
 class Bounded_Newton_minimizer
 {
 public:
   /// makes a minimizer.
-  /// \param gradient_tolerance how great a derivative may be at the minimum, of a variable at its
-  ///        bound how far below zero; the rounding error of the gradient takes its place if that is
-  ///        greater
+  /// \param gradient_tolerance the greatest derivative at the minimum. For a variable at its bound,
+  ///   the derivative may be as far below zero. The rounding error of the gradient replaces it if
+  ///   it is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Bounded_Newton_minimizer(double gradient_tolerance = internal::tolerance::gradient,
@@ -47,19 +46,17 @@ public:
     CGAL_precondition(gradient_tolerance >= 0);
   }
 
-  /// minimizes `energy` from `u` on. Complexity of an iteration: an evaluation of the energy, and a
+  /// minimizes `energy`, starting from `u`. An iteration takes an evaluation of the energy, and a
   /// sparse Cholesky factorization for each active set that is tried, most often one or two.
   /// \tparam Energy a model of `ConvexEnergy`
   /// \tparam Visitor a model of `MinimizationVisitor`
   /// \param energy the energy; afterwards it has been evaluated at `u`
-  /// \param u the point to start from; variables below their bounds start there. Afterwards the
-  ///        point with the least gradient (max norm, without positive entries at bounds) that has
-  ///        been seen.
+  /// \param u the point to start from; variables below their bounds start at the bounds. Afterwards
+  ///   the visited point with the least gradient (max norm, without positive entries at bounds).
   /// \param lower_bound the bounds; minus infinity for none
-  /// \param domain which variables are fixed; their bounds do not matter
+  /// \param domain which variables are fixed; their bounds are ignored
   /// \param visitor sees every step; if it throws, `u` is the best point so far
-  /// \pre The sizes of `u` and `lower_bound` are that of the energy, and `domain` has no
-  ///   components.
+  /// \pre `u` and `lower_bound` have the size of the energy, and `domain` has no components.
   template <typename Energy, typename Visitor>
   Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
                                  const Eigen::VectorXd& lower_bound,

@@ -22,25 +22,24 @@ using Ceres_steps = Ceres_iteration<Energy, Visitor>;
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by the L-BFGS method of the Ceres Solver, in coordinates in which the
-/// Hessian is the identity where it starts.
+/// Hessian is the identity at the start.
 ///
-/// It takes some twenty steps with two or three factorizations, where `Newton_minimizer` takes
-/// seven of each. Its line search compares values of the energy. Where these have no digits left,
-/// the gradients on both sides give their difference, so that the gradient gets as small as with
-/// Newton's method.
+/// It takes about twenty steps with two or three factorizations; `Newton_minimizer` takes seven of
+/// each. Its line search compares values of the energy. If these cancel, the gradients on both
+/// sides give their difference. So the gradient becomes as small as with Newton's method.
 ///
 /// The header needs the Ceres Solver: the component and target `Ceres` of the package.
 ///
-/// Complexity of an iteration: an evaluation of the energy, its value and gradient, or a few. After
-/// thirty, or where it gets stuck, the Hessian is factorized again.
+/// An iteration takes one or a few evaluations of the energy, with its value and gradient. After
+/// thirty iterations, or if it gets stuck, the Hessian is factorized again.
 ///
 /// \cgalModels `ConvexMinimizer`
 class Ceres_minimizer : public internal::Iterative_minimizer<internal::Ceres_steps>
 {
 public:
   /// makes a minimizer.
-  /// \param gradient_tolerance the greatest entry of the gradient with which the energy counts as
-  ///        minimized; the rounding error of the gradient takes its place if that is greater
+  /// \param gradient_tolerance the energy counts as minimized if no entry of the gradient is
+  ///   greater. The rounding error of the gradient replaces it if it is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Ceres_minimizer(double gradient_tolerance = internal::tolerance::gradient,

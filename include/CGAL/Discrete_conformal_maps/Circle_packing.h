@@ -94,13 +94,13 @@ public:
   /// northern hemisphere.
   Spherical_circle spherical_circle(Vertex_index v) const { return internal::on_sphere(circle(v)); }
 
-  /// returns the greatest difference, over all edges, of the distance of two centers and the sum of
-  /// both radii: of angles on the unit sphere, or in the unit disk, in which the distance of the
-  /// center of a circle on the boundary from the unit circle is compared with its radius as well.
+  /// returns the greatest difference between the distance of two centers and the sum of both radii,
+  /// over all edges. On the unit sphere these are angles. In the unit disk, the distance of the
+  /// center of a boundary circle from the unit circle is also compared with its radius.
   double max_tangency_error() const { return m_max_tangency_error; }
 
-  /// returns whether circles touch within \f$10^{-10}\f$ and nothing is turned over, as measured on
-  /// the result; if not, why.
+  /// returns whether circles touch within \f$10^{-10}\f$ and no face is reversed, as measured on
+  /// the result; otherwise the reason.
   Map_status status() const { return m_status; }
 
   /// returns how the minimization has ended.

@@ -10,14 +10,15 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// whether cones without scaling are placed inside a surface that becomes flat, beside those that
-/// are prescribed.
+/// whether cones without scaling are placed inside a surface that becomes flat, beside prescribed
+/// cones.
 enum class Cones
 {
-  automatic, ///< they are placed if nothing is prescribed or a `maximum_log_scale` is given; for
-             ///< `flatten_to_disk()` and `flatten_to_rectangle()`, only if the latter is given
-  greedy,    ///< they are placed one by one, until scale factors are within the bound
-  none       ///< they are not placed
+  automatic, ///< cones are placed if nothing is prescribed or a `maximum_log_scale` is given.
+             ///< `flatten_to_disk()` and `flatten_to_rectangle()` place cones only if a
+             ///< `maximum_log_scale` is given
+  greedy,    ///< cones are placed one by one, until scale factors are within the bound
+  none       ///< no cones are placed
 };
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -26,27 +26,26 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
-/// the convex energy whose minimum are the scale factors that give a surface prescribed angle
-/// defects (Section 4.3.2).
+/// the convex energy whose minimum is the scale factors with prescribed angle defects (Section
+/// 4.3.2).
 ///
 /// Faces are Euclidean triangles with the scaled lengths, or hyperbolic triangles with sides
 /// \f$x\f$ for scaled lengths \f$\sinh(x/2)\f$. Both have the same ideal Delaunay triangulation.
-/// See `Hyperbolic_conformal_energy` for the latter: it is strictly convex, also along constants.
+/// `Hyperbolic_conformal_energy` has hyperbolic faces; it is strictly convex, also along constants.
 ///
-/// It is twice continuously differentiable on the whole space: whoever minimizes it sees nothing of
-/// the flips behind it. In a fixed triangulation, with Euclidean faces, it is the energy of
-/// Springborn, Schr&ouml;der and Pinkall (2008): where the scaled lengths of a face violate the
-/// triangle inequality, its part of the energy is linear, as if its angles were 0, 0 and \f$\pi\f$.
-/// This is convex, but has no second derivatives where faces become flat; a minimum with such faces
-/// gives no metric, and there may be no minimum at all.
+/// It is twice continuously differentiable on the whole space, so that minimizers ignore the flips.
+/// In a fixed triangulation, with Euclidean faces, it is the energy of \cgalCite{SSP08}. If the
+/// scaled lengths of a face violate the triangle inequality, its part of the energy is linear, with
+/// the angles 0, 0 and \f$\pi\f$. This is convex, but has no second derivatives at flat faces. A
+/// minimum with such faces is no metric, and a minimum need not exist.
 ///
-/// With circles at the vertices, whose radii are multiplied by \f$e^u\f$, it is the energy of
-/// Bobenko and Lutz (2023), of Euclidean faces: distances of centers take the place of lengths, and
-/// the second derivatives are those of `Intrinsic_triangulations::weighted_laplacian()`.
+/// With circles at the vertices, radii are multiplied by \f$e^u\f$, and the energy is the one of
+/// \cgalCite{BL23} with Euclidean faces. Lengths are distances of centers. The second derivatives
+/// are the `Intrinsic_triangulations::weighted_laplacian()`.
 ///
-/// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
-/// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a
-/// minimizer in `double`, which moves the origin from time to time.
+/// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and a
+/// variable \f$x\f$ in `double`. A minimizer in `double` moves the origin from time to time. So it
+/// can approach a minimum to any precision.
 ///
 /// \tparam FT_ the floating point type in which gradients are computed
 /// \tparam Triangle the geometry of faces
@@ -94,17 +93,17 @@ public:
   template <typename ConcurrencyTag>
   void set_concurrency(const ConcurrencyTag& tag);
 
-  /// moves to the point `x`; where a scaled length is too great or small for a number, the gradient
-  /// is NaN. Complexity: linear in the vertices, edges and flips.
+  /// moves to the point `x`. If a scaled length is beyond the range of its number type, the
+  /// gradient is NaN. Complexity: linear in the vertices, edges and flips.
   void evaluate(const Vector& x);
 
-  /// makes the present point the origin: the variable there is zero.
+  /// makes the current point the origin: its variable is zero.
   void move_origin();
 
   /// returns the scale factors, by the indices of vertices.
   const std::vector<FT>& scale_factors() const;
 
-  /// returns the surface in its ideal Delaunay triangulation, or its fixed one.
+  /// returns the surface in its ideal Delaunay triangulation, or in its fixed triangulation.
   const Penner_surface<FT>& surface() const;
 
   /// returns the angle at the source of `h` in its face, in the scaled metric.
@@ -117,13 +116,13 @@ public:
   double gradient_error() const;
 
   /// returns the second derivatives: the cotan Laplacian (Section 4.3.2), and for hyperbolic faces
-  /// what Bobenko, Pinkall and Springborn (2015) have in Section 6. Complexity: linear at the first
-  /// call after `evaluate()`.
+  /// the matrix of \cgalCite{BPS15}, Section 6. Complexity: linear at the first call after
+  /// `evaluate()`.
   const Eigen::SparseMatrix<double>& Hessian() const;
 #endif
 
-  /// returns the number of faces whose scaled lengths do not obey the triangle inequality strictly.
-  /// In a triangulation that is Delaunay only rounding makes them.
+  /// returns the number of faces whose scaled lengths do not satisfy the strict triangle
+  /// inequality. In a Delaunay triangulation, only rounding causes such faces.
   std::size_t number_of_flat_faces() const { return Base::flat_faces(); }
 
   /// returns the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces.

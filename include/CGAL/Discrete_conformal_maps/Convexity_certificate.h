@@ -12,12 +12,12 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// what exact predicates have found about an inscribed polyhedron.
+/// the results of exact predicates about an inscribed polyhedron.
 ///
 /// The vertices are the images of points in the plane, and one of infinity, under the inverse of a
-/// stereographic projection. An edge is convex exactly if the edge of the plane is Delaunay, for
-/// which the images need not be known. Moebius transformations do not change it. All this holds for
-/// the positions as they are stored in the plane, without a tolerance.
+/// stereographic projection. An edge is convex if and only if the edge of the plane is Delaunay.
+/// The images need not be known for this, and Moebius transformations do not change it. Decisions
+/// hold for the stored positions in the plane, without a tolerance.
 struct Convexity_certificate
 {
   std::size_t concave_edges = 0;     ///< edges that are not convex; edges in flat faces are convex

@@ -33,14 +33,14 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// What all maps consist of.
+// Holds the data of all maps.
 struct Map_data
 {
   typedef Intrinsic_triangulations::Hyperideal_geometry_traits<> Ideal_traits;
 
   Intrinsic_triangulations::Intrinsic_triangulation<> ab;
   Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> bc;
-  // They refer to the triangulations, which do not move.
+  // These members refer to the triangulations, which do not move.
   std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
   std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
   std::unique_ptr<Triple_subdivision<double>> subdivision;
@@ -57,7 +57,7 @@ struct Map_data
     return f.is_valid() && is_original(subdivision->parent_face(Layer::A, f));
   }
 
-  // of an edge of T^C
+  // Returns the scaled length of an edge of T_3.
   double scaled_length(Halfedge_index h) const
   {
     if(bc.traits().has_radii())
@@ -75,7 +75,7 @@ struct Map_data
   }
 };
 
-// How the search for a map has ended, and what was measured on the result.
+// Holds the end of the search for a map, and the measurements on the result.
 struct Map_outcome
 {
   Map_status status = Map_status::not_converged;
@@ -89,23 +89,23 @@ struct Map_outcome
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// what all discrete conformal maps have: three triangulations with the correspondence of each to
-/// the next, and scale factors (Section 4.2).
+/// the common part of all discrete conformal maps: three triangulations with the correspondence of
+/// each to the next, and scale factors (Section 4.2).
 ///
-/// \f$T^A\f$ is the input. A component with boundary is doubled, as far as edges of \f$T^B\f$ and
-/// \f$T^C\f$ across the boundary reach: the faces of this part of its second copy follow those of
-/// the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic
-/// Delaunay triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay triangulation of
-/// \f$T^B\f$ with the scale factors.
+/// \f$T_1\f$ is the input. A component with boundary is doubled, as far as edges of \f$T_2\f$ and
+/// \f$T_3\f$ across the boundary reach. Faces, edges and vertices of this part of its second copy
+/// follow the elements of the input; the boundary is shared. \f$T_2\f$ is the intrinsic Delaunay
+/// triangulation of \f$T_1\f$. \f$T_3\f$ is the ideal Delaunay triangulation of \f$T_2\f$ with the
+/// scale factors. The paper writes \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$.
 class Discrete_conformal_map
 {
 public:
-  /// the type of \f$T^A\f$ and \f$T^B\f$.
+  /// the type of \f$T_1\f$ and \f$T_2\f$.
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Euclidean_triangulation;
-  /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron, or with circles at the
+  /// the geometry of \f$T_2\f$ and \f$T_3\f$ as one ideal polyhedron, or with circles at the
   /// vertices, a hyperideal one.
   typedef internal::Map_data::Ideal_traits Ideal_traits;
-  /// the type of \f$T^B\f$ and \f$T^C\f$.
+  /// the type of \f$T_2\f$ and \f$T_3\f$.
   typedef Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> Ideal_triangulation;
   /// the common subdivision of all three.
   typedef Triple_subdivision<double> Subdivision;
@@ -121,35 +121,35 @@ public:
   void set_outcome(internal::Map_outcome outcome) { m_outcome = std::move(outcome); }
   /// \endcond
 
-  /// returns the pair of \f$T^A\f$, as `input()`, and \f$T^B\f$, as `intrinsic()`.
+  /// returns the pair of \f$T_1\f$, as `input()`, and \f$T_2\f$, as `intrinsic()`.
   const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
-  /// returns the pair of \f$T^B\f$, as `input()`, and \f$T^C\f$, as `intrinsic()`, both with the
-  /// lengths that belong to scale factors of zero; with circles these are lengths of tangents, see
+  /// returns the pair of \f$T_2\f$, as `input()`, and \f$T_3\f$, as `intrinsic()`. Both have
+  /// lengths for scale factors of zero. With circles these are lengths of tangents, see
   /// `Intrinsic_triangulations::Decorated_length`.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
-  /// returns the crossings of \f$T^A\f$ and \f$T^B\f$, the correspondence of `Delaunay()`.
+  /// returns the crossings of \f$T_1\f$ and \f$T_2\f$, the correspondence of `Delaunay()`.
   const Intrinsic_triangulations::Correspondence<>& Delaunay_correspondence() const
   {
     return *m_data->correspondence_ab;
   }
-  /// returns the crossings of \f$T^B\f$ and \f$T^C\f$, the correspondence of `ideal()`.
+  /// returns the crossings of \f$T_2\f$ and \f$T_3\f$, the correspondence of `ideal()`.
   const Intrinsic_triangulations::Correspondence<Ideal_traits>& ideal_correspondence() const
   {
     return *m_data->correspondence_bc;
   }
-  /// returns a layer as a model of `IntrinsicSurface`; the lengths of \f$T^C\f$ are those that
-  /// belong to scale factors of zero.
+  /// returns a layer as a model of `IntrinsicSurface`. Lengths of \f$T_3\f$ are for scale factors
+  /// of zero.
   auto surface(Layer layer) const
   {
     return layer == Layer::A   ? m_data->ab.input()
            : layer == Layer::B ? m_data->ab.intrinsic()
                                : m_data->bc.intrinsic();
   }
-  /// returns the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface
-  /// as far as it is there.
+  /// returns the common subdivision of \f$T_1\f$, \f$T_2\f$ and \f$T_3\f$, on the surface and the
+  /// existing part of its second copy.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
-  /// returns whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
+  /// returns whether the face `f` of \f$T_1\f$ is one of the input, not of its second copy.
   bool is_original(Face_index f) const { return m_data->is_original(f); }
 
   /// returns whether `h`, a halfedge of `subdivision()`, is a side of a face that is part of the
@@ -163,7 +163,7 @@ public:
     return is_original(i);
   }
 
-  /// returns the vertex of the input that `v` is, or of which it is the second copy.
+  /// returns the vertex of the input that `v` is, or whose second copy `v` is.
   Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
 
   /// returns the logarithmic scale factor at `v`.
@@ -179,16 +179,15 @@ public:
     return has_radii() ? std::exp(log_scale(v)) * m_data->bc.traits().radius(v) : 0.;
   }
 
-  /// returns the length of the edge of `h`, a halfedge of \f$T^C\f$, with the scale factors. For a
+  /// returns the length of the edge of `h`, a halfedge of \f$T_3\f$, with the scale factors. For a
   /// hyperbolic map it is \f$\sinh(x/2)\f$ if \f$x\f$ is the hyperbolic length.
   double scaled_length(Halfedge_index h) const { return m_data->scaled_length(h); }
 
-  /// returns whether the map has what is promised, and if not, why: it is
-  /// `Map_status::success` if and only if all of `promises()` are kept.
+  /// returns whether the map keeps its promises, or the reason. It is `Map_status::success` if and
+  /// only if all of `promises()` are kept.
   Map_status status() const { return m_outcome.status; }
 
-  /// returns what a map of this kind is promised to have, with the errors that were measured on the
-  /// result.
+  /// returns the promises of a map of this kind, with the errors measured on the result.
   const std::vector<Map_promise>& promises() const { return m_outcome.promises; }
 
   /// returns the message of the numerical error that ended the computation; empty if none has.
@@ -198,32 +197,31 @@ public:
   const Minimization_result& minimization() const { return m_outcome.minimization; }
 
   /// returns the numbers of factorizations of all stages: of cones, `Newton_minimizer` or
-  /// `Bounded_Newton_minimizer`, and the layout, which share their fill-reducing order.
+  /// `Bounded_Newton_minimizer`, and the layout. All share their fill-reducing order.
   const Factorization_counts& factorization_counts() const { return *m_data->counts; }
 
-  /// returns the greatest difference of a curvature from what was prescribed, in radians.
+  /// returns the greatest difference of a curvature from its prescribed value, in radians.
   double max_curvature_error() const { return m_outcome.max_curvature_error; }
 
-  /// returns the faces of the input with a part whose image is too small for the numbers of type
-  /// `double` that have its position, in ascending order: corners that are apart on the surface
-  /// have the same position, or sides have other lengths than they should have. Most often there
-  /// are none.
+  /// returns the faces of the input with a part whose image is too small for positions of type
+  /// `double`, in ascending order. Corners that are apart on the surface have the same position, or
+  /// sides have wrong lengths. Most maps have no such faces.
   ///
-  /// A long strip that is mapped to a disk has them: its ends shrink by a factor of \f$e^\pi\f$ for
-  /// every square, which is known as crowding. That is a property of the picture alone: the scale
-  /// factors, \f$T^C\f$ and the map to it are as good as without.
+  /// A long strip that is mapped to a disk has such faces: its ends shrink by a factor of
+  /// \f$e^\pi\f$ for every square. This is known as crowding (\ref dcm_crowding). It is a property
+  /// of the picture alone, and does not affect the scale factors, \f$T_3\f$ and the map to it.
   const std::vector<Face_index>& crowded_faces() const { return m_outcome.crowded_faces; }
 
-  /// returns the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of
-  /// \f$T^A\f$, or \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
+  /// returns the number of flips from the triangulation before it to `layer`: from \f$T_1\f$ to
+  /// \f$T_2\f$, or from \f$T_2\f$ to \f$T_3\f$. Zero for \f$T_1\f$.
   std::size_t number_of_flips(Layer layer) const
   {
     return m_data->number_of_flips[static_cast<std::size_t>(layer)];
   }
 
-  /// returns the place of a point of the input on \f$T^C\f$: a face and weights of its corners, as
-  /// `Triple_subdivision::location()` gives them (Section 4.2.3).
-  /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  /// returns the position of a point of the input on \f$T_3\f$: a face and weights of its corners,
+  /// as in `Triple_subdivision::location()` (Section 4.2.3). Complexity: two calls of
+  /// `Intrinsic_triangulations::point_across()` with a correspondence.
   Face_location place_on_C(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
@@ -233,8 +231,8 @@ public:
 
 protected:
   /// \cond SKIP_IN_MANUAL
-  // The weights of the corners of a face of T^C in homogeneous coordinates, with another common
-  // factor where they are out of range.
+  // Returns the weights of the corners of a face of T_3 in homogeneous coordinates, with another
+  // common factor if they are out of range.
   std::array<double, 3> homogeneous_weights(const Face_location& on_C) const
   {
     const auto side = sides(on_C.first, ideal().mesh());

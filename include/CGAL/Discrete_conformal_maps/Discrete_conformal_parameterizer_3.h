@@ -26,8 +26,7 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// The component of a face as a mesh of its own. Of a `Seam_mesh`, that is the mesh that is cut
-// open.
+// Holds the component of a face as a separate mesh. For a `Seam_mesh`, it is cut open.
 template <typename Graph, typename Point>
 class Component_copy
 {
@@ -46,7 +45,7 @@ public:
   }
 
   const Mesh& mesh() const { return m_mesh; }
-  // those of the graph, by the numbers that they have in the mesh
+  // vertices of the graph, by their indices in the mesh
   const std::vector<Vertex>& vertices() const { return m_vertices; }
 
 private:
@@ -73,14 +72,14 @@ private:
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// lets `Surface_mesh_parameterization::parameterize()` map a disk to the plane, discretely
-/// conformally, as `flatten()` does it, with vertices on the boundary that are not scaled.
+/// conformally, as `flatten()` does. Vertices on the boundary are not scaled.
 ///
 /// One position for each vertex determines the map only if no edge is flipped. By default
-/// (`Flipping::to_Delaunay`), the map is that of the surface and does not depend on its
-/// triangulation; then `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with
-/// the scale factors, and no angle opposite to the boundary may be obtuse. Otherwise the error
-/// says to use `flatten()`, whose result has a common subdivision. With `Flipping::none`, the map
-/// belongs to the given triangulation and exists for meshes with triangles that are not too bad.
+/// (`Flipping::to_Delaunay`), the map belongs to the surface and does not depend on its
+/// triangulation. Then `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with
+/// the scale factors. No angle opposite to the boundary may be obtuse. Otherwise the error says to
+/// use `flatten()`, whose result has a common subdivision. With `Flipping::none`, the map belongs
+/// to the given triangulation, and exists for meshes with triangles that are not too bad.
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with points, such as `Surface_mesh` or
 ///   `Seam_mesh`
@@ -96,7 +95,7 @@ class Discrete_conformal_parameterizer_3
 public:
   /// the type of meshes.
   typedef TriangleMesh_ Triangle_mesh;
-  /// the same.
+  /// the type of meshes.
   typedef TriangleMesh_ TriangleMesh;
   /// a halfedge of it.
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor halfedge_descriptor;
@@ -104,7 +103,7 @@ public:
   typedef Surface_mesh_parameterization::Error_code Error_code;
 
   /// makes a parameterizer.
-  /// \param flipping whether the map is that of the surface or of its triangulation
+  /// \param flipping whether the map belongs to the surface or to its triangulation
   explicit Discrete_conformal_parameterizer_3(Flipping flipping = Flipping::to_Delaunay)
     : m_flipping(flipping)
   {}
@@ -118,7 +117,7 @@ public:
     return Surface_mesh_parameterization::internal::is_one_to_one_mapping(mesh, bhd, uvmap);
   }
 
-  /// maps the component of `bhd`. Complexity: that of `flatten()`.
+  /// maps the component of `bhd`. Complexity: see `flatten()`.
   ///
   /// \param mesh a triangle mesh
   /// \param bhd a border halfedge
@@ -129,13 +128,13 @@ public:
   /// not used.
   /// \return
   ///   - `OK`;
-  ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`:
-  ///     with `Flipping::to_Delaunay` an edge had to be flipped; with `Flipping::none` there are no
-  ///     scale factors; or faces in the plane are smaller than rounding;
+  ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`.
+  ///     With `Flipping::to_Delaunay` an edge had to be flipped. With `Flipping::none` no scale
+  ///     factors exist. Or faces in the plane are smaller than rounding;
   ///   - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` as their names say;
   ///   - `ERROR_WRONG_PARAMETER` if `flatten()` refuses the input, because an edge has no length,
   ///     for example;
-  ///   - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if numbers had not enough digits.
+  ///   - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if numbers have too few digits.
   template <typename VertexUVMap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                           VertexIndexMap /* vimap */, VertexParameterizedMap /* vpmap */)
@@ -157,7 +156,7 @@ public:
   }
 
 private:
-  // of a connected mesh with boundary
+  // Returns whether a connected mesh with boundary is a disk.
   static bool is_disk(const typename Component::Mesh& mesh)
   {
     return mesh.number_of_vertices() + mesh.number_of_faces() == mesh.number_of_edges() + 1;

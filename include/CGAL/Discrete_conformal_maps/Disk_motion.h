@@ -15,13 +15,12 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// a motion of the hyperbolic plane in the Poincare disk, the Moebius transformation
+/// a motion of the hyperbolic plane in the Poincare disk: the Moebius transformation
 /// \f$ z \mapsto (a z + b) / (\bar b z + \bar a) \f$ with \f$|a|^2 - |b|^2 = 1\f$. The opposite
 /// matrix is the same motion.
 ///
-/// The relative errors of entries add up in products: a motion that moves the origin by the
-/// distance \f$d\f$ is known up to a distance of some \f$\epsilon e^d\f$ there, for a rounding unit
-/// \f$\epsilon\f$.
+/// Relative errors of entries add up in products. A motion that moves the origin by the distance
+/// \f$d\f$ has errors of about \f$\epsilon e^d\f$ at its image, for a rounding unit \f$\epsilon\f$.
 ///
 /// \tparam FT_ a floating point type, of any precision
 template <typename FT_ = double>
@@ -40,8 +39,8 @@ public:
     : m_entry{real_a, imaginary_a, real_b, imaginary_b}
   {}
 
-  /// returns the translation along the real axis that takes the origin to the distance \f$x\f$, to
-  /// the right if \f$x > 0\f$. \param sinh the hyperbolic sine of \f$x/2\f$
+  /// returns the translation along the real axis that moves the origin by \f$x\f$, to the right if
+  /// \f$x > 0\f$. \param sinh the hyperbolic sine of \f$x/2\f$
   static Disk_motion translation(const FT& sinh)
   {
     using std::sqrt;
@@ -54,7 +53,7 @@ public:
     return {cosine, sine, FT(0), FT(0)};
   }
 
-  /// returns the translation that takes the origin to a point \f$(x, y, t)\f$ of the hyperboloid.
+  /// returns the translation that moves the origin to a point \f$(x, y, t)\f$ of the hyperboloid.
   static Disk_motion translation_to(const FT& x, const FT& y, const FT& t)
   {
     using std::sqrt;
@@ -70,7 +69,7 @@ public:
   /// \f$b\f$, in double precision.
   std::complex<double> b() const { return to_complex(m_entry[2], m_entry[3]); }
 
-  /// returns the motion that is made after `g`.
+  /// returns the composition: `g` is applied first.
   Disk_motion operator*(const Disk_motion& g) const
   {
     const auto& [p, q, r, s] = m_entry;
@@ -79,7 +78,7 @@ public:
             p * v - q * w + r * t + s * u, p * w + q * v + s * t - r * u};
   }
 
-  /// returns the motion back.
+  /// returns the inverse.
   Disk_motion inverse() const { return {m_entry[0], -m_entry[1], -m_entry[2], -m_entry[3]}; }
 
   /// returns the image of a point of the disk.

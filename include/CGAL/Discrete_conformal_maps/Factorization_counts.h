@@ -12,12 +12,12 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// what has been done to solve sparse linear systems.
+/// the numbers of steps that solved sparse linear systems.
 struct Factorization_counts
 {
   std::size_t factorizations = 0;    ///< the number of numeric factorizations
-  std::size_t symbolic_analyses = 0; ///< how often the pattern of a factor has been found
-  std::size_t orderings = 0;         ///< how often a fill-reducing order has been computed
+  std::size_t symbolic_analyses = 0; ///< the number of symbolic analyses
+  std::size_t orderings = 0;         ///< the number of fill-reducing orders
 
   /// adds the numbers of `other`.
   Factorization_counts& operator+=(const Factorization_counts& other)

@@ -25,9 +25,9 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// the group of motions of the hyperbolic plane that belongs to a closed hyperbolic surface, which
-/// is one component, or the double of a component with boundary: the images of its fundamental
-/// domain cover the plane.
+/// the group of motions of the hyperbolic plane that belongs to a closed hyperbolic surface. The
+/// surface is one component, or the double of a component with boundary. The images of its
+/// fundamental domain cover the plane.
 struct Fuchsian_group
 {
   /// a number of 115 decimal digits.
@@ -43,31 +43,31 @@ struct Fuchsian_group
   std::size_t genus = 0; ///< the genus of the closed surface
   double area = 0;       ///< its area
 
-  /// two motions per handle. Each takes the fundamental domain to a place beside it, across one of
-  /// the edges that are open. Without cones, they generate the group.
+  /// two motions for each handle. Each moves the fundamental domain to an image beside it, across
+  /// one of the open edges. Without cones, they generate the group.
   std::vector<Disk_motion<>> generators;
 
-  /// these motions with all digits that are known; empty if there are cones, or if the surface was
-  /// laid out in double precision.
+  /// these motions with all known digits. Empty if cones exist, or if the surface was laid out in
+  /// double precision.
   std::vector<Disk_motion<Precise_number>> precise_generators;
 
-  /// the number of decimal digits of `precise_generators` that are known: with fewer, the product
-  /// of `relation` has a greater error; more do not make it less.
+  /// the number of known decimal digits of `precise_generators`. With fewer digits, the product of
+  /// `relation` has a greater error; more digits do not reduce it.
   int known_digits = 0;
 
-  /// The product of these letters, from left to right, is the identity: each generator is there
-  /// once, and once inverse. Empty if there are cones.
+  /// The product of these letters, from left to right, is the identity. Each generator occurs once,
+  /// and once as inverse. Empty if cones exist.
   std::vector<Letter> relation;
 
-  /// how far that product of `generators` is from the identity.
+  /// the distance of this product of `generators` from the identity.
   double relation_error = 0;
-  /// how far that product of `precise_generators` is from the identity, if there are any.
+  /// the distance of this product of `precise_generators` from the identity, if they exist.
   double precise_relation_error = 0;
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// returns how far the product of motions, in the order of `group.relation`, is from the identity:
-/// `Disk_motion::distance_to_identity()`. Complexity: linear in the relation.
+/// returns the distance of the product of motions, in the order of `group.relation`, from the
+/// identity (`Disk_motion::distance_to_identity()`). Complexity: linear in the relation.
 /// \param group the group
 /// \param generators its generators, in any precision
 template <typename FT>
@@ -83,7 +83,7 @@ double relation_error(const Fuchsian_group& group, const std::vector<Disk_motion
 
 namespace internal {
 
-// Where the faces of T^C are in the hyperbolic plane, and how they are glued.
+// Holds the positions of the faces of T_3 in the hyperbolic plane, and their gluing.
 struct Hyperbolic_layout
 {
   static constexpr std::size_t no_seam = static_cast<std::size_t>(-1);
@@ -101,14 +101,14 @@ struct Hyperbolic_layout
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// a discrete conformal map of a surface to the hyperbolic plane: the faces of \f$T^C\f$ are
-/// hyperbolic triangles, those of each component are laid out beside each other in the Poincare
-/// disk except at seams, and motions glue the seams. A component with boundary is doubled, and its
+/// a discrete conformal map of a surface to the hyperbolic plane. The faces of \f$T_3\f$ are
+/// hyperbolic triangles. Faces of each component are laid out side by side in the Poincare disk
+/// except at seams, and motions glue the seams. A component with boundary is doubled, and its
 /// boundary is a geodesic.
 ///
 /// The domain of each component is centered at the origin.
 ///
-/// Points far from the origin are close to the boundary of the disk: at a distance \f$d\f$,
+/// Points far from the origin are close to the boundary of the disk. At a distance \f$d\f$,
 /// coordinates of type `double` have errors of about \f$10^{-16} e^d\f$.
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
@@ -121,14 +121,14 @@ public:
   {}
   /// \endcond
 
-  /// returns whether faces are in the hyperbolic plane. They are not if numbers have too few digits
-  /// for a layout.
+  /// returns whether faces have positions in the hyperbolic plane. They have none if numbers have
+  /// too few digits for a layout.
   bool is_laid_out() const { return m_layout.exists; }
 
   /// returns the number of components, except for isolated vertices; zero without a layout.
   std::size_t number_of_components() const { return m_layout.groups.size(); }
 
-  /// returns the component of the face `f` of \f$T^C\f$.
+  /// returns the component of the face `f` of \f$T_3\f$.
   std::size_t component(Face_index f) const { return m_layout.component[f.idx()]; }
 
   /// returns the group of component `c`, or of its double.
@@ -156,13 +156,13 @@ public:
     return result;
   }
 
-  /// returns the hyperbolic length of the edge `e` of \f$T^C\f$.
+  /// returns the hyperbolic length of the edge `e` of \f$T_3\f$.
   double length(Edge_index e) const
   {
     return 2 * std::asinh(data().scaled_length(ideal().mesh().halfedge(e)));
   }
 
-  /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
+  /// returns the position of the source of `h`, a halfedge of \f$T_3\f$, in the face of `h`, on the
   /// hyperboloid \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
   const std::array<double, 3>& hyperboloid_position(Halfedge_index h) const
   {
@@ -175,11 +175,11 @@ public:
     return to_disk(m_layout.position[h.idx()]);
   }
 
-  /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other.
+  /// returns whether the two faces of the edge `e` of \f$T_3\f$ lie apart.
   bool is_seam(Edge_index e) const { return m_layout.seam[e.idx()] != m_layout.no_seam; }
 
-  /// returns the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place
-  /// beside the face of `h`; the identity where there is no seam.
+  /// returns the motion that moves the face beyond the halfedge `h` of \f$T_3\f$ beside the face of
+  /// `h`. It is the identity if the edge is no seam.
   Disk_motion<> gluing(Halfedge_index h) const
   {
     if(!is_seam(Edge_index(h)))
@@ -188,8 +188,8 @@ public:
     return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
-  /// returns how far faces are from closing up around vertices without cones, seen from the origin:
-  /// the greatest distance of a product of gluing motions from the identity.
+  /// returns the greatest distance of a product of gluing motions around a vertex without cone from
+  /// the identity, seen from the origin.
   double max_gluing_error() const { return m_layout.max_gluing_error; }
 
   /// returns the greatest distance of a vertex from the origin.
@@ -202,9 +202,9 @@ public:
   }
 
   /// returns the homogeneous coordinates of a point, as a vector \f$(x, y, t)\f$ in the cone over
-  /// the hyperboloid. They are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is
-  /// the point in Klein's disk.
-  /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
+  /// the hyperboloid. They are linear on the faces of the common subdivision. The point in Klein's
+  /// disk is \f$(x/t, y/t)\f$.
+  /// \param on_C a face of \f$T_3\f$ and weights of its corners, such as
   ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
   {
@@ -229,8 +229,8 @@ public:
   }
 
   /// returns the image of a point of the input in the Poincare disk, by piecewise projective
-  /// interpolation: on every face, the coordinates in Klein's disk are a projective map. This is
-  /// the map of Section 4.2.3 for a hyperbolic target. Complexity: that of `place_on_C()`.
+  /// interpolation (Section 4.2.3 for a hyperbolic target). On every face, the coordinates in
+  /// Klein's disk are a projective map. Complexity: see `place_on_C()`.
   std::complex<double> operator()(const Face_location& p) const
   {
     return to_disk(homogeneous_coordinates(place_on_C(p)));

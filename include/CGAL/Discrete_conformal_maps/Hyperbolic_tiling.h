@@ -20,16 +20,16 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// the domain in which a component of a hyperbolic map is laid out, and its images, which tile the
-/// Poincare disk if the component has no cones.
+/// the domain of a component of a hyperbolic map, and its images. They tile the Poincare disk if
+/// the component has no cones.
 class Hyperbolic_tiling
 {
 public:
   /// an image of the domain.
   struct Tile
   {
-    Disk_motion<> motion; ///< the motion that takes the domain there
-    int depth;            ///< across how many sides it was reached
+    Disk_motion<> motion; ///< the motion from the domain to this image
+    int depth;            ///< the number of sides between the domain and this image
   };
 
   /// makes the tiling of one component of `map`. Complexity: linear.
@@ -48,11 +48,11 @@ public:
   /// joined by geodesics.
   const std::vector<std::complex<double>>& corners() const { return m_corners; }
 
-  /// returns the motions that take the domain across its sides, one for each side.
+  /// returns the motions to the images beyond the sides of the domain, one for each side.
   const std::vector<Disk_motion<>>& side_motions() const { return m_sides; }
 
-  /// returns the domain, and then its images across up to `depth` sides, each once. An image whose
-  /// center is closer to the boundary of the disk than `margin` is left out.
+  /// returns the domain, then its images across up to `depth` sides, each once. Images whose center
+  /// is closer to the boundary of the disk than `margin` are left out.
   ///
   /// Complexity: quadratic in the number of tiles.
   std::vector<Tile> tiles(int depth, double margin = 1e-3) const
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // In the hyperbolic plane; images of a point inside the domain are much farther apart.
+  // A distance in the hyperbolic plane. Images of a point inside the domain are much farther apart.
   static bool are_close(const std::complex<double>& z, const std::complex<double>& w)
   {
     return std::abs(z - w) < 1e-6 * std::abs(1. - std::conj(z) * w);
@@ -101,9 +101,9 @@ private:
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// returns the center of the circle on which the geodesic through two points of the Poincare disk
-/// lies; not finite if the geodesic is a diameter. The radius is \f$\sqrt{|c|^2 - 1}\f$ for the
-/// center \f$c\f$.
+/// returns the center \f$c\f$ of the circle that contains the geodesic through two points of the
+/// Poincare disk. It is not finite if the geodesic is a diameter. The radius is \f$\sqrt{|c|^2 -
+/// 1}\f$.
 inline std::complex<double> geodesic_center(const std::complex<double>& z,
                                             const std::complex<double>& w)
 {

@@ -73,8 +73,8 @@ private:
 };
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns whether the two faces of the edge `e` of the subdivision belong to the input and are not
-/// beside each other in the image.
+/// returns whether the two faces of the edge `e` of the subdivision belong to the input and lie
+/// apart in the image.
 /// \tparam Map `Planar_conformal_map` or `Hyperbolic_conformal_map`
 template <typename Map>
 bool is_seam(const Map& map, const Input_part& part, Edge_index e)
@@ -85,13 +85,13 @@ bool is_seam(const Map& map, const Input_part& part, Edge_index e)
 }
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// the corners of the faces of an input part, where corners beside each other at a vertex, up to
-/// seams, are one: their images are one point, but computed in each face they can differ by
+/// the corners of the faces of an input part. Adjacent corners at a vertex, without a seam between
+/// them, are one corner: their images are one point. Computed in each face they can differ by
 /// rounding.
 class Texture_corners
 {
 public:
-  /// the type of numbers of corners.
+  /// the type of indices of corners.
   typedef Input_part::size_type size_type;
 
   /// finds the corners, in the order of faces and their sides. Complexity: linear.
@@ -112,14 +112,14 @@ public:
   /// returns the index of the corner at the target of `h` in its face.
   size_type index(Halfedge_index h) const { return m_index[h.idx()]; }
 
-  /// returns a halfedge that leads to the corner with index `n`; the first in clockwise order if
-  /// there is a seam or the boundary.
+  /// returns a halfedge that leads to the corner with index `n`. It is the first one in clockwise
+  /// order if the corner ends at a seam or the boundary.
   Halfedge_index halfedge(std::size_t n) const { return m_first[n]; }
 
 private:
   static constexpr size_type none = (std::numeric_limits<size_type>::max)();
 
-  // whether the faces of `h` are not beside each other in the image
+  // Returns whether the faces of `h` lie apart in the image.
   template <typename Map>
   static bool is_open(Halfedge_index h, const Map& map, const Input_part& part)
   {

@@ -10,17 +10,17 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// how flat faces, cut open, are laid out in the plane. Up to rounding, all give the same up to
-/// motions.
+/// the methods that lay out flat faces, cut open, in the plane. Up to rounding, all results differ
+/// by motions only.
 enum class Layout
 {
-  /// face by face; then points are shifted such that the sum of squared relative errors of the
-  /// sides of all faces is least
+  /// face by face; then points are shifted to minimize the sum of squared relative errors of the
+  /// sides of all faces
   least_squares,
-  /// the non-constant function with the least conformal energy relative to its mean square on the
-  /// boundary (Mullen et al. 2008), by inverse iteration from faces laid out one by one
+  /// spectral \cgalCite{MTAD08}: the non-constant function with the least conformal energy relative
+  /// to its mean square on the boundary. Inverse iteration starts from faces laid out one by one
   spectral,
-  /// face by face: errors add up on the way
+  /// face by face; errors add up
   incremental
 };
 

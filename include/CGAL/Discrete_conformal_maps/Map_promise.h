@@ -16,14 +16,14 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// a property that a map has if it is a success, and how far the result is from having it.
+/// a property of every successful map, with the error of a result.
 ///
-/// `Discrete_conformal_map::promises()` lists what was measured on the result; \ref dcm_status
+/// `Discrete_conformal_map::promises()` lists the measurements on the result; \ref dcm_status
 /// explains each name.
 struct Map_promise
 {
   const char* name;     ///< the property
-  double error;         ///< by how much the result misses it; NaN if it cannot be measured
+  double error;         ///< the error of the result; NaN if it cannot be measured
   double bound;         ///< the greatest error of a success
   Map_status if_missed; ///< the status of a map that misses it
 

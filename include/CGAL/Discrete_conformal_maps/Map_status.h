@@ -10,32 +10,31 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// how the computation of a discrete conformal map has ended. Whether a map is a success is
-/// measured on the result: see `Map_promise`. `triangle_inequality` and `no_minimum` occur in fixed
-/// triangulations only.
+/// the outcome of the computation of a discrete conformal map. Success is measured on the result:
+/// see `Map_promise`. `triangle_inequality` and `no_minimum` occur in fixed triangulations only.
 enum class Map_status
 {
-  success,             ///< the map has all that is promised
+  success,             ///< the map keeps all promises
   not_converged,       ///< the scale factors have not been found: see `Minimization_status`
-  triangle_inequality, ///< in some faces the scaled lengths do not obey the triangle inequality, so
+  triangle_inequality, ///< in some faces the scaled lengths violate the triangle inequality, so
                        ///< nothing is laid out
-  no_minimum, ///< no scale factors give this triangulation the prescribed angles: some vertices
-              ///< together need more than the faces around them have, or less than the faces
-              ///< between them
-  wrong_curvature,  ///< a vertex of the scaled surface has not the prescribed curvature, or one on
-                    ///< the boundary not the prescribed exterior angle
+  no_minimum, ///< no scale factors give this triangulation the prescribed angles. Some vertices
+              ///< together need greater angles than their faces have, or smaller angles than the
+              ///< faces between them have
+  wrong_curvature,  ///< a vertex of the scaled surface has a wrong curvature, or a boundary vertex
+                    ///< a wrong exterior angle
   not_laid_out,     ///< numbers have too few digits for a layout: there are no positions
-  layout_collapsed, ///< in the plane or the hyperbolic plane some faces are turned over or have no
-                    ///< area: they are smaller than rounding there
-  not_closed,       ///< in the plane, edges have not the scaled lengths, so that the two sides of a
-                    ///< seam differ
+  layout_collapsed, ///< in the plane or the hyperbolic plane some faces are reversed or have no
+                    ///< area: they are smaller than rounding
+  not_closed,       ///< in the plane, edges have wrong lengths, so that the two sides of a seam
+                    ///< differ
   not_circular,     ///< the boundary of a disk is not a circle
   not_rectangular,  ///< the sides of a rectangle are not straight, or its angles are not right
-  not_convex,       ///< the image on the sphere is not a convex polyhedron, or breaks a bound of
+  not_convex,       ///< the image on the sphere is not a convex polyhedron, or violates a bound of
                     ///< Section 4.4.3
-  not_inscribed, ///< vertices are not on the sphere, or those on the boundary of a disk are not on
-                 ///< the equator, or others not above it
-  not_conformal, ///< a length cross ratio of the image is not that of the input
+  not_inscribed, ///< vertices are not on the sphere. Or boundary vertices of a disk are not on the
+                 ///< equator, or others not above it
+  not_conformal, ///< a length cross ratio of the image differs from the input
   not_glued      ///< in the hyperbolic plane, faces do not close up around a vertex, or the
                  ///< generators do not satisfy their relation
 };
@@ -103,11 +102,11 @@ inline Status_text text_of(Map_status status)
 inline const char* to_string(Map_status status) { return internal::text_of(status).name; }
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// returns what `status` means, as part of a sentence for users.
+/// returns the meaning of `status`, as part of a sentence for users.
 inline const char* message(Map_status status) { return internal::text_of(status).message; }
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// returns what can be tried after `status`, as part of a sentence for users; empty after success.
+/// returns advice after `status`, as part of a sentence for users; empty after success.
 inline const char* advice(Map_status status) { return internal::text_of(status).advice; }
 
 } // namespace CGAL::Discrete_conformal_maps

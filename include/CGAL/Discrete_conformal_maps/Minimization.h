@@ -15,17 +15,17 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// how a minimization has ended.
+/// the outcome of a minimization.
 enum class Minimization_status
 {
   converged,       ///< no entry of the gradient is above the tolerance
-  rounding_limit,  ///< rounding keeps the gradient above the tolerance: it gets no smaller
-  iteration_limit, ///< as many iterations have been made as are allowed
+  rounding_limit,  ///< rounding keeps the gradient above the tolerance
+  iteration_limit, ///< the limit of iterations was reached
   no_descent, ///< no step along the direction of search was good: the energy is not convex, or its
               ///< derivatives do not agree with each other
-  unbounded,  ///< there is no minimum: the gradient does not sum to zero on a component where no
-              ///< variable is fixed
-  not_finite  ///< the gradient or the Hessian is infinite or not a number
+  unbounded,  ///< the energy has no minimum: the gradient does not sum to zero on a component
+              ///< without fixed variables
+  not_finite  ///< the gradient or the Hessian is infinite or NaN
 };
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
@@ -44,18 +44,17 @@ inline const char* to_string(Minimization_status status)
 }
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// what a minimization has done.
+/// the result of a minimization.
 struct Minimization_result : Factorization_counts
 {
   Minimization_status status = Minimization_status::converged; ///< how it ended
   std::size_t iterations = 0;                                  ///< the number of steps taken
-  std::size_t evaluations = 0; ///< how often the energy has been moved to a point
-  double gradient_norm = 0;    ///< the greatest entry of the gradient that is left
+  std::size_t evaluations = 0; ///< the number of evaluations of the energy
+  double gradient_norm = 0;    ///< the greatest entry of the final gradient
   double gradient_error =
-    0; ///< the rounding error of that gradient: of its computation, and of storing
-       ///< the point
+    0; ///< the rounding error of this gradient: of its computation, and of the stored point
 
-  /// returns the result of this minimization as the continuation of another: numbers are added.
+  /// returns the result of this minimization as the continuation of another one: numbers are added.
   Minimization_result after(const Minimization_result& first) const
   {
     Minimization_result result = *this;
@@ -71,11 +70,11 @@ struct Minimization_result : Factorization_counts
 /// along which directions the energy is constant.
 struct Minimization_domain
 {
-  /// for each variable, whether it stays as it is; empty if all move
+  /// for each variable, whether it is fixed; empty if all are free
   std::vector<char> is_fixed;
-  /// for each variable the number of its component, from 0 on. On a component where no variable is
-  /// fixed, the energy does not change when the same number is added to all its variables, and
-  /// changes in all other directions. Empty if the energy changes in every direction.
+  /// for each variable the index of its component, from 0. On a component without fixed variables,
+  /// the energy does not change if the same number is added to all its variables. It changes in all
+  /// other directions. Empty if the energy changes in every direction.
   std::vector<std::size_t> component;
 };
 

@@ -23,29 +23,29 @@ using Newton_steps = Newton_iteration<Energy, Visitor>;
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by Newton's method with a sparse Cholesky factorization.
 ///
-/// Steps are judged by the slope of the energy along them, never by its values, which cancel near
-/// the minimum. Where the Hessian is singular or almost so (an energy may become linear far from
-/// its minimum), it is damped there, so that no step is out of proportion; the damping vanishes at
-/// the minimum, where convergence is quadratic. The fill-reducing order of the factorization is
-/// kept while it is good, the symbolic factorization while the pattern of the Hessian stays. If the
-/// macro `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined, CHOLMOD factorizes, otherwise
-/// Eigen.
+/// The line search uses the slope of the energy, never its values, which cancel near the minimum.
+/// An energy may become linear far from its minimum. If the Hessian is singular or nearly singular,
+/// it is damped, so that steps remain small. The damping vanishes at the minimum, and convergence
+/// is quadratic. The fill-reducing order of the factorization is kept while it is good. The
+/// symbolic factorization is kept while the pattern of the Hessian stays. CHOLMOD factorizes if the
+/// macro `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined, Eigen otherwise.
 ///
-/// Some ten iterations are usual. An energy whose slopes change sharply in many places, far below
-/// the distance between start and minimum, is almost a linear program: it can take hundreds.
+/// About ten iterations are usual. An energy is almost a linear program if its slopes change
+/// sharply at many points, at distances far below the distance from start to minimum. It can take
+/// hundreds of iterations.
 ///
 /// Results are bitwise reproducible.
 ///
-/// Complexity of an iteration: a sparse Cholesky factorization (two where the Hessian has to be
-/// damped) and an evaluation of the energy, rarely more, at most 40.
+/// An iteration takes a sparse Cholesky factorization, or two if the Hessian is damped. It takes
+/// one evaluation of the energy, rarely more, at most 40.
 ///
 /// \cgalModels `ConvexMinimizer`
 class Newton_minimizer : public internal::Iterative_minimizer<internal::Newton_steps>
 {
 public:
   /// makes a minimizer.
-  /// \param gradient_tolerance the greatest entry of the gradient with which the energy counts as
-  ///        minimized; the rounding error of the gradient takes its place if that is greater
+  /// \param gradient_tolerance the energy counts as minimized if no entry of the gradient is
+  ///   greater. The rounding error of the gradient replaces it if it is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Newton_minimizer(double gradient_tolerance = internal::tolerance::gradient,

@@ -30,18 +30,17 @@ enum class Flipping
 };
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
-/// a closed ideal hyperbolic polyhedron in the triangulation that is Delaunay for given scale
-/// factors (Section 4.1.2), or in a fixed one: connectivity and Penner lengths
+/// a closed ideal hyperbolic polyhedron in the Delaunay triangulation for given scale factors
+/// (Section 4.1.2), or in a fixed triangulation. It consists of connectivity and Penner lengths
 /// \f$\ell = e^{\lambda/2}\f$, without correspondence.
 ///
-/// Ptolemy flips and scaling commute, so the triangulation goes from one set of scale factors to
-/// the next by few flips, whatever the steps between them. All that is computed from lengths are
-/// sums, products and quotients of positive numbers: flips lose no digits.
+/// Ptolemy flips and scaling commute. So few flips lead from one set of scale factors to the next.
+/// Flips compute sums, products and quotients of positive numbers, and lose no digits.
 ///
-/// With circles at the vertices (Bobenko and Lutz 2023) the polyhedron is hyperideal: its lengths
-/// are those of the tangents of `Intrinsic_triangulations::Decorated_length`, radii and tangents
-/// are scaled, flips are those of `Intrinsic_triangulations::Hyperideal_geometry_traits`, and the
-/// triangulation is weighted Delaunay.
+/// With circles at the vertices \cgalCite{BL23} the polyhedron is hyperideal, and the triangulation
+/// is weighted Delaunay. Its lengths are lengths of tangents
+/// (`Intrinsic_triangulations::Decorated_length`). Radii and tangents are scaled. Flips are defined
+/// by `Intrinsic_triangulations::Hyperideal_geometry_traits`.
 ///
 /// \tparam FT_ a floating point type, of any precision
 template <typename FT_ = double>
@@ -59,8 +58,8 @@ public:
   /// \param mesh the connectivity, without boundary
   /// \param length a readable property map from the edges to positive lengths
   /// \param flipping whether `scale()` flips edges
-  /// \param radii the radii of circles, by the indices of vertices, if there are circles; then
-  ///        `length` has the lengths of tangents, which can be zero
+  /// \param radii the radii of circles, by the indices of vertices, if there are circles. Then
+  ///   `length` has the lengths of tangents, which can be zero
   template <typename EdgeLengthMap>
   Penner_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
                  Flipping flipping = Flipping::to_Delaunay, std::vector<FT> radii = {})
@@ -72,7 +71,7 @@ public:
       m_stack(mesh.num_edges())
   {}
 
-  /// returns the triangulation. Its edges keep no identity: they turn as they are flipped.
+  /// returns the triangulation. A flip turns an edge, and keeps its index.
   const Delta_complex& mesh() const { return m_surface.mesh(); }
 
   /// returns whether `scale()` flips edges.
@@ -102,14 +101,14 @@ public:
   /// returns the number of all flips so far.
   std::size_t number_of_flips() const { return flips().size(); }
 
-  /// takes other scale factors and, unless the triangulation is fixed, flips to the one that is
-  /// Delaunay with them. Complexity: linear in the vertices, edges and flips.
+  /// sets other scale factors and, unless the triangulation is fixed, flips to their Delaunay
+  /// triangulation. Complexity: linear in the vertices, edges and flips.
   /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded if more than a thousand flips for each
   ///         edge and a million are needed
-  /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 up to rounding,
-  ///       hence the triangle inequality
+  /// \post unless the triangulation is fixed, the scaled lengths satisfy Equation 4.5 up to
+  ///   rounding, hence the triangle inequality
   void scale(const std::vector<FT>& u)
   {
     set_scale_factors(u);
@@ -122,9 +121,9 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Takes other scale factors at some vertices, and flips to the triangulation that is Delaunay
-  // with them, if the present one is with those before. Complexity: linear in the degrees of the
-  // vertices and the flips.
+  // Sets other scale factors at some vertices, and flips to their Delaunay triangulation. The
+  // current triangulation must be Delaunay with the scale factors before. Complexity: linear in the
+  // degrees of the vertices and the flips.
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
   {
     scale_at(vertices, u, [this](Halfedge_index h) { return is_Delaunay(h); });
@@ -149,7 +148,7 @@ public:
   }
 #endif
 
-  /// takes other scale factors, and leaves the triangulation.
+  /// sets other scale factors, and keeps the triangulation.
   /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
   void set_scale_factors(const std::vector<FT>& u)

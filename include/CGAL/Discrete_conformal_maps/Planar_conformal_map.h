@@ -20,15 +20,14 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// a discrete conformal map of a surface to the plane: three triangulations with the correspondence
-/// of each to the next, scale factors, and the faces of the last in the plane (Section 4.3). With a
-/// fixed triangulation, all three are the same. The faces of \f$T^C\f$ are flat, and can be laid
-/// out beside each other except at seams.
+/// a discrete conformal map of a surface to the plane (Section 4.3). It has three triangulations
+/// with the correspondence of each to the next, scale factors, and the faces of \f$T_3\f$ in the
+/// plane. With a fixed triangulation, all three are the same. The faces of \f$T_3\f$ are flat, and
+/// are laid out side by side except at seams.
 ///
-/// Every component of the input is one chart. Where no scale factors are prescribed and no cones
-/// placed, it has the same area as the component. Charts stand side by side and do not overlap each
-/// other; the smallest rectangle around each is parallel to the axes, and the first starts at the
-/// origin.
+/// Every component of the input is one chart. Without prescribed scale factors and placed cones, it
+/// has the same area as the component. Charts stand side by side and do not overlap each other. The
+/// smallest rectangle around each is parallel to the axes, and the first one starts at the origin.
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -47,28 +46,28 @@ public:
   /// returns the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
-  /// returns whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not
-  /// if scaled lengths violate the triangle inequality.
+  /// returns whether the faces of \f$T_3\f$ have positions in the plane. In a fixed triangulation
+  /// they have none if scaled lengths violate the triangle inequality.
   bool is_laid_out() const { return m_layout.exists; }
 
-  /// returns whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it
-  /// belongs to the input. There is none beyond a border.
+  /// returns whether the face `f` of \f$T_3\f$ has a position in the plane: `is_laid_out()` holds,
+  /// and a part of it belongs to the input. A null face, beyond a border, has none.
   bool is_laid_out(Face_index f) const
   {
     return f.is_valid() && m_layout.is_laid_out[f.idx()] != 0;
   }
 
-  /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
+  /// returns the position of the source of `h`, a halfedge of \f$T_3\f$, in the face of `h`.
   /// \pre The face is laid out.
   std::complex<double> position(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
-  /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the
-  /// plane; also where a face is not laid out, since it is not a part of the input.
+  /// returns whether the two faces of the edge `e` of \f$T_3\f$ lie apart in the plane. This also
+  /// holds if a face is not laid out, since it is not a part of the input.
   bool is_seam(Edge_index e) const { return m_layout.is_seam[e.idx()] != 0; }
 
   /// returns the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear
   /// on the faces of the common subdivision.
-  /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
+  /// \param on_C a face of \f$T_3\f$ and weights of its corners, such as
   ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
   {
@@ -100,18 +99,18 @@ public:
   }
 
   /// returns the image of a point of the input, by piecewise projective interpolation (Section
-  /// 4.2.3). Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence,
-  /// twice.
+  /// 4.2.3). Complexity: two calls of `Intrinsic_triangulations::point_across()` with a
+  /// correspondence.
   /// \pre `is_laid_out()`
   std::complex<double> operator()(const Face_location& p) const
   {
     return to_plane(homogeneous_coordinates(place_on_C(p)));
   }
 
-  /// moves faces in the plane. Faces that are beside each other across an edge that is no seam must
-  /// stay so. Complexity: linear.
+  /// moves faces in the plane. Adjacent faces without a seam between them must remain adjacent.
+  /// Complexity: linear.
   /// \param motion a function that returns the new position of the source of a halfedge of
-  ///        \f$T^C\f$ in its face, from the halfedge and the position
+  ///        \f$T_3\f$ in its face, from the halfedge and the position
   template <typename Motion>
   void transform(const Motion& motion)
   {
@@ -121,7 +120,7 @@ public:
   }
 
   /// makes edges seams, so that their faces can be moved apart. Complexity: linear.
-  /// \param is_to_be_seam a function that determines whether an edge of \f$T^C\f$ without seam
+  /// \param is_to_be_seam a function that determines whether an edge of \f$T_3\f$ without seam
   ///        becomes one
   template <typename Predicate>
   void add_seams(const Predicate& is_to_be_seam)

@@ -24,7 +24,7 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// Where the vertices of a sphere or of a doubled disk are.
+// Holds the positions of the vertices of a sphere or of a doubled disk.
 struct Spherical_layout
 {
   bool exists = false, is_disk = false, is_flat = false;
@@ -57,7 +57,7 @@ struct Spherical_layout
   }
 
 private:
-  // Of a disk, the mirror plane is turned into that of the equator.
+  // For a disk, the mirror plane is turned into the plane of the equator.
   template <typename Number>
   std::array<Number, 3> turned(const std::array<Number, 3>& p) const
   {
@@ -68,41 +68,41 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// a discrete conformal map of a sphere, or of a disk to a hemisphere: three triangulations with
-/// the correspondence of each to the next, scale factors, and positions on the unit sphere (Section
-/// 4.4).
+/// a discrete conformal map of a sphere, or of a disk to a hemisphere (Section 4.4). It has three
+/// triangulations with the correspondence of each to the next, scale factors, and positions on the
+/// unit sphere.
 ///
-/// \f$T^A\f$ is the input. A disk is doubled, as far as edges across the boundary reach (see
-/// `Discrete_conformal_map`); beyond that, all is the mirror image of the other half. \f$T^B\f$ is
-/// the intrinsic Delaunay triangulation of \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as
-/// \f$T^B\f$, and its faces are those of a convex polyhedron with vertices on the unit sphere,
-/// whose lengths are \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius
-/// transformations. It is the one in which the vertices, each with a third of the area of its faces
-/// in the input as mass, have their center of mass in the center of the sphere; so it is unique up
-/// to rotations. The vertex from which the sphere was unfolded has the position (0, 0, -1).
+/// \f$T_1\f$ is the input. A disk is doubled, as far as edges across the boundary reach (see
+/// `Discrete_conformal_map`). The rest is the mirror image of the other half. \f$T_2\f$ is the
+/// intrinsic Delaunay triangulation of \f$T_1\f$. \f$T_3\f$ has the same ideal polyhedron as
+/// \f$T_2\f$. Its faces form a convex polyhedron with vertices on the unit sphere and with lengths
+/// \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius transformations. The
+/// vertices have their center of mass in the center of the sphere. The mass of a vertex is a third
+/// of the area of its faces in the input. So the polyhedron is unique up to rotations. The vertex
+/// from which the sphere was unfolded has the position (0, 0, -1).
 ///
-/// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the
+/// The image of a disk is the upper hemisphere, and its boundary is the equator. A vertex of the
 /// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the convex
-/// polyhedron of its double is a flat polygon, seen from both sides: `is_flat()`. Then the image is
-/// this polygon, in the plane of the equator. If 32 digits do not distinguish its vertices with the
-/// center of mass in the center, the two ends that are farthest from each other become antipodal.
-/// The convex polyhedron of a sphere can also be a flat polygon, seen from both sides: the image
-/// of a doubly covered polygon in space is one.
+/// polyhedron of its double is a flat polygon with two sides (`is_flat()`). Then the image is this
+/// polygon, in the plane of the equator. 32 digits may be too few to distinguish its vertices
+/// around the center of mass. Then the two ends that are farthest from each other become antipodal.
+/// The convex polyhedron of a sphere can also be a flat polygon with two sides. The image of a
+/// doubly covered polygon in space is an example.
 ///
-/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
-/// logarithmic scale factor zero, which are unspecified otherwise.
+/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk. Its
+/// logarithmic scale factor is zero.
 ///
-/// Where limbs of the input are long, their images are small, and `double` may have too few digits
-/// for the differences of positions: `lost_in_output()` counts the triangles concerned. The map
-/// itself has positions of 32 digits, relative to the image of infinity even those of
-/// differences. Logarithmic scale factors keep their accuracy.
+/// Images of long limbs are small, and `double` may have too few digits for differences of
+/// positions. `lost_in_output()` counts the triangles concerned. The map stores positions with 32
+/// digits; relative to the image of infinity, differences of positions also have 32 digits.
+/// Logarithmic scale factors keep their accuracy.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:
   /// a point in space.
   typedef std::array<double, 3> Point;
-  /// a number of some 106 binary digits: the sum of two `double`, `high()` and `low()`, the first
-  /// of which is the number rounded.
+  /// a number of about 106 binary digits: the sum of two `double`, `high()` and `low()`. `high()`
+  /// is the rounded number.
   typedef internal::Extended Extended;
 
   /// \cond SKIP_IN_MANUAL
@@ -116,8 +116,9 @@ public:
   /// returns whether the input is a disk.
   bool is_disk() const { return m_layout.is_disk; }
 
-  /// returns whether the image is a convex polygon inscribed in a great circle: in the equator, if
-  /// the input is a disk without vertices inside, or seen from both sides, if it is a sphere.
+  /// returns whether the image is a convex polygon inscribed in a great circle. It is inscribed in
+  /// the equator if the input is a disk without inner vertices. It has two sides if the input is a
+  /// sphere.
   bool is_flat() const { return m_layout.is_flat; }
 
   /// returns whether vertices have positions. They have none if the scale factors have not been
@@ -127,7 +128,7 @@ public:
   /// returns the vertex from which the sphere was unfolded into the plane.
   Vertex_index vertex_at_infinity() const { return m_layout.at_infinity; }
 
-  /// returns the position of `v` on the unit sphere, the nearest that `double` has.
+  /// returns the position of `v` on the unit sphere, rounded to `double`.
   /// \pre `is_laid_out()`
   const Point& position(Vertex_index v) const { return m_layout.position[v.idx()]; }
 
@@ -138,8 +139,8 @@ public:
   }
 
   /// returns the point of the unit sphere whose stereographic projection is
-  /// `stereographic_position(v)`, in the precision of `Number`, up to a few of its roundings. As a
-  /// point of the polyhedron it is as accurate as the scale factors, see `max_curvature_error()`.
+  /// `stereographic_position(v)`, up to a few roundings of `Number`. As a point of the polyhedron
+  /// it is as accurate as the scale factors, see `max_curvature_error()`.
   /// \tparam Number a floating point type, of any precision
   template <typename Number>
   std::array<Number, 3> position_in(Vertex_index v) const
@@ -148,7 +149,7 @@ public:
   }
 
   /// returns the position of `v` in the plane: the stereographic projection, from the vertex at
-  /// infinity, of its position on the sphere. That of the vertex at infinity has no meaning.
+  /// infinity, of its position on the sphere. It is unspecified for the vertex at infinity.
   const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
   {
     return m_layout.in_plane[v.idx()];
@@ -158,27 +159,26 @@ public:
   /// the plane.
   const Convexity_certificate& certificate() const { return m_layout.certificate; }
 
-  /// returns the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped
-  /// as seen from the center, if they have their vertices at `position()`: exact for these rounded
-  /// numbers. Edges between faces that are parts of one flat face can have any
-  /// side, and count. Faces of a disk count if they have a vertex inside; those of a flat image if
-  /// they have no area or, of a disk, are flipped in its plane.
+  /// returns the number of faces of \f$T_3\f$ that are reversed as seen from the center, or have an
+  /// edge that is not convex. Vertices are at `position()`; the number is exact for these rounded
+  /// numbers. Edges between parts of one flat face may be concave by rounding, and count. Faces of
+  /// a disk count if they have an inner vertex. Faces of a flat image count if they have no area.
+  /// If the input is a disk, they also count if they are reversed in its plane.
   std::size_t lost_in_output() const { return m_layout.lost_in_output; }
 
   /// returns the greatest distance of a `position()` from the sphere.
   double max_inscribed_error() const { return m_layout.max_inscribed_error(); }
 
-  /// returns the number of vertices that break a bound of Section 4.4.3: their scale factors are
-  /// too small, or they are neighbors of the vertex at infinity and their scale factors are greater
-  /// than they may be.
+  /// returns the number of vertices that violate a bound of Section 4.4.3. Their scale factors are
+  /// too small; or, at neighbors of the vertex at infinity, too great.
   std::size_t bound_violations() const { return m_layout.bound_violations; }
 
-  /// returns whether more digits than those of `double` were needed.
+  /// returns whether more digits than `double` has were needed.
   bool is_extended() const { return m_layout.is_extended; }
 
   /// returns the homogeneous coordinates of a point of the polyhedron, as a vector
   /// `(x w, y w, z w, w)`. They are linear on the faces of the common subdivision (Section 4.4.6).
-  /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
+  /// \param on_C a face of \f$T_3\f$ and weights of its corners, such as
   ///        `Triple_subdivision::location()` gives
   std::array<double, 4> homogeneous_coordinates(const Face_location& on_C) const
   {
@@ -194,8 +194,8 @@ public:
     return result;
   }
 
-  /// returns the image of a point of the polyhedron with these homogeneous coordinates: on the
-  /// sphere, as `project()` gives it, or on the polygon if `is_flat()`.
+  /// returns the image of a point of the polyhedron with these homogeneous coordinates. It is on
+  /// the sphere, computed by `project()`, or on the polygon if `is_flat()`.
   Point image(const std::array<double, 4>& homogeneous) const
   {
     const auto& [x, y, z, w] = homogeneous;
@@ -210,15 +210,15 @@ public:
   }
 
   /// returns the image of a point of the sphere in the plane, by stereographic projection from (0,
-  /// 0, -1): the image of a disk is the unit disk. \pre the third coordinate of `p` is greater than
-  /// -1
+  /// 0, -1). The image of a disk is the unit disk.
+  /// \pre the third coordinate of `p` is greater than -1
   static std::complex<double> to_plane(const Point& p)
   {
     return std::complex<double>(p[0], p[1]) / (1 + p[2]);
   }
 
   /// returns the image of a point of the input, by piecewise projective interpolation: on the
-  /// sphere, or on the polygon if `is_flat()`. Complexity: that of `place_on_C()`.
+  /// sphere, or on the polygon if `is_flat()`. Complexity: see `place_on_C()`.
   Point operator()(const Face_location& p) const
   {
     return image(homogeneous_coordinates(place_on_C(p)));

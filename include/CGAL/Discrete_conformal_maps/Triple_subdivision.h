@@ -29,29 +29,30 @@ using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_point;
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// names one of the three triangulations of a surface (Figure 4.1).
+/// the three triangulations of a surface (Figure 4.1). The letters are the superscripts in the
+/// paper.
 enum class Layer
 {
-  A, ///< \f$T^A\f$, the input
-  B, ///< \f$T^B\f$, the intrinsic Delaunay triangulation of the input
-  C  ///< \f$T^C\f$, the ideal Delaunay triangulation at the end
+  A, ///< \f$T_1\f$, the input
+  B, ///< \f$T_2\f$, the intrinsic Delaunay triangulation of the input
+  C  ///< \f$T_3\f$, the ideal Delaunay triangulation at the end
 };
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// the polygon mesh into which the edges of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$ together cut the
-/// surface (Section 4.2.2). Every face of it is part of one face of each.
+/// the polygon mesh into which the edges of \f$T_1\f$, \f$T_2\f$ and \f$T_3\f$ together cut the
+/// surface (Section 4.2.2). Every face is part of one face of each triangulation.
 ///
-/// All three have the same vertices; these come first, with their indices. They are followed by the
-/// crossings of edges of \f$T^A\f$ and \f$T^B\f$ and of \f$T^B\f$ and \f$T^C\f$, with the numbers
-/// of the two correspondences, and then by those of \f$T^A\f$ and \f$T^C\f$ inside faces of
-/// \f$T^B\f$.
+/// All three have the same vertices; these come first, with their indices. Crossings of edges of
+/// \f$T_1\f$ and \f$T_2\f$ follow, then crossings of \f$T_2\f$ and \f$T_3\f$, with the numbers of
+/// the two correspondences. The last vertices are crossings of \f$T_1\f$ and \f$T_3\f$ inside faces
+/// of \f$T_2\f$.
 ///
-/// In each face of \f$T^B\f$, edges of \f$T^A\f$ and edges of \f$T^C\f$ are straight lines. The
-/// order of their ends around the face alone decides which of them cross, and in which order. Hence
-/// the connectivity is always valid. It is exact unless rounding has exchanged an end of an edge of
-/// \f$T^A\f$ and an end of an edge of \f$T^C\f$ on an edge of \f$T^B\f$, which
-/// `certify_order_of_ends()` finds out. Where the two are at one place, they remain two vertices.
-/// Places of crossings are rounded; along every edge they do not decrease.
+/// In each face of \f$T_2\f$, edges of \f$T_1\f$ and edges of \f$T_3\f$ are straight lines. The
+/// order of their ends around the face alone decides which edges cross, and in which order. Hence
+/// the connectivity is always valid. It is exact unless rounding has exchanged ends of edges of
+/// \f$T_1\f$ and \f$T_3\f$ on an edge of \f$T_2\f$. `certify_order_of_ends()` decides this. Two
+/// ends at one position remain two vertices. Positions of crossings are rounded; along every edge
+/// they do not decrease.
 ///
 /// The object refers to the three triangulations and is valid until they change.
 ///
@@ -68,15 +69,16 @@ class Triple_subdivision
 public:
   /// the type of coordinates.
   typedef FT_ FT;
-  /// the type of numbers of elements.
+  /// the type of indices of elements.
   typedef typename Base::size_type size_type;
 
-  /// builds the subdivision from the correspondence of \f$T^A\f$ (`Side::input`) and \f$T^B\f$
-  /// (`Side::intrinsic`), and that of \f$T^B\f$ (`Side::input`) and \f$T^C\f$ (`Side::intrinsic`).
-  /// Complexity: linear in the vertices, edges and crossings.
+  /// builds the subdivision from two correspondences. The first is between \f$T_1\f$
+  /// (`Side::input`) and \f$T_2\f$ (`Side::intrinsic`), the second between \f$T_2\f$
+  /// (`Side::input`) and \f$T_3\f$ (`Side::intrinsic`). Complexity: linear in the vertices, edges
+  /// and crossings.
   /// \tparam NamedParameters a sequence of named parameters
-  /// \param ab the crossings of \f$T^A\f$ and \f$T^B\f$
-  /// \param bc the crossings of \f$T^B\f$ and \f$T^C\f$
+  /// \param ab the crossings of \f$T_1\f$ and \f$T_2\f$
+  /// \param bc the crossings of \f$T_2\f$ and \f$T_3\f$
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{concurrency_tag}
@@ -87,7 +89,7 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Overflow_error if there are more edges than a `Surface_mesh` can number
-  /// \pre \f$T^B\f$ is the same mesh in both; neither has inserted vertices
+  /// \pre \f$T_2\f$ is the same mesh in both; neither has inserted vertices
   template <typename Traits_AB, typename Traits_BC,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Triple_subdivision(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc,
@@ -105,8 +107,8 @@ public:
       .build();
   }
 
-  /// returns whether `v` is a crossing of an edge of `layer` with one of another triangulation.
-  /// Edges that are in \f$T^B\f$ too count as edges of \f$T^B\f$ alone.
+  /// returns whether `v` is a crossing of an edge of `layer` with an edge of another triangulation.
+  /// Edges that are also in \f$T_2\f$ count as edges of \f$T_2\f$ alone.
   bool is_crossing(Layer layer, Vertex_index v) const
   {
     if(this->is_vertex(layer, v))
@@ -116,8 +118,9 @@ public:
                                : v.idx() >= m_first_crossing_of_bc;
   }
 
-  /// returns the place of `v` on `layer`. Complexity: constant, or linear in the degree of `v` for
-  /// \f$T^C\f$.
+  /// returns the position of `v` on `layer`. Complexity: constant, or linear in the degree of `v`
+  /// for
+  /// \f$T_3\f$.
   Surface_point<FT> place(Layer layer, Vertex_index v) const
   {
     return layer == Layer::C ? place_on_C(v) : m_place[Base::index(layer)][v.idx()];
@@ -126,11 +129,11 @@ public:
   /// returns the coordinates of the target of `h` in the parent of its face, in the order of
   /// `Face_location`.
   ///
-  /// On \f$T^C\f$ these are homogeneous coordinates: nonnegative weights of the corners, for the
-  /// decoration of the ideal polyhedron that the correspondence has. They are linear in each face
-  /// of the subdivision, seen in \f$T^B\f$, and continuous across its edges: the weights in two
-  /// faces around a vertex belong to the same vertices of \f$T^C\f$ or are zero. They do not sum up
-  /// to one, except in Euclidean geometry.
+  /// On \f$T_3\f$ these are homogeneous coordinates: nonnegative weights of the corners, for the
+  /// decoration of the ideal polyhedron in the correspondence. They are linear in each face of the
+  /// subdivision, seen in \f$T_2\f$, and continuous across its edges. In two faces around a vertex,
+  /// weights belong to the same vertices of \f$T_3\f$ or are zero. They do not sum up to one,
+  /// except in Euclidean geometry.
   /// \pre `h` is not a border halfedge
   std::array<FT, 3> coordinates(Layer layer, Halfedge_index h) const
   {

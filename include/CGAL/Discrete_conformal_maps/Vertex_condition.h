@@ -10,21 +10,21 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// what is prescribed at a vertex of a flat surface: its curvature, or how much it is scaled.
+/// the condition at a vertex of a flat surface: its curvature or its scale factor.
 struct Vertex_condition
 {
-  /// what is prescribed.
+  /// the prescribed quantities.
   enum class Quantity
   {
     curvature, ///< the angle defect, or on the boundary the exterior angle, in radians
     log_scale  ///< the logarithmic scale factor
   };
 
-  Quantity quantity = Quantity::curvature; ///< what is prescribed
+  Quantity quantity = Quantity::curvature; ///< the prescribed quantity
   double value = 0;                        ///< its value
 
-  /// prescribes a curvature: \f$2\pi\f$ less the sum of angles inside the surface, \f$\pi\f$ less
-  /// that on the boundary.
+  /// prescribes a curvature: \f$2\pi\f$ minus the sum of angles inside the surface, \f$\pi\f$ minus
+  /// the sum of angles on the boundary.
   static Vertex_condition curvature(double value) { return {Quantity::curvature, value}; }
 
   /// prescribes a logarithmic scale factor.

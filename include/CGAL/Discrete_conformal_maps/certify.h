@@ -17,14 +17,14 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// what exact decisions have found about the triangulations of a map.
+/// the results of exact decisions about the triangulations of a map.
 struct Map_certificate
 {
-  /// whether \f$T^B\f$ is ideal Delaunay with its lengths
+  /// whether \f$T_2\f$ is ideal Delaunay with its lengths
   Intrinsic_triangulations::Ideal_Delaunay_certificate on_B;
-  /// whether \f$T^C\f$ is ideal Delaunay with the scale factors
+  /// whether \f$T_3\f$ is ideal Delaunay with the scale factors
   Intrinsic_triangulations::Ideal_Delaunay_certificate on_C;
-  /// whether the ends of edges of \f$T^A\f$ and \f$T^C\f$ on edges of \f$T^B\f$ are in order
+  /// whether the ends of edges of \f$T_1\f$ and \f$T_3\f$ on edges of \f$T_2\f$ are in order
   Order_certificate order;
 
   /// returns whether both triangulations are ideal Delaunay, and the connectivity of the
@@ -33,24 +33,24 @@ struct Map_certificate
 };
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// decides exactly, without a tolerance, whether the triangulations of a map to the plane, to the
-/// sphere or to the hyperbolic plane are what they ought to be.
+/// decides exactly, without a tolerance, whether the triangulations of a map are ideal Delaunay,
+/// and whether their common subdivision is exact. The map leads to the plane, the sphere or the
+/// hyperbolic plane.
 ///
-/// The exact numbers are those of type `double` that the map has: the lengths of \f$T^A\f$, the
-/// lengths of \f$T^B\f$ as Penner lengths, and the factors \f$s_i = e^{u_i/2}\f$, rounded. The
-/// length of every edge of \f$T^C\f$ is derived from \f$T^B\f$ afresh, see
-/// `Intrinsic_triangulations::certify_ideal_Delaunay()`, and multiplied by \f$s_i s_j\f$. The order
-/// of ends is that of `certify_order_of_ends()`.
+/// The exact numbers are numbers of type `double` in the map. They are the lengths of \f$T_1\f$,
+/// the lengths of \f$T_2\f$ as Penner lengths, and the rounded factors \f$s_i = e^{u_i/2}\f$. The
+/// length of every edge of \f$T_3\f$ is derived from \f$T_2\f$ again, see
+/// `Intrinsic_triangulations::certify_ideal_Delaunay()`, and multiplied by \f$s_i s_j\f$.
+/// `certify_order_of_ends()` decides the order of ends.
 ///
-/// Where the second copy of a surface with boundary ends, its edges are the mirror images of edges
-/// of the surface, which are decided.
+/// The edges at the border of the second copy are mirror images of edges of the surface, which are
+/// decided.
 ///
-/// Whether \f$T^B\f$ is the intrinsic Delaunay triangulation of \f$T^A\f$ is what
-/// `Intrinsic_triangulations::certify_Delaunay()` finds out about
-/// `Discrete_conformal_map::Delaunay()`.
+/// `Intrinsic_triangulations::certify_Delaunay()` of `Discrete_conformal_map::Delaunay()` decides
+/// whether \f$T_2\f$ is the intrinsic Delaunay triangulation of \f$T_1\f$.
 ///
-/// The map itself is computed in `double`, and its decisions have a one-sided tolerance: an edge
-/// can fail by some \f$10^{-14}\f$, see
+/// The map itself is computed in `double`, and its decisions have a one-sided tolerance. An edge
+/// can fail by about \f$10^{-14}\f$, see
 /// `Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`. In a fixed
 /// triangulation edges fail by any amount.
 ///

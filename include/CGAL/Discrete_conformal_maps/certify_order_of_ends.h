@@ -23,18 +23,18 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// two neighboring crossings on an edge of \f$T^B\f$: one with an edge of \f$T^A\f$, the other with
-/// an edge of \f$T^C\f$.
+/// two neighboring crossings on an edge of \f$T_2\f$: one with an edge of \f$T_1\f$, the other with
+/// an edge of \f$T_3\f$.
 struct Pair_of_ends
 {
-  Halfedge_index along; ///< the first halfedge of the edge of \f$T^B\f$
+  Halfedge_index along; ///< the first halfedge of the edge of \f$T_2\f$
   Vertex_index first,   ///< the vertex of the subdivision that comes first along it
     second;             ///< the vertex that follows
 };
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// what exact decisions have found about the order in which edges of \f$T^A\f$ and \f$T^C\f$ cross
-/// edges of \f$T^B\f$, which determines the connectivity of a `Triple_subdivision`.
+/// the results of exact decisions about the order in which edges of \f$T_1\f$ and \f$T_3\f$ cross
+/// edges of \f$T_2\f$. This order determines the connectivity of a `Triple_subdivision`.
 struct Order_certificate
 {
   /// the number of pairs decided in floating point, with error bounds.
@@ -43,9 +43,9 @@ struct Order_certificate
   std::size_t decided_in_multiprecision = 0;
   /// the number of pairs decided in exact arithmetic.
   std::size_t decided_exactly = 0;
-  std::vector<Pair_of_ends> ties;      ///< the pairs at one place, for which any order is right
+  std::vector<Pair_of_ends> ties;      ///< the pairs at one position, for which any order is right
   std::vector<Pair_of_ends> exchanged; ///< the pairs in wrong order
-  std::vector<Pair_of_ends> undecided; ///< the pairs about which nothing is known
+  std::vector<Pair_of_ends> undecided; ///< the pairs without a decision
 
   /// returns whether the order is right on all edges.
   bool is_exact() const { return exchanged.empty() && undecided.empty(); }
@@ -155,30 +155,31 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// decides exactly, without a tolerance, whether crossings of edges of \f$T^B\f$ with edges of
-/// \f$T^A\f$ and of \f$T^C\f$ are in the right order in a subdivision. If they are, its
-/// connectivity is exact.
+/// decides exactly, without a tolerance, whether a subdivision has its crossings in the right
+/// order. These are crossings of edges of \f$T_2\f$ with edges of \f$T_1\f$ and of \f$T_3\f$. If
+/// so, its connectivity is exact.
 ///
-/// The metric of \f$T^A\f$ is taken as exact, as `Intrinsic_triangulations::certify_Delaunay()`
-/// takes it, which certifies that the edges of \f$T^B\f$ are straight: it determines where they
-/// cross those of \f$T^A\f$. The Penner lengths of \f$T^B\f$, as exact numbers, determine where
-/// they cross those of \f$T^C\f$, whatever the scale factors. The integer coordinates determine
-/// exactly which triangles an edge passes. Of two crossings that are not neighbors, the order
-/// follows from that of the neighbors between them.
+/// The metric of \f$T_1\f$ is exact, as in `Intrinsic_triangulations::certify_Delaunay()`, which
+/// certifies that the edges of \f$T_2\f$ are straight. It determines the crossings of edges of
+/// \f$T_2\f$ and \f$T_1\f$. The Penner lengths of \f$T_2\f$, as exact numbers, determine the
+/// crossings of edges of \f$T_2\f$ and \f$T_3\f$, whatever the scale factors. The integer
+/// coordinates determine exactly which triangles an edge passes. The order of neighboring crossings
+/// determines the order of all crossings on an edge.
 ///
 /// A pair remains undecided if 1024 bits do not decide it and more than twelve independent square
-/// roots are involved: that of the area of each face of \f$T^A\f$ that the edge passes. Edges of
-/// \f$T^A\f$ and \f$T^B\f$ that run along each other, in faces without area, count as ties.
+/// roots are involved. These are square roots of areas of faces of \f$T_1\f$ that the edge passes.
+/// Edges of \f$T_1\f$ and \f$T_2\f$ that run along each other, in faces without area, count as
+/// ties.
 ///
 /// \param subdivision the subdivision
-/// \param ab the correspondence of \f$T^A\f$ and \f$T^B\f$
-/// \param bc the correspondence of \f$T^B\f$ and \f$T^C\f$
+/// \param ab the correspondence of \f$T_1\f$ and \f$T_2\f$
+/// \param bc the correspondence of \f$T_2\f$ and \f$T_3\f$
 ///
 /// Complexity: linear in the edges and crossings, and for each pair in the faces that its edges of
-/// \f$T^B\f$ and \f$T^C\f$ pass.
+/// \f$T_2\f$ and \f$T_3\f$ pass.
 /// \tparam Ideal_traits `Intrinsic_triangulations::Ideal_geometry_traits`, or
 ///   `Intrinsic_triangulations::Hyperideal_geometry_traits` without radii
-/// \pre The edges of \f$T^B\f$ are straight; `subdivision` is that of these three triangulations
+/// \pre The edges of \f$T_2\f$ are straight; `subdivision` belongs to these three triangulations
 template <typename FT, typename Point, typename Ideal_traits>
 Order_certificate certify_order_of_ends(const Triple_subdivision<FT, Point>& subdivision,
                                         const Correspondence<>& ab,

@@ -36,7 +36,7 @@ struct Overlapping_charts
 };
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// where the image of a surface in the plane is not one-to-one.
+/// the parts of the image of a surface in the plane that are not one-to-one.
 struct Chart_overlap
 {
   std::size_t number_of_charts = 0;       ///< the number of charts
@@ -77,8 +77,8 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // The area of piece `i` that at least one of some partners covers. Only those that overlap each
-  // other are looked at together.
+  // Returns the area of piece `i` that at least one partner covers. Only partners that overlap each
+  // other are treated together.
   double covered_part(std::size_t i, const std::vector<std::size_t>& partners)
   {
     for(std::size_t k = 0; k < partners.size(); ++k)
@@ -105,8 +105,8 @@ private:
   std::vector<std::size_t> m_index;                 // of a piece among some partners
 };
 
-// Charts that grow face by face, across edges that are no seams, such that none has two faces that
-// are kept apart. They are numbered in the order of their first faces.
+// Grows charts face by face, across edges that are no seams, such that no chart has two faces that
+// are kept apart. Charts are numbered in the order of their first faces.
 class Chart_growth
 {
 public:
@@ -129,7 +129,7 @@ public:
   // the number of charts
   std::size_t size() const { return m_size; }
 
-  // those of the faces of T^C
+  // Returns the charts of the faces of T_3.
   const std::vector<std::size_t>& charts() const { return m_chart; }
   std::size_t chart(Face_index f) const { return m_chart[f.idx()]; }
 
@@ -164,28 +164,29 @@ private:
 
   const Planar_conformal_map& m_map;
   std::vector<std::vector<Face_index>> m_partners; // those that each face is kept apart from
-  std::vector<std::size_t> m_chart;                // of each face of T^C
+  std::vector<std::size_t> m_chart;                // of each face of T_3
   std::size_t m_size = 0;
 };
 
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns the index of the chart of each face of \f$T^C\f$ that is laid out. Faces that are beside
-/// each other in the plane across an edge are in one chart. Complexity: linear.
+/// returns the index of the chart of each face of \f$T_3\f$ that is laid out. Faces that are
+/// adjacent in the plane are in one chart. Complexity: linear.
 inline std::vector<std::size_t> charts_of_faces(const Planar_conformal_map& map)
 {
   return internal::Chart_growth(map).charts();
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// determines where the image of the input in the plane overlaps itself. Intersections of faces are
-/// computed in floating point; less than \f$10^{-9}\f$ of the smaller face counts as rounding.
+/// determines the overlaps of the image of the input in the plane. Intersections of faces are
+/// computed in floating point. An intersection of less than \f$10^{-9}\f$ of the smaller face
+/// counts as rounding.
 ///
 /// Complexity: \f$O(n \log n)\f$ for \f$n\f$ faces, and linear in the pairs of faces whose bounding
-/// boxes intersect. Where three or more faces cover a point, a line sweeps over those that cover
-/// one face: this takes \f$O(k \log k)\f$ steps for \f$k\f$ of them, each linear in those that the
-/// line meets.
+/// boxes intersect. If three or more faces cover a point, a line sweeps over the \f$k\f$ faces that
+/// cover one face. This takes \f$O(k \log k)\f$ steps, each linear in the faces that the line
+/// meets.
 /// \pre `map.is_laid_out()`
 inline Chart_overlap find_overlap(const Planar_conformal_map& map)
 {
@@ -208,8 +209,8 @@ inline Chart_overlap find_overlap(const Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// puts the charts of a map beside each other: each lies in the smallest rectangle that holds it,
-/// and these rectangles do not overlap. `flatten()` does so with components. Complexity:
+/// puts the charts of a map beside each other. Each lies in the smallest rectangle that holds it,
+/// and these rectangles do not overlap. `flatten()` packs components in this way. Complexity:
 /// \f$O(n \log n)\f$.
 /// \pre `map.is_laid_out()`
 inline void pack_charts(Planar_conformal_map& map)
@@ -232,10 +233,10 @@ inline void pack_charts(Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// cuts a map such that no chart overlaps itself, and packs the charts: faces are added to a chart,
-/// across edges that are no seams, unless they overlap one that it has. The edges between charts
-/// become seams. A map without overlap stays as it is. Complexity: that of `find_overlap()` without
-/// its last term.
+/// cuts a map such that no chart overlaps itself, and packs the charts. Faces are added to a chart,
+/// across edges that are no seams, unless they overlap one of its faces. The edges between charts
+/// become seams. A map without overlap does not change. Complexity: as for `find_overlap()`,
+/// without its last term.
 /// \returns the number of charts
 /// \pre `map.is_laid_out()`
 inline std::size_t cut_overlaps(Planar_conformal_map& map)
@@ -259,7 +260,7 @@ inline std::size_t cut_overlaps(Planar_conformal_map& map)
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// moves and scales the image of a map such that it lies in the unit square and touches its lower,
-/// left, and one other side. Scale factors stay those of the size before. Complexity: linear.
+/// left, and one other side. Stored scale factors do not change. Complexity: linear.
 /// \returns the factor
 /// \pre `map.is_laid_out()`
 inline double fit_into_unit_square(Planar_conformal_map& map)

@@ -36,7 +36,7 @@ Value made_of(const std::array<double, size>& a, std::index_sequence<n...>)
   return Value{a[n]...};
 }
 
-// The images of the corners at the targets of halfedges, in the coordinates that are asked for.
+// Computes the images of the corners at the targets of halfedges, in the requested coordinates.
 template <typename Map>
 class Corner_images
 {
@@ -135,19 +135,18 @@ constexpr bool has_corners()
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// adds the common subdivision of the three triangulations of a map, as far as it belongs to the
-/// input, to a mesh of any type. The map is projective on each of its faces, so that this mesh with
+/// input, to a mesh of any type. The map is projective on each of its faces. So this mesh with
 /// homogeneous texture coordinates is the whole map.
 ///
-/// The vertices are those of the input, in their order, then crossings. Faces are convex polygons;
-/// they have the orientation of the input. Images are rounded such that no face is reversed, if
-/// that is possible (\ref dcm_reversed). Complexity: linear, without faces that are reversed at
-/// first.
+/// The vertices of the input come first, in their order, then crossings. Faces are convex polygons,
+/// with the orientation of the input. Images are rounded such that no face is reversed, if that is
+/// possible (\ref dcm_reversed). Complexity: linear, without faces that are reversed at first.
 ///
 /// \tparam Map `Planar_conformal_map`, `Hyperbolic_conformal_map` or `Spherical_conformal_map`
 /// \tparam Graph a model of `MutableFaceGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param map the map
-/// \param out the mesh; what it has already stays
+/// \param out the mesh; elements that it has are kept
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{input_point_map}
@@ -170,29 +169,29 @@ constexpr bool has_corners()
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part; null if
-///       there is none}
+///     \cgalParamDescription{gets for each edge of `out` the edge that contains it; null if there
+///       is none}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_face_map}
-///     \cgalParamDescription{gets for each face of `out` the face of which it is a part}
+///     \cgalParamDescription{gets for each face of `out` the face that contains it}
 ///     \cgalParamType{as before, with faces and `Face_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{texture_coordinates_map}
 ///     \cgalParamDescription{gets for each halfedge of `out` the image of the corner at its target
-///       in its face: \f$(x, y)\f$ in the plane or in the Poincare disk, \f$(x, y, z)\f$ on the
-///       unit sphere. Interpolated linearly, they are the map at vertices and, on each face, its
-///       image. Border halfedges get no value.}
+///       in its face. It is \f$(x, y)\f$ in the plane or the Poincare disk, and \f$(x, y, z)\f$ on
+///       the unit sphere. Linear interpolation is exact at vertices, and has the right image of
+///       each face. Border halfedges get no value.}
 ///     \cgalParamType{a writable property map with a halfedge of `Graph` as key and a value type
 ///       that is made of two (three) `double`, such as `Point_2` of a kernel}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{homogeneous_texture_coordinates_map}
 ///     \cgalParamDescription{gets these images in the homogeneous coordinates of the map, which are
-///       linear on each face: \f$(xw, yw, w)\f$ in the plane or in Klein's disk, \f$(xw, yw, zw,
-///       w)\f$ in space}
+///       linear on each face. They are \f$(xw, yw, w)\f$ in the plane or in Klein's disk, and
+///       \f$(xw, yw, zw, w)\f$ in space}
 ///     \cgalParamType{as before, with a value type that is made of three (four) `double`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -19,12 +19,11 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns how far a map is from being discretely conformal: the greatest relative error of a
-/// length cross ratio \f$\ell_{jk}\ell_{im} / (\ell_{ki}\ell_{mj})\f$ of an edge \f$ij\f$ of
-/// \f$T^C\f$ with faces
-/// \f$ijk\f$ and \f$jim\f$, between the lengths in the plane and those of the ideal polyhedron,
-/// which the scale factors do not change. Edges with a face that is not laid out do not count, nor
-/// do those with a side of a face beside them that rounding of positions has changed: see
+/// returns the greatest relative error of a length cross ratio, which measures how conformal a map
+/// is (\ref dcm_cross_ratio). The edge \f$ij\f$ of \f$T_3\f$ with faces \f$ijk\f$ and \f$jim\f$ has
+/// the ratio \f$\ell_{jk}\ell_{im} / (\ell_{ki}\ell_{mj})\f$. Ratios of lengths in the plane are
+/// compared with ratios of the ideal polyhedron. Edges with a face that is not laid out do not
+/// count. Edges of crowded faces do not count either, see
 /// `Discrete_conformal_map::crowded_faces()`. Complexity: linear.
 inline double max_cross_ratio_error(const Planar_conformal_map& map)
 {
@@ -32,10 +31,10 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// returns the greatest relative error of a length cross ratio of an edge of \f$T^C\f$, between the
-/// lengths on the sphere and those of the ideal polyhedron. Positions have the digits of
-/// `Spherical_conformal_map::stereographic_position()`: edges do not count that have a side of a
-/// face beside them whose length these cannot tell. Complexity: linear.
+/// returns the greatest relative error of a length cross ratio of an edge of \f$T_3\f$. Ratios of
+/// lengths on the sphere are compared with ratios of the ideal polyhedron. Positions have the
+/// digits of `Spherical_conformal_map::stereographic_position()`. Edges do not count if these
+/// digits do not determine the length of a side of their faces. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();

@@ -24,8 +24,8 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// The translations that glue the seams of a flat surface without cones, the shortest first;
-// rounding errors of none do not count.
+// Returns the translations that glue the seams of a flat surface without cones, the shortest first.
+// Rounding errors of the identity do not count.
 inline std::vector<std::complex<double>> seam_translations(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -81,9 +81,9 @@ inline double flat_area(const Planar_conformal_map& map)
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// returns the modulus of a flat torus: the quotient \f$\tau\f$ of two translations that generate
 /// its lattice, with \f$|\tau| \ge 1\f$, \f$-\frac12 \le \mathrm{Re}\,\tau \le \frac12\f$ and
-/// \f$\mathrm{Im}\,\tau > 0\f$. It is unique but on the boundary of this domain. Complexity:
+/// \f$\mathrm{Im}\,\tau > 0\f$. It is unique inside this domain. Complexity:
 /// \f$O(n \log n)\f$.
-/// \pre `map` is that of one torus without cones.
+/// \pre `map` is a map of one torus without cones.
 inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
 {
   const std::vector<std::complex<double>> translation = internal::seam_translations(map);
@@ -106,7 +106,7 @@ inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// returns the modulus of a flat annulus with straight boundaries, a cylinder: its height, divided
 /// by its circumference. Complexity: linear.
-/// \pre `map` is that of one annulus with curvature zero everywhere.
+/// \pre `map` is a map of one annulus with curvature zero everywhere.
 inline double annulus_modulus(const Planar_conformal_map& map)
 {
   const std::vector<double> length = internal::flat_boundary_lengths(map);

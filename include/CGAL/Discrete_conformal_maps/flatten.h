@@ -20,12 +20,11 @@ namespace CGAL::Discrete_conformal_maps {
 /// maps a surface to the plane, discretely conformally (Section 4.3).
 ///
 /// The faces of the result are flat. Its cones are the vertices with a curvature that is not zero.
-/// There are none on a torus without conditions; elsewhere there must be some, which are prescribed
-/// or placed greedily.
+/// A torus without conditions has no cones. Closed surfaces of other genus need cones, which are
+/// prescribed or placed greedily.
 ///
-/// `Planar_conformal_map::status()` states how this has ended, measured on the result (see \ref
-/// dcm_status). A map that is no success has the best scale factors that have been found, and a
-/// layout if there is one.
+/// `Planar_conformal_map::status()` is the outcome, measured on the result (see \ref dcm_status). A
+/// map that is no success has the best scale factors found, and a layout if there is one.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -34,7 +33,7 @@ namespace CGAL::Discrete_conformal_maps {
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
-///     \cgalParamDescription{what is prescribed at each vertex}
+///     \cgalParamDescription{the condition at each vertex}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
 ///       value}
 ///     \cgalParamDefault{curvature zero inside, a logarithmic scale factor of zero on the boundary}
@@ -48,49 +47,46 @@ namespace CGAL::Discrete_conformal_maps {
 ///                       `maximum_log_scale`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{cones are placed until all logarithmic scale factors inside are at
-///                           most this in absolute value}
+///     \cgalParamDescription{the greatest absolute value of logarithmic scale factors inside. Cones
+///       are placed until all are within this bound}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_radius_map}
-///     \cgalParamDescription{the radii of circles around the vertices: the map is a decorated
+///     \cgalParamDescription{the radii of circles around the vertices; the map is a decorated
 ///       discrete conformal map, see \ref dcm_circles. Circles of neighbors in the weighted
-///       Delaunay triangulation must not meet, except that two of positive radius may touch. Radii
-///       of zero everywhere are the same as none}
+///       Delaunay triangulation must not meet. Two circles of positive radius may touch. If all
+///       radii are zero, there are no circles}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{there are no circles}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimizer}
-///     \cgalParamDescription{what minimizes the energy}
+///     \cgalParamDescription{the minimizer of the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{initial_log_scale_map}
-///     \cgalParamDescription{where the minimization starts: the nearer the result, the fewer steps
-///       it takes}
+///     \cgalParamDescription{the start of the minimization; fewer steps are needed from a start
+///       close to the result}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{zero everywhere}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{flipping}
-///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed
-///                           triangulation, the scale factors are those of Springborn,
-///                           Schr&ouml;der and Pinkall (2008): they exist only sometimes, which
-///                           `Planar_conformal_map::status()` says, and depend on how the surface
-///                           is triangulated}
+///     \cgalParamDescription{whether triangulations follow the scale factors. Scale factors in a
+///       fixed triangulation \cgalCite{SSP08} depend on the triangulation of the surface. They
+///       exist only sometimes, see `Planar_conformal_map::status()`}
 ///     \cgalParamType{`Flipping`}
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation,
-///                           are decided exactly on the surface of the positions, whose lengths
-///                           and curvatures then have 32 digits, also where rounding does not
-///                           matter; see \ref dcm_exact and \ref dcm_needles}
+///     \cgalParamDescription{whether the flips to \f$T_2\f$, the intrinsic Delaunay triangulation,
+///       are decided exactly on the surface of the positions. Its lengths and curvatures then have
+///       32 digits; see \ref dcm_exact and \ref dcm_needles}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{layout}
-///     \cgalParamDescription{how flat faces are laid out}
+///     \cgalParamDescription{the method that lays out flat faces}
 ///     \cgalParamType{`Layout`}
 ///     \cgalParamDefault{`Layout::least_squares`}
 ///   \cgalParamNEnd
@@ -109,14 +105,13 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
-/// that \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or what is
-///         prescribed is impossible: the error names the place, and for curvatures the excess; or
-///         if circles meet, which it names by their vertices, or exact decisions are asked for with
-///         circles
-/// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
-/// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
+/// Complexity: a sparse Cholesky factorization for each step of the minimization, plus \f$O(n \log
+/// n)\f$ in the vertices and crossings.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a prescription
+///   is impossible. The error names the element, and for curvatures the excess. It is also thrown
+///   if circles meet, with their vertices, or if exact decisions are requested with circles
+/// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
+/// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
 ///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -22,13 +22,13 @@ namespace CGAL::Discrete_conformal_maps {
 /// on a circle.
 ///
 /// The exterior angles of a polygon in a circle depend on the lengths of its edges, and these on
-/// the angles. So the surface is flattened several times, each time with the angles for the lengths
-/// before, until they change by at most \f$10^{-10}\f$; Anderson's method accelerates this. The
-/// `minimization()` of the result is the last one. Where no edge of \f$T^B\f$ and \f$T^C\f$ crosses
-/// the boundary, the image of a disk without cones is, up to a Moebius transformation, that of
-/// `map_to_sphere()` in the plane, which takes one minimization. Where scale factors are far apart,
-/// the search starts from that map; a disk without vertices inside needs no search then. This
-/// function also allows several components, and handles if there are cones.
+/// the angles. So the surface is flattened in rounds, each with the angles for the lengths before.
+/// Rounds end when angles change by at most \f$10^{-10}\f$. Anderson's method \cgalCite{And65}
+/// accelerates them. The `minimization()` of the result is the last one. `map_to_sphere()` takes
+/// one minimization. If no edge of \f$T_2\f$ and \f$T_3\f$ crosses the boundary, both images of a
+/// disk without cones agree up to a Moebius transformation. If scale factors are far apart, the
+/// search starts from that map; a disk without inner vertices then needs no search. This function
+/// also allows several components, and handles if there are cones.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -37,27 +37,26 @@ namespace CGAL::Discrete_conformal_maps {
 /// \param np the parameters of `flatten()`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
-///     \cgalParamDescription{what is prescribed at each vertex inside}
+///     \cgalParamDescription{the condition at each inner vertex}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
 ///       value}
 ///     \cgalParamDefault{curvature zero}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cones}
-///     \cgalParamDescription{as for `flatten()`: none of the boundary becomes a cone}
+///     \cgalParamDescription{as for `flatten()`; no boundary vertex becomes a cone}
 ///     \cgalParamType{`Cones`}
 ///     \cgalParamDefault{`Cones::automatic`: yes if there is a `maximum_log_scale`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how many times the surface may be flattened}
+///     \cgalParamDescription{the greatest number of rounds}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{100}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: that of `flatten()`, as a rule about ten times.
+/// Complexity: as a rule, about ten times the complexity of `flatten()`.
 /// \returns a map with one of the statuses of `flatten()`, or `Map_status::not_circular` if the
-///   boundary has not become a circle in that number of iterations; if a minimization fails, the
-///   map that it gave
+///   boundary is no circle after the last round. If a minimization fails, its map is returned
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
 ///   does: a component with handles has no disk without cones inside
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as

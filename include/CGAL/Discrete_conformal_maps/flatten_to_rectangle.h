@@ -21,9 +21,9 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns four vertices on the boundary of each component that suit the corners of a rectangle:
-/// they are as far apart along the boundary as is possible while the sum of their exterior angles
-/// is at least nine tenths of that of the four sharpest vertices.
+/// returns four vertices on the boundary of each component that suit the corners of a rectangle.
+/// They are as far apart along the boundary as possible, under one condition. The sum of their
+/// exterior angles is at least nine tenths of the sum at the four sharpest vertices.
 ///
 /// The corners of one component follow each other, counterclockwise along its boundary.
 ///
@@ -61,22 +61,22 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 /// maps every component of a surface to a rectangle, discretely conformally: the exterior angles on
 /// its boundary are \f$\pi/2\f$ at four corners and zero elsewhere.
 ///
-/// The ratio of the sides is that of the surface: its conformal modulus for these corners.
+/// The ratio of the sides is the conformal modulus of the surface for these corners.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam VertexRange a range of vertices of `Graph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param g a manifold triangle mesh whose components have one boundary loop each; isolated
 ///   vertices are allowed
-/// \param corners four vertices on the boundary of each component, in any order, such as those that
-///   `rectangle_corners()` returns
-/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside,
-///   and none of the boundary becomes a cone. `Cones::automatic` places cones if there is a
+/// \param corners four vertices on the boundary of each component, in any order, such as the result
+///   of `rectangle_corners()`
+/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to inner vertices, and
+///   no boundary vertex becomes a cone. `Cones::automatic` places cones if there is a
 ///   `maximum_log_scale`
 ///
-/// Complexity and status: those of `flatten()`.
+/// Complexity and status: see `flatten()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
-///   four vertices on each boundary, or as `flatten()` does: a component with handles has no
+///   four vertices on each boundary, or as `flatten()` does. A component with handles has no
 ///   rectangle without cones inside
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as
 ///   `flatten()` does

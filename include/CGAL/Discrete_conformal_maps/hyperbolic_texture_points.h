@@ -15,8 +15,9 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns the images in the Poincare disk of the corners of a part, in their order, rounded as
-/// those in the plane are. Complexity: linear, without faces that are reversed at first.
+/// returns the images in the Poincare disk of the corners of a part, in their order. They are
+/// rounded in the same way as images in the plane. Complexity: linear, without faces that are
+/// reversed at first.
 inline Rounded_points<std::array<double, 2>> texture_points(const Hyperbolic_conformal_map& map,
                                                             const Input_part& part,
                                                             const Texture_corners& corners)

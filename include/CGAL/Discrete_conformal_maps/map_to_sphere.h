@@ -21,23 +21,21 @@ namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// maps a surface of genus zero to the unit sphere, discretely conformally, or a disk to a
-/// hemisphere (Section 4.4). A disk without vertices inside becomes a polygon inscribed in the
+/// hemisphere (Section 4.4). A disk without inner vertices becomes a polygon inscribed in the
 /// equator, see `Spherical_conformal_map::is_flat()`.
 ///
-/// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
-/// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
-/// they should be, it is computed with 106 binary digits, and if that does not suffice with other
-/// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
-/// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
-/// \f$10^{-8}\f$ (see \ref dcm_status). A map that is no success may have no positions: see
-/// `Spherical_conformal_map::is_laid_out()`. The polygon needs no minimization, and is computed
-/// with 106 binary digits at once; its status is `Map_status::layout_collapsed` if these do not
-/// distinguish its vertices.
+/// `Bounded_Newton_minimizer` finds scale factors, at first in `double`. Exact predicates decide
+/// whether the result is a convex polyhedron. If not, or if length cross ratios are wrong, it is
+/// computed with 106 binary digits, then with other vertices at infinity. The best result is
+/// returned. `Spherical_conformal_map::status()` is `Map_status::success` only if it is convex and
+/// its length cross ratios have errors of at most \f$10^{-8}\f$ (see \ref dcm_status). A map that
+/// is no success may have no positions: see `Spherical_conformal_map::is_laid_out()`. The polygon
+/// of a disk without inner vertices needs no minimization. It has 106 binary digits; its status is
+/// `Map_status::layout_collapsed` if these do not distinguish its vertices.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
-/// \param g a connected manifold triangle mesh, a sphere or a disk, and perhaps isolated vertices,
-///   which do not count
+/// \param g a connected manifold triangle mesh, a sphere or a disk; isolated vertices are ignored
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{concurrency_tag}
@@ -55,12 +53,12 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations;
-/// beyond that \f$O(n \log n)\f$ in the vertices, flips and crossings.
+/// Complexity: a few sparse Cholesky factorizations for each step of the minimization, plus \f$O(n
+/// \log n)\f$ in the vertices, flips and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
 ///   nor a disk
-/// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
-/// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
+/// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
+/// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
 ///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>

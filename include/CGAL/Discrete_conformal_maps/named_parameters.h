@@ -56,7 +56,7 @@ template <typename Map>
 auto initial_log_scale_map(const Map& map);
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// names a `Layout`: how flat faces are laid out in the plane.
+/// names a `Layout`: the method that lays out flat faces in the plane.
 template <typename Layout>
 auto layout(const Layout& value);
 

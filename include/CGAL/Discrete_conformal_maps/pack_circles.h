@@ -40,7 +40,7 @@ inline Planar_circle inverted(const Planar_circle& circle, const std::complex<do
   return {shift + factor * (std::conj(z) / power), std::abs(factor) * circle.radius / power};
 }
 
-// The circles of a packing in the plane, and where they touch.
+// Holds the circles of a packing in the plane, and the points at which they touch.
 class Packed_circles
 {
 public:
@@ -53,8 +53,8 @@ public:
         m_circles[mesh.source(h).idx()] = {map.position(h), map.scaled_radius(mesh.source(h))};
   }
 
-  // Takes the packing to the unit disk, or to the sphere. What touches is in balance: points on the
-  // unit circle, or on the sphere. Returns whether rounding allows it.
+  // Maps the packing to the unit disk, or to the sphere. Balances the points at which circles touch
+  // the unit circle, or each other on the sphere. Returns whether rounding allows it.
   bool balance()
   {
     try {
@@ -68,7 +68,7 @@ public:
     }
   }
 
-  // without that of the apex
+  // without the circle of the apex
   std::vector<Planar_circle> circles() const
   {
     return {m_circles.begin(), m_circles.end() - (m_complex.apex().is_valid() ? 1 : 0)};
@@ -114,7 +114,8 @@ private:
     return a.center + (b.center - a.center) * (a.radius / (a.radius + b.radius));
   }
 
-  // Points at which circles of edges touch, that of the apex if there is one.
+  // Returns the points at which circles of edges touch, including the circle of the apex if there
+  // is one.
   std::vector<Point> touching_points() const
   {
     std::vector<Point> result;
@@ -138,7 +139,7 @@ private:
   }
 
   // An inversion turns the circle of the apex inside out. The point that balances the unit circle
-  // lies on the hemisphere above the disk; a motion of the disk takes it above the origin.
+  // lies on the hemisphere above the disk; a motion of the disk moves it above the origin.
   void move_to_disk()
   {
     const Planar_circle apex = m_circles.back();
@@ -161,8 +162,8 @@ private:
   std::vector<Planar_circle> m_circles;
 };
 
-// Returns the status of a packing with this error. Relative errors of small circles do not count,
-// which come last among the promises of a map.
+// Returns the status of a packing with this error. Relative errors of small circles, the last
+// promises of a map, do not count.
 inline Map_status packing_status(Map_status of_map, double max_tangency_error)
 {
   const bool is_by_size = of_map == Map_status::not_conformal || of_map == Map_status::not_closed;
@@ -197,30 +198,30 @@ inline Circle_packing packed(const Packing_complex& complex)
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsCircles
-/// packs circles on the sphere, or in the unit disk, that touch as the vertices of a triangulation
-/// are joined by edges (Koebe, Andreev, Thurston). Only the connectivity of `g` counts.
+/// packs circles on the sphere, or in the unit disk, that touch if an edge of a triangulation joins
+/// their vertices (Koebe, Andreev, Thurston). Only the connectivity of `g` counts.
 ///
 /// - A closed surface of genus zero packs the unit sphere. The packing is unique up to M&ouml;bius
-///   transformations and reflections; the result is the one in which the points where circles touch
-///   have their mean in the center. The planes of the circles bound a polyhedron, and the apexes of
-///   the cones that touch the sphere in them are the corners of another one, all edges of which
-///   touch the sphere.
-/// - A disk packs the unit disk: the circles of the boundary touch the unit circle from inside. The
-///   points where they do have their mean in the center.
+///   transformations and reflections. In the result, the points at which circles touch have their
+///   mean in the center. The planes of the circles bound a polyhedron. The apexes of the cones that
+///   touch the sphere in the circles are the corners of another polyhedron, whose edges all touch
+///   the sphere.
+/// - A disk packs the unit disk. The circles of the boundary touch the unit circle from inside, at
+///   points whose mean is the center.
 ///
-/// A face is removed, a face at an added vertex beyond the boundary for a disk. Its three circles
-/// are equal and touch each other, and all others lie between them: they are the circles of the
-/// decorated discrete conformal map `flatten()` of a disk with edges of length 2 and radii 1, whose
-/// boundary is not scaled. Circles that touch are weighted Delaunay, whatever the scale factors, so
-/// that no edge is flipped. If circles far from that face have too few digits, it is done again
-/// with the face of the greatest circles.
+/// A face is removed; for a disk it is a face at an added vertex beyond the boundary. Its three
+/// circles are equal and touch each other, and all others lie between them. The decorated discrete
+/// conformal map `flatten()` computes the circles. It maps a disk with edges of length 2 and radii
+/// 1, whose boundary is not scaled. Circles that touch are weighted Delaunay, whatever the scale
+/// factors, so that no edge is flipped. If circles far from this face have too few digits, the
+/// computation restarts with the face of the greatest circles.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param g a connected triangle mesh of genus zero with at most one boundary, in which vertices
 ///   determine edges and faces
 ///
-/// Complexity: that of `flatten()`.
-/// \returns the circles, with what was measured on them
+/// Complexity: see `flatten()`.
+/// \returns the circles, with the measurements on them
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh
 template <typename Graph>
 Circle_packing pack_circles(const Graph& g)

@@ -32,7 +32,7 @@ homogeneous_coordinates(const Spherical_conformal_map& map, const Input_part& pa
 
 namespace internal {
 
-// the images of the vertices of a part; those of the input have their positions
+// Returns the images of the vertices of a part; vertices of the input have their positions.
 inline std::vector<std::array<double, 3>>
 images_of_vertices(const Spherical_conformal_map& map, const Input_part& part,
                    const std::vector<std::array<double, 4>>& homogeneous)
@@ -54,9 +54,9 @@ inline auto number_of_target(const Input_part& part)
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// returns the images on the sphere of the vertices of a part, in their order. They are rounded
-/// such that no face is reversed, as seen from the center, if that is possible. A polygon,
-/// `map.is_flat()`, has no orientation from there, and stays as it is. Complexity: linear, without
-/// faces that are reversed at first.
+/// such that no face is reversed, as seen from the center, if possible. A polygon (`map.is_flat()`)
+/// has no orientation from the center, and does not change. Complexity: linear, without faces that
+/// are reversed at first.
 /// \param map the map
 /// \param part the part of the input, of `map`
 /// \param homogeneous the homogeneous coordinates of the vertices
@@ -74,9 +74,9 @@ sphere_points(const Spherical_conformal_map& map, const Input_part& part,
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// returns the images in the unit disk of the vertices of a part of a disk, from their images on
-/// the hemisphere, `points`. They are rounded such that no face is reversed, if that is possible:
-/// edges are arcs in the disk, and a thin face can be reversed with straight ones. Complexity:
-/// linear, without faces that are reversed at first.
+/// the hemisphere, `points`. They are rounded such that no face is reversed, if possible. Edges are
+/// arcs in the disk, and a thin face can be reversed with straight edges. Complexity: linear,
+/// without faces that are reversed at first.
 inline Rounded_points<std::array<double, 2>>
 disk_points(const Input_part& part, const std::vector<std::array<double, 3>>& points)
 {

@@ -13,7 +13,7 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// the topology of a connected surface, as far as it decides which constant curvature it can have.
+/// the topology of a connected surface, which determines its possible constant curvature.
 enum class Surface_type
 {
   sphere,    ///< closed, genus zero
@@ -38,7 +38,7 @@ inline const char* to_string(Surface_type type)
 }
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// returns the topology of a surface. Isolated vertices do not count. Complexity: linear.
+/// returns the topology of a surface. Isolated vertices are ignored. Complexity: linear.
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not connected or has no faces
 template <typename Graph>

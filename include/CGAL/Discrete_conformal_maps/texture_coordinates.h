@@ -23,8 +23,8 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// the faces of an input have no texture coordinates: a map is not projective on them, or is not
-/// laid out.
+/// is thrown if the faces of an input have no texture coordinates: a map is not projective on them,
+/// or is not laid out.
 class No_texture_coordinates : public Intrinsic_triangulations::Error
 {
 public:
@@ -42,7 +42,7 @@ void for_each_original_face(const Planar_conformal_map& map, const Function& f)
       f(part);
 }
 
-// The halfedges of the subdivision that are those of T^A, for each halfedge of a face on the input.
+// Finds the halfedge of the subdivision for each halfedge of a face of T_1 on the input.
 class Whole_faces
 {
 public:
@@ -71,8 +71,8 @@ private:
     }
   }
 
-  // whether the edges of a face of the subdivision, from `h` on, are those of one of T^A from `x`
-  // on
+  // Returns whether the edges of a face of the subdivision, from `h`, are the edges of a face of
+  // T_1, from `x`.
   bool has_edges(Halfedge_index h, Halfedge_index x) const
   {
     const auto& mesh = m_map.subdivision().mesh();
@@ -91,9 +91,9 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns whether no face of the input is cut by edges of \f$T^B\f$ or \f$T^C\f$. Then the map is
-/// projective on each of them, and corners of the input determine the map. Only the subdivision
-/// determines it otherwise. Complexity: linear in the faces of the subdivision.
+/// returns whether edges of \f$T_2\f$ and \f$T_3\f$ cut no face of the input. Then the map is
+/// projective on each face, and corners of the input determine the map. Otherwise only the
+/// subdivision determines it. Complexity: linear in the faces of the subdivision.
 inline bool has_whole_faces(const Planar_conformal_map& map)
 {
   std::vector<char> is_met(map.Delaunay().input_mesh().num_faces(), 0);
@@ -108,8 +108,8 @@ inline bool has_whole_faces(const Planar_conformal_map& map)
 
 namespace internal {
 
-// Calls `write` with the halfedges of the faces of a graph and the images of their targets, of
-// which `images` computes those of the corners of a part.
+// Calls `write` with the halfedges of the faces of a graph and the images of their targets.
+// `images` computes the images of the corners of a part.
 template <typename Graph, typename Images, typename Function>
 void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Images& images,
                      const Function& write)
@@ -143,9 +143,9 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Imag
 ///
 /// \param map the result of `flatten()` for `g`
 /// \param g the mesh
-/// \param uvw a writable property map with a halfedge of `g` as key, for the corner at its target
-///        in its face, and a value type that is made of three `double`. Border halfedges get no
-///        value.
+/// \param uvw a writable property map with a halfedge of `g` as key and a value type that is made
+///   of three `double`. A halfedge has the image of the corner at its target in its face. Border
+///   halfedges get no value.
 /// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid
 ///         out; nothing is written then
 template <typename Graph, typename HalfedgeMap>
@@ -171,9 +171,9 @@ void homogeneous_texture_coordinates(const Planar_conformal_map& map, const Grap
 ///
 /// \param map the result of `flatten()` for `g`
 /// \param g the mesh
-/// \param uv a writable property map with a halfedge of `g` as key, for the corner at its target in
-///        its face, and a value type that is made of two `double`, such as `Point_2` of a kernel.
-///        Border halfedges get no value.
+/// \param uv a writable property map with a halfedge of `g` as key. Its value type is made of two
+///   `double`, such as `Point_2` of a kernel. A halfedge has the image of the corner at its target
+///   in its face. Border halfedges get no value.
 /// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid
 ///         out; nothing is written then
 template <typename Graph, typename HalfedgeMap>

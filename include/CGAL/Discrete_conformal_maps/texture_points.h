@@ -23,15 +23,15 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// the images of the corners or vertices of an input part, as `double` has them, with the faces
-/// that are reversed (\ref dcm_reversed).
+/// the images of the corners or vertices of an input part, rounded to `double`, with the reversed
+/// faces (\ref dcm_reversed).
 ///
 /// \tparam Point the type of points
 template <typename Point>
 struct Rounded_points
 {
   std::vector<Point> points; ///< the points
-  /// the faces of the subdivision with three corners that turn right, in the order of the boundary
+  /// the faces of the subdivision with three corners that turn right in the order of the boundary
   std::vector<Face_index> reversed_faces;
 };
 
@@ -92,9 +92,9 @@ inline Rounded_points<std::array<double, 2>> texture_points(const Planar_conform
 }
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns the homogeneous coordinates of the images of the corners of a part, in their order. The
-/// points that these numbers stand for, not their quotients in `double`, are rounded such that no
-/// face is reversed. Complexity: linear, without faces that are reversed at first.
+/// returns the homogeneous coordinates of the images of the corners of a part, in their order. They
+/// are rounded such that no face is reversed for the exact quotients of these numbers, not for
+/// quotients in `double`. Complexity: linear, without faces that are reversed at first.
 /// \tparam Map `Planar_conformal_map` or `Hyperbolic_conformal_map`
 /// \pre the map is laid out
 template <typename Map>

@@ -24,16 +24,16 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// the metric of constant curvature of a surface, and the map that belongs to it.
+/// the metric of constant curvature of a surface, and its map.
 struct Uniformization
 {
-  /// the topology of the surface, on which the rest depends
+  /// the topology of the surface, which determines the type of the map
   Surface_type type = Surface_type::sphere;
-  /// the map: to the sphere of a sphere, to a hemisphere of a disk, to the plane of a torus or an
-  /// annulus, and to the hyperbolic plane of all other surfaces
+  /// the map: of a sphere to the sphere, of a disk to a hemisphere, of a torus or an annulus to the
+  /// plane. All other surfaces are mapped to the hyperbolic plane
   std::variant<Spherical_conformal_map, Planar_conformal_map, Hyperbolic_conformal_map> map;
-  /// the modulus of a torus (see `torus_modulus()`), or the imaginary unit times that of an annulus
-  /// (see `annulus_modulus()`), if its map is a success
+  /// the modulus of a torus (see `torus_modulus()`), or the imaginary unit times the modulus of an
+  /// annulus (see `annulus_modulus()`), if the map is a success
   std::optional<std::complex<double>> modulus;
 
   /// returns the map to the sphere, or null if `map` is another one.
@@ -57,10 +57,11 @@ struct Uniformization
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// gives a surface the discretely conformal metric of constant curvature that its topology allows:
-/// a sphere becomes round, a disk a hemisphere, a torus flat, an annulus a flat cylinder, and all
-/// surfaces with more handles or boundaries hyperbolic. Boundaries become geodesics. The hemisphere
-/// is the unit disk of the Riemann mapping theorem: `Spherical_conformal_map::to_plane()`.
+/// gives a surface the discretely conformal metric of constant curvature that its topology allows.
+/// A sphere becomes round, a disk a hemisphere, a torus flat, and an annulus a flat cylinder. All
+/// surfaces with more handles or boundaries become hyperbolic. Boundaries become geodesics. The
+/// hemisphere is the unit disk of the Riemann mapping theorem:
+/// `Spherical_conformal_map::to_plane()`.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -69,8 +70,7 @@ struct Uniformization
 ///        `minimizer` is for surfaces that become flat or hyperbolic; scale factors on the sphere
 ///        have bounds, which `Bounded_Newton_minimizer` keeps.
 ///
-/// Complexity and exceptions: those of `map_to_sphere()`, `flatten()` and
-/// `uniformize_hyperbolic()`.
+/// Complexity and exceptions: see `map_to_sphere()`, `flatten()` and `uniformize_hyperbolic()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not connected
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Uniformization uniformize(const Graph& g,

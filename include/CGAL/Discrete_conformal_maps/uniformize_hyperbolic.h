@@ -28,9 +28,9 @@ namespace CGAL::Discrete_conformal_maps {
 /// two or more. A component with boundary is doubled; its boundary is a geodesic, unless exterior
 /// angles are prescribed.
 ///
-/// `Hyperbolic_conformal_map::status()` states how this has ended, measured on the result (see \ref
-/// dcm_status). A map that is no success has the best scale factors that have been found, and a
-/// layout if there is one: see `Hyperbolic_conformal_map::is_laid_out()`.
+/// `Hyperbolic_conformal_map::status()` is the outcome, measured on the result (see \ref
+/// dcm_status). A map that is no success has the best scale factors found, and a layout if
+/// `Hyperbolic_conformal_map::is_laid_out()`.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -38,14 +38,14 @@ namespace CGAL::Discrete_conformal_maps {
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
-///     \cgalParamDescription{what is prescribed at each vertex: a curvature, \f$2\pi\f$ less the
-///                           angle of a cone, or a logarithmic scale factor}
+///     \cgalParamDescription{the condition at each vertex: a curvature, \f$2\pi\f$ minus the angle
+///       of a cone, or a logarithmic scale factor}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
 ///       value}
 ///     \cgalParamDefault{curvature zero everywhere}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimizer}
-///     \cgalParamDescription{what minimizes the energy}
+///     \cgalParamDescription{the minimizer of the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
 ///   \cgalParamNEnd
@@ -64,12 +64,12 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
-/// that \f$O(n \log n)\f$ in the vertices and crossings.
+/// Complexity: a sparse Cholesky factorization for each step of the minimization, plus \f$O(n \log
+/// n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a component
-///         cannot be hyperbolic with what is prescribed
-/// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
-/// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
+///   cannot be hyperbolic with these conditions
+/// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
+/// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
 ///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
