@@ -5,24 +5,24 @@
 /// \ingroup PkgIntrinsicSimplificationConcepts
 /// \cgalConcept
 ///
-/// says how bad it is to remove a vertex. `CGAL::Intrinsic_simplification::simplify()` removes the
+/// returns the cost of removing a vertex. `CGAL::Intrinsic_simplification::simplify()` removes the
 /// vertex of least cost first.
 ///
-/// A cost is computed anew when the star of the vertex has changed, by the removal of a neighbor or
-/// a flip after it (Algorithm 6). So if it is a function of the star alone, the cheapest vertex is
-/// removed each time. If it also depends on what `after_removal()` changes at the neighbors, it is
-/// computed anew only when the vertex comes first; if it has become smaller by such a change, the
-/// vertex may be removed later than it should.
+/// A cost is computed again when a removal of a neighbor or a later flip has changed the star of
+/// the vertex (Algorithm 6). So if it depends on the star alone, the cheapest vertex is removed
+/// each time. It may also depend on changes of `after_removal()` at the neighbors. Then it is
+/// computed again only when the vertex comes first. If such a change decreases it, the vertex may
+/// be removed too late.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_simplification::Transport_cost`
 class RemovalCost
 {
 public:
-  /// returns the cost of removing the center of `star`, which has been flattened: how lengths and
-  /// angles at the neighbors would change is known. It must not be NaN; with an infinite cost the
-  /// vertex is removed after all others.
+  /// returns the cost of removing the center of `star`. The star is flattened, so that the changes
+  /// of lengths and angles at the neighbors are known. The cost must not be NaN; with an infinite
+  /// cost the vertex is removed after all others.
   double operator()(const CGAL::Intrinsic_simplification::Flattened_star& star);
 
-  /// is called after the center of `star` has been removed. `star` is as it was before.
+  /// is called after the center of `star` has been removed. `star` is the star before the removal.
   void after_removal(const CGAL::Intrinsic_simplification::Flattened_star& star);
 };

@@ -14,11 +14,10 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// two maps, one after the other: from where the first starts to where the second ends. Each is a
-/// `Surface_map`, a `Correspondence_map` or composed of such. The object refers to both.
+/// the composition of two maps. Each is a `Surface_map`, a `Correspondence_map` or a
+/// `Composed_map`. The object refers to both.
 ///
-/// Between levels of one surface `Surface_map` is composed already, and has curves and subdivisions
-/// too.
+/// Between levels of one surface use `Surface_map`, which has curves and subdivisions too.
 template <typename First, typename Second>
 class Composed_map
 {

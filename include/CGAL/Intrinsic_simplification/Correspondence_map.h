@@ -14,9 +14,9 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// the identity of a surface as a map between its triangulations: from \f$T_1\f$, called fine, to
-/// \f$T_2\f$, called coarse, whichever has more vertices. It has the names of `Surface_map`, so
-/// that `Composed_map` joins maps that integer coordinates give and maps that a history gives.
+/// the identity of a surface as a map between its triangulations. It leads from \f$T_1\f$, called
+/// fine, to \f$T_2\f$, called coarse, whichever has more vertices. It has the names of
+/// `Surface_map`. So `Composed_map` composes maps by integer coordinates and maps by a history.
 ///
 /// The object refers to the triangulation and is valid until that changes.
 class Correspondence_map
@@ -29,8 +29,7 @@ public:
   /// the type of the triangulation.
   typedef Correspondence::Triangulation Triangulation;
 
-  /// prepares the map. Complexity and exceptions: those of
-  /// `Intrinsic_triangulations::Correspondence`.
+  /// prepares the map. Complexity and exceptions: see `Intrinsic_triangulations::Correspondence`.
   explicit Correspondence_map(const Triangulation& tri) : m_correspondence(tri) {}
 
   /// returns the crossings of both triangulations.
@@ -44,7 +43,7 @@ public:
   /// returns `v`: vertices of \f$T_1\f$ are vertices of \f$T_2\f$.
   Vertex_index coarse_vertex(Vertex_index v) const { return v; }
 
-  /// maps a point of \f$T_1\f$ to \f$T_2\f$. Complexity: that of
+  /// maps a point of \f$T_1\f$ to \f$T_2\f$. Complexity: see
   /// `Intrinsic_triangulations::point_across()`.
   Location to_coarse(const Location& p) const
   {

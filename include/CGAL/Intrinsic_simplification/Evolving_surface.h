@@ -33,11 +33,11 @@ class Refinement_follower;
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a surface from which vertices are removed, with the history that maps points of the surface as
-/// it was to points of the surface as it is.
+/// a surface from which vertices are removed, with the history that maps points of the original
+/// surface to points of the current one.
 ///
-/// Elements keep their indices; removed ones leave gaps. Vertices have the indices of the input;
-/// those that `refine()` inserts come after them.
+/// Elements keep their indices; removed elements leave gaps. Vertices have the indices of the
+/// input. Vertices that `refine()` inserts have greater indices.
 /// \cgalModels `IntrinsicSurface`
 class Evolving_surface
 {
@@ -47,7 +47,7 @@ public:
   /// the type of indices of elements.
   typedef Delta_complex::size_type size_type;
 
-  /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`; its constrained edges will stay.
+  /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`, and keeps its constrained edges.
   /// Complexity: linear.
   /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
   /// \pre `tri` has no garbage
@@ -55,20 +55,20 @@ public:
     : m_surface(tri), m_is_protected(tri.mesh().num_vertices(), 0)
   {}
 
-  /// starts with a mesh. The parameters and exceptions are those of
+  /// starts with a mesh. For parameters and exceptions see
   /// `Intrinsic_triangulations::Intrinsic_triangulation`.
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Evolving_surface(const Graph& g,
                             const NamedParameters& np = CGAL::parameters::default_values());
 
-  /// returns the connectivity and the lengths at present.
+  /// returns the current connectivity and lengths.
   const Intrinsic_surface& surface() const { return m_surface; }
-  /// returns the connectivity at present.
+  /// returns the current connectivity.
   const Delta_complex& mesh() const { return m_surface.mesh(); }
-  /// returns the lengths of the edges at present.
+  /// returns the current lengths of the edges.
   Intrinsic_surface::Length_map length_map() const { return m_surface.length_map(); }
 
-  /// returns all operations that have been done.
+  /// returns all operations so far.
   const Surface_history& history() const { return m_history; }
 
   /// makes `v` a vertex that cannot be removed.
@@ -83,10 +83,9 @@ public:
     return v.idx() < m_is_protected.size() && m_is_protected[v] != 0;
   }
 
-  /// computes the star of `v` as it would be if `v` was removed. Complexity: linear in the degree
-  /// of `v`.
-  /// \returns whether `v` can be removed, as far as is known without trying: a vertex with a
-  ///          loop may turn out to be not separable.
+  /// computes the flattened star of `v`. Complexity: linear in the degree of `v`.
+  /// \returns whether `v` can be removed. Only an attempt shows whether a vertex with a loop is
+  ///   separable
   Removal_status flatten(Vertex_index v, Flattened_star& star) const
   {
     return is_protected(v) ? Removal_status::protected_vertex : star.flatten(v, m_surface);
@@ -104,12 +103,13 @@ public:
     flip_waiting_edges([](Vertex_index) {});
   }
 
-  /// flips edges until all are Delaunay by exact decisions about the metric of `tri`, the
-  /// triangulation that the surface was made from: makes both of them Delaunay by the same flips,
-  /// and takes the lengths of `tri`. Complexity: linear in the edges and flips.
+  /// flips edges until all are Delaunay by exact decisions about the metric of `tri`, from which
+  /// the surface was made. It makes both Delaunay by the same flips, and copies the lengths of
+  /// `tri`. Complexity: linear in the edges and flips.
   /// \throws what `Intrinsic_triangulations::make_Delaunay()` throws. After an exception the
   ///   surface is valid.
-  /// \pre the triangulation \f$T_2\f$ of `tri` is that of the surface, with the same indices
+  /// \pre the triangulation \f$T_2\f$ of `tri` is the triangulation of the surface, with the same
+  ///   indices
   void make_exactly_Delaunay(Triangulation& tri)
   {
     Flip_follower follower{tri, *this};
@@ -119,12 +119,12 @@ public:
       m_surface.set_length(e, tri.length(e));
   }
 
-  /// removes the center of `star`: changes its scale, flips its edges until three are left, takes
-  /// it away, and makes the edges Delaunay that have changed (Section 5.1). Complexity: linear in
-  /// the degree of the center and the flips, for degrees that are bounded.
-  /// \param star the flattened star, whose scale factor is made more exact
+  /// removes the center of `star` (Section 5.1). It scales the center, flips its edges until three
+  /// are left, removes it, and makes the changed edges Delaunay. Complexity: linear in the degree
+  /// of the center and the flips, for bounded degrees.
+  /// \param star the flattened star; its scale factor is refined
   /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
-  /// \returns whether the vertex has been removed. If not, nothing has changed.
+  /// \returns whether the vertex has been removed. Otherwise the surface has not changed.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
   ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`; the vertex has been
   ///         removed then
@@ -142,7 +142,7 @@ public:
     return Removal_status::possible;
   }
 
-  /// removes the center of `star` without notification of what may have changed.
+  /// removes the center of `star` without notification of changed stars.
   Removal_status remove(Flattened_star& star)
   {
     return remove(star, [](Vertex_index) {});

@@ -24,20 +24,20 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// an edge that leaves the center of a star. What is said of lengths and directions holds before
-/// the center is flattened.
+/// an edge that leaves the center of a star. Lengths and directions are before the center is
+/// flattened.
 struct Star_halfedge
 {
-  Halfedge_index halfedge;             ///< leaves the center
-  Vertex_index neighbor;               ///< where it ends
+  Halfedge_index halfedge;             ///< the halfedge from the center
+  Vertex_index neighbor;               ///< the target of the halfedge
   double length;                       ///< the length of the edge
   std::complex<double> direction;      ///< its direction at the center, of length one
-  std::complex<double> direction_back; ///< that of the opposite halfedge at the neighbor
-  /// returns the change of the angle at the neighbor in the two faces of the outgoing halfedge, by
-  /// flattening; the curvature of the neighbor changes by its negative
+  std::complex<double> direction_back; ///< the direction of the opposite halfedge at the neighbor
+  /// the change by flattening of the angle at the neighbor in the two faces of the outgoing
+  /// halfedge. The curvature of the neighbor changes by its negative
   double angle_change;
-  /// the share of the change at this outgoing halfedge in that at all of them (Equation 5.7); equal
-  /// shares if the center is flat already, and none for a loop
+  /// the share of this outgoing halfedge in the total change (Equation 5.7). Shares are equal if
+  /// the center is already flat, and zero for loops
   double weight;
   /// the index of the first outgoing halfedge with this neighbor
   std::size_t first_with_neighbor;
@@ -48,16 +48,16 @@ struct Star_halfedge
 ///
 /// The center gets the scale factor \f$u\f$: the length of an edge is multiplied by \f$e^{u/2}\f$
 /// for each end at the center. The other edges of the star keep their lengths. The sum of angles at
-/// the center decreases strictly with \f$u\f$, so there is one solution at most. It is \f$2\pi\f$
-/// at an interior vertex, and \f$\pi\f$ on the boundary, which becomes straight.
+/// the center decreases strictly with \f$u\f$, so there is at most one solution. Then the sum is
+/// \f$2\pi\f$ at an interior vertex, and \f$\pi\f$ on the boundary, which becomes straight.
 ///
-/// An object can be used for one vertex after the other; it keeps its memory.
+/// An object can be reused for other vertices; it keeps its memory.
 class Flattened_star
 {
 public:
-  /// computes the outgoing halfedges of `v` and its scale factor, to about half of its digits
-  /// unless it is zero: enough for a cost. Complexity: linear in the degree of `v`, for each step
-  /// of Newton's method.
+  /// computes the outgoing halfedges of `v` and its scale factor. A scale factor other than zero
+  /// has about half of its digits, enough for a cost. Complexity: linear in the degree of `v`, for
+  /// each step of Newton's method.
   /// \returns whether `v` can be flattened; if it can, the functions below return the result
   Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
   {
@@ -71,12 +71,12 @@ public:
     return Removal_status::possible;
   }
 
-  /// computes the scale factor up to rounding. Angle changes and weights stay. Complexity: as
-  /// `flatten()`.
+  /// computes the scale factor up to rounding. Angle changes and weights do not change. Complexity:
+  /// see `flatten()`.
   /// \returns whether the center can be flattened after all
   bool sharpen() { return solve(internal::angle_rounding(size())); }
 
-  /// returns the vertex in the middle.
+  /// returns the center.
   Vertex_index center() const { return m_center; }
 
   /// returns whether the center is on the boundary.
@@ -101,7 +101,7 @@ public:
   /// returns the scale factor \f$u\f$; exactly zero if the center is flat up to rounding.
   double scale_factor() const { return m_u; }
 
-  /// returns by how much flattening makes the area of the star larger, to about half of the digits.
+  /// returns the increase of the area of the star by flattening, to about half of the digits.
   double area_change() const { return m_area_change; }
 
   /// returns the length of an outgoing halfedge after flattening.
@@ -110,7 +110,7 @@ public:
     return m_outgoing_halfedges[n].length * m_power[ends(n)];
   }
 
-  /// returns the length of the edge across from the center, between the outgoing halfedges `n` and
+  /// returns the length of the edge opposite to the center, between the outgoing halfedges `n` and
   /// `next(n)`, after flattening.
   double flat_opposite_length(std::size_t n) const
   {
@@ -118,13 +118,13 @@ public:
   }
 
 private:
-  // the sides of the corner between two outgoing halfedges
+  // Returns the sides of the corner between two outgoing halfedges.
   struct Corner
   {
     double p, q, opposite;
   };
 
-  // how the angles at the center add up for some scale factor
+  // Sums the angles at the center for a scale factor.
   struct Angle_excess
   {
     double value;      // over the angle of a flat vertex
@@ -136,7 +136,7 @@ private:
 
   double flat_angle() const { return (m_is_border ? 1 : 2) * pi<double>(); }
 
-  // the number of ends of an outgoing halfedge at the center
+  // Returns the number of ends of an outgoing halfedge at the center.
   std::size_t ends(std::size_t n) const
   {
     return m_outgoing_halfedges[n].neighbor == m_center ? 2 : 1;
@@ -228,7 +228,7 @@ private:
     return result;
   }
 
-  // the derivative of the angle by the scale factor, times four times the area
+  // Returns the derivative of the angle by the scale factor, times four times the area.
   double angle_derivative(std::size_t n, const Corner& c, double product) const
   {
     if(!m_has_loop)
@@ -238,7 +238,7 @@ private:
            (p + q) * product / 2;
   }
 
-  // Newton's method, kept in the interval where the excess changes its sign; with a last step that
+  // Applies Newton's method, kept in the interval in which the excess changes its sign. A last step
   // squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0 or pi, so
   // that the excess is continuous and decreases everywhere.
   bool solve(double tolerance)
@@ -297,7 +297,7 @@ private:
     return internal::argument(after * before);
   }
 
-  // of a corner in its face: one with a loop has two corners at the center
+  // Returns the index of a corner in its face. A face with a loop has two corners at the center.
   double share(std::size_t n) const
   {
     return n < number_of_corners() && opposite_ends(n) > 0 ? 0.5 : 1;

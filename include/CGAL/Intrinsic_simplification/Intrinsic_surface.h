@@ -39,13 +39,12 @@ using Intrinsic_triangulations::pi;
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space
-/// of its source. Unlike those of `Intrinsic_triangulations::Intrinsic_triangulation`, its lengths
-/// can be changed.
+/// of its source. Its lengths can be changed, unlike lengths of an
+/// `Intrinsic_triangulations::Intrinsic_triangulation`.
 ///
-/// Directions are complex numbers. At first they are those of
-/// `Intrinsic_triangulations::Tangent_frames`. When an edge takes the place of another, or lengths
-/// change, a halfedge goes between its two neighbors in the proportion of the two corners: the
-/// frame of a vertex stays what it is.
+/// Directions are complex numbers. They start as in `Intrinsic_triangulations::Tangent_frames`.
+/// When an edge replaces another one, or lengths change, a halfedge gets a direction between its
+/// two neighbors, in the proportion of the two corners. The frame of a vertex does not change.
 ///
 /// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
 /// \cgalModels `IntrinsicSurface`
@@ -101,7 +100,7 @@ public:
   /// returns the direction in which `h` leaves its source, a number of absolute value one.
   const std::complex<double>& direction(Halfedge_index h) const { return m_direction[h]; }
 
-  /// returns whether `e` must stay.
+  /// returns whether `e` is constrained.
   bool is_constrained(Edge_index e) const
   {
     return !m_is_constrained.empty() && m_is_constrained[e] != 0;
@@ -114,8 +113,7 @@ public:
                                                   length(h));
   }
 
-  /// returns whether the edge of `h` can be flipped as far as connectivity and constraints are
-  /// concerned.
+  /// returns whether connectivity and constraints allow a flip of the edge of `h`.
   bool can_be_turned(Halfedge_index h) const
   {
     namespace IT = Intrinsic_triangulations;
@@ -159,7 +157,7 @@ public:
 
   /// inserts a vertex into the face of `h` (see `Intrinsic_triangulations::split_face()`). It gets
   /// a frame in which the direction of the first outgoing halfedge is 1. Elements get new indices,
-  /// never those of removed ones. Complexity: constant, amortized.
+  /// never indices of removed elements. Complexity: constant, amortized.
   /// \param h a halfedge
   /// \param new_length the lengths of the edges from the vertex to the source and the target of `h`
   ///   and to the opposite corner
@@ -177,7 +175,7 @@ public:
     return a;
   }
 
-  /// inserts a vertex into the boundary edge of `h`, as `split_face()` into a face.
+  /// inserts a vertex into the boundary edge of `h`; otherwise as `split_face()`.
   /// \param h a halfedge that is not on the border; afterwards it leads from the vertex to its
   ///   target
   /// \param new_length the lengths of the edges from the vertex to the target and the source of `h`
@@ -197,7 +195,7 @@ public:
     direct_outgoing_halfedges(m_mesh.source(h));
   }
 
-  /// sets whether `e` must stay.
+  /// sets whether `e` is constrained.
   void constrain(Edge_index e, bool is_constrained)
   {
     if(is_constrained)
@@ -212,8 +210,8 @@ public:
   /// changes the direction of `h`.
   void set_direction(Halfedge_index h, const std::complex<double>& z) { m_direction[h] = z; }
 
-  /// directs `h` between its neighbors at its source in the proportion of the two corners. That of
-  /// a border edge stays. Complexity: constant.
+  /// directs `h` between its neighbors at its source in the proportion of the two corners. The
+  /// direction of a border edge does not change. Complexity: constant.
   void place_between_neighbors(Halfedge_index h)
   {
     const Halfedge_index o = opposite(h);
@@ -232,7 +230,7 @@ public:
   /// @}
 
 private:
-  // for new edges, which are not constrained
+  // Extends the properties for new edges, which are not constrained.
   void add_data()
   {
     m_length.resize(m_mesh.num_edges());
@@ -241,7 +239,7 @@ private:
       m_is_constrained.resize(m_mesh.num_edges(), 0);
   }
 
-  // gives directions to both ends of the edges at the new vertex `v`
+  // Gives directions to both ends of the edges at the new vertex `v`.
   void direct_outgoing_halfedges(Vertex_index v)
   {
     double sum = 0, angle = 0;
@@ -256,7 +254,7 @@ private:
     });
   }
 
-  // the angle between 0, exclusive, and a full turn, inclusive
+  // Returns the angle between 0, exclusive, and a full turn, inclusive.
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * pi<double>(); }
 
   Delta_complex m_mesh;

@@ -25,12 +25,12 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// states how an iteration has ended.
+/// the outcome of an iteration.
 enum class Multigrid_status
 {
   converged,       ///< the error is below the tolerance
-  iteration_limit, ///< it is not after as many iterations as were allowed
-  no_progress ///< it does not become smaller any more: by rounding, or as a number is not finite
+  iteration_limit, ///< the limit of iterations was reached
+  no_progress      ///< the error does not decrease, by rounding or as a number is not finite
 };
 
 /// \ingroup PkgIntrinsicSimplificationApplications
@@ -47,31 +47,30 @@ inline const char* to_string(Multigrid_status status)
 }
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// a solution, and how good it is.
+/// a solution with its estimated error.
 struct Multigrid_result
 {
   Eigen::VectorXd solution;   ///< the last iterate
-  std::size_t iterations = 0; ///< how many iterations have been made
-  /// the estimated error of the solution, relative, in the energy norm \f$\sqrt{x^T A x}\f$: from
-  /// the residual of the solution and the preconditioner
+  std::size_t iterations = 0; ///< the number of iterations
+  /// the estimated relative error of the solution in the energy norm \f$\sqrt{x^T A x}\f$, from its
+  /// residual and the preconditioner
   double error = 0;
-  Multigrid_status status = Multigrid_status::no_progress; ///< how the iteration has ended
+  Multigrid_status status = Multigrid_status::no_progress; ///< the outcome of the iteration
 };
 
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the
-/// conjugate gradient method with one V-cycle on a hierarchy of surfaces as preconditioner: a sweep
-/// of the method of Gauss and Seidel on each level on the way down, one in reverse on the way up, a
-/// Cholesky factorization on the coarsest. Matrices of coarse levels are \f$P^T A P\f$. The number
-/// of iterations hardly depends on the number of unknowns.
+/// conjugate gradient method. The preconditioner is one V-cycle on a hierarchy of surfaces. It
+/// makes a sweep of the method of Gauss and Seidel on each level downwards, and a reverse sweep
+/// upwards. The coarsest level has a Cholesky factorization. Matrices of coarse levels are \f$P^T A
+/// P\f$. The number of iterations hardly depends on the number of unknowns.
 ///
-/// The matrix is that of a Dirichlet energy plus any diagonal that is not negative, as
-/// \f$L + \alpha M\f$ or \f$L\f$ alone: on each of its connected components it is positive
-/// definite, or maps the constants, and no others, to zero, up to rounding. On components of
-/// the latter kind there is a solution only if the sum of \f$b\f$ vanishes, and it can be shifted:
-/// \f$b\f$ is replaced by \f$b - m \sum b / \sum m\f$ there with the masses \f$m\f$, and the mean
-/// of the solution, weighted with the masses, is zero. `Intrinsic_triangulations::Poisson_solver`
-/// does the same.
+/// The matrix belongs to a Dirichlet energy plus any nonnegative diagonal, such as \f$L + \alpha
+/// M\f$ or \f$L\f$ alone. On each of its connected components it is positive definite, or singular:
+/// it maps exactly the constants to zero, up to rounding. On a singular component, a solution
+/// exists only if the sum of \f$b\f$ vanishes, and is unique up to a constant. So \f$b\f$ is
+/// replaced by \f$b - m \sum b / \sum m\f$ with the masses \f$m\f$. The mean of the solution,
+/// weighted with the masses, is zero. `Intrinsic_triangulations::Poisson_solver` does the same.
 ///
 /// Memory: 12 bytes for each entry of the matrices and prolongations, see `number_of_entries()`.
 class Multigrid_solver
@@ -82,14 +81,13 @@ public:
   /// the type of functions: a value for each unknown.
   typedef Eigen::VectorXd Vector;
 
-  /// multiplies matrices and factorizes that of the coarsest level.
-  /// Complexity: for hierarchies of surfaces in which each level is smaller by a factor, linear,
-  /// plus a Cholesky factorization on the coarsest.
+  /// multiplies matrices and factorizes the matrix of the coarsest level. Complexity: linear if
+  /// each level is smaller by a factor, plus a Cholesky factorization on the coarsest level.
   /// \param matrix the symmetric matrix \f$A\f$
-  /// \param masses a number for each unknown, not negative and not all zero on a component; those
-  ///        of `Intrinsic_triangulations::lumped_mass_matrix()`, for example
-  /// \param prolongations from each level to the next finer one, the finest first, as of
-  ///        `prolongation_hierarchy()`; may be empty
+  /// \param masses a number for each unknown, not negative and not all zero on a component, for
+  ///   example from `Intrinsic_triangulations::lumped_mass_matrix()`
+  /// \param prolongations the prolongations to each level from the next coarser one, the finest
+  ///   first, as from `prolongation_hierarchy()`; may be empty
   /// \throws Intrinsic_triangulations::Numerical_error if rounding leaves the coarsest matrix
   ///   without a factorization
   Multigrid_solver(const Matrix& matrix, const Vector& masses,
@@ -124,8 +122,8 @@ public:
 private:
   typedef std::vector<double> Component_sums;
 
-  // The conjugate gradient method, started again with the true residual where that is larger than
-  // the one which is carried along.
+  // Applies the conjugate gradient method. It restarts with the true residual if this is larger
+  // than the updated residual.
   void iterate(const Vector& b, double scale, double tolerance, std::size_t limit,
                Multigrid_result& result) const
   {
@@ -168,7 +166,7 @@ private:
     }
   }
 
-  // Symmetric too. Without the projections constants would grow out of rounding.
+  // Is symmetric too. Without the projections, rounding would let constants grow.
   Vector preconditioned(Vector r) const
   {
     make_compatible(r);
@@ -187,8 +185,8 @@ private:
     return result;
   }
 
-  // For each unknown the first sum over the second; zero on components where the matrix is positive
-  // definite.
+  // Returns for each unknown the first sum over the second; zero on components whose matrix is
+  // positive definite.
   Vector quotients(const Component_sums& numerator) const
   {
     const Component_sums denominator = sums(m_masses);

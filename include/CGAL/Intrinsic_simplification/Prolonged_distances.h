@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
-// The geodesic distances from a vertex, or another point, to all vertices of a level.
+// Returns the geodesic distances from a vertex, or another point, to all vertices of a level.
 template <typename Source>
 Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& level)
 {
@@ -37,10 +37,10 @@ Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& le
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// approximates the geodesic distances from a vertex of the fine level to all of them: computes
-/// those from its image to the vertices of the coarse level, exactly, and prolongs them. Vertices
-/// out of reach get infinity. Complexity: that of exact geodesic distances on the coarse level,
-/// about linear in practice, plus linear in the fine one.
+/// approximates the geodesic distances from a vertex of the fine level to all vertices. It computes
+/// exact distances from its image to the vertices of the coarse level, and prolongs them.
+/// Unreachable vertices get infinity. Complexity: exact geodesic distances on the coarse level,
+/// about linear in practice, plus linear time in the fine level.
 /// \param source the vertex
 /// \param map the map between the levels
 /// \param prolongation the matrix `prolongation_matrix(map)`
@@ -56,23 +56,22 @@ prolonged_distances_from(Vertex_index source, const Surface_map& map,
 }
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// approximates the geodesic distances between all pairs of vertices of a fine level by
-/// \f$P D P^T\f$ with the distances \f$D\f$ between those of a coarse level, which are exact. The
-/// value for a vertex and itself is not zero if it is not a vertex of the coarse level, and
-/// distances that are short compared to coarse edges are too large.
+/// approximates the geodesic distances between all pairs of vertices of a fine level by \f$P D
+/// P^T\f$. The matrix \f$D\f$ has exact distances between vertices of a coarse level. The distance
+/// of a vertex from itself is zero only for vertices of the coarse level. Distances that are short
+/// compared to coarse edges are too large.
 ///
-/// Memory: \f$8 n_c^2\f$ bytes for \f$n_c\f$ coarse vertices, plus those of the prolongation.
+/// Memory: \f$8 n_c^2\f$ bytes for \f$n_c\f$ coarse vertices, plus the prolongation.
 class Prolonged_distances
 {
 public:
   /// the type of matrices with three entries in a row.
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Prolongation;
 
-  /// computes the distances on the coarse level.
-  /// Complexity: that of exact geodesic distances from each coarse vertex, about quadratic in
-  /// practice.
+  /// computes the distances on the coarse level. Complexity: exact geodesic distances from each
+  /// coarse vertex, about quadratic in practice.
   /// \param coarse the coarse level
-  /// \param prolongation the prolongation from it
+  /// \param prolongation the prolongation from the coarse level
   Prolonged_distances(const Surface_level& coarse, const Prolongation& prolongation)
     : m_prolongation(prolongation), m_coarse(prolongation.cols(), prolongation.cols())
   {
@@ -95,7 +94,7 @@ public:
     return sum;
   }
 
-  /// returns the distances from a vertex of the fine level to all of them. Complexity: linear.
+  /// returns the distances from a vertex of the fine level to all vertices. Complexity: linear.
   Eigen::VectorXd from(Vertex_index v) const
   {
     Eigen::VectorXd to_coarse = Eigen::VectorXd::Zero(m_coarse.rows());

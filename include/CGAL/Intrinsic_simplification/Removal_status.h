@@ -10,10 +10,10 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// determines whether a vertex can be removed, and if not, why.
+/// whether a vertex can be removed, or the reason why not.
 enum class Removal_status
 {
-  possible,         ///< nothing stands against it
+  possible,         ///< the vertex can be removed
   isolated,         ///< the vertex has no faces
   protected_vertex, ///< the vertex is protected, or has a constrained edge
   border_loop,      ///< the vertex is the only one of its boundary loop

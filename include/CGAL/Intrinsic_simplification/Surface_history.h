@@ -25,12 +25,12 @@ namespace CGAL::Intrinsic_simplification {
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the operations that have changed a surface, in their order (Section 5.2).
 ///
-/// They determine for each point where it is afterwards, and where it was before. Memory: 32 bytes
-/// for each operation, and 4 for each corner of a scaling.
+/// They determine the position of each point after and before them. Memory: 32 bytes for each
+/// operation, and 4 for each corner of a scaling.
 class Surface_history
 {
 public:
-  /// a point in time: the number of operations that have been done.
+  /// a point in time: the number of operations done so far.
   typedef std::size_t Time;
 
   /// returns the number of operations.
@@ -80,8 +80,8 @@ public:
   /// appends the flip of the edge of `h`, which is about to happen.
   /// \param h the halfedge
   /// \param mesh the mesh
-  /// \param s the place of the crossing on `h`
-  /// \param t the place of the crossing on `h` after it has been turned
+  /// \param s the position of the crossing on `h`
+  /// \param t the position of the crossing on `h` after it has been turned
   void add_flip(Halfedge_index h, const Delta_complex& mesh, double s, double t)
   {
     m_operations.emplace_back(
@@ -101,10 +101,9 @@ public:
 
   /// appends the insertion of a vertex of degree three, which has just happened.
   /// \param a its first outgoing halfedge; for an interior vertex, the outgoing halfedge to the
-  /// first corner of the face as
-  ///   it was
+  ///   first corner of the former face
   /// \param mesh the mesh
-  /// \param whole the corner of the face as it was that is the target of `a`
+  /// \param whole the corner of the former face that is the target of `a`
   /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
   ///   the next outgoing halfedge; the latter is zero on the boundary
   void add_insertion(Halfedge_index a, const Delta_complex& mesh, Face_corner whole, double w_a,
@@ -113,7 +112,7 @@ public:
     add_vertex_change(true, a, mesh, whole, w_a, w_b);
   }
 
-  /// returns one more than the greatest index of a face that an insertion has made, or 0.
+  /// returns one more than the greatest index of a face from an insertion, or 0.
   std::size_t end_of_inserted_faces() const { return m_end_of_inserted_faces; }
 
   /// discards all operations but the first `t`.

@@ -20,8 +20,8 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a copy of an evolving surface as it is at one time, with indices of elements without gaps, in
-/// the order of those of the surface. Several make a hierarchy.
+/// a copy of an evolving surface at one time. Its elements have indices without gaps, in the order
+/// of the indices of the surface. Several levels make a hierarchy.
 /// \cgalModels `IntrinsicSurface`
 class Surface_level
 {
@@ -29,15 +29,15 @@ public:
   /// the type of the map of edge lengths.
   typedef Intrinsic_surface::Length_map Length_map;
 
-  /// copies the present state. Complexity: linear in the indices that have been used for elements.
+  /// copies the current state. Complexity: linear in the indices that have been used for elements.
   explicit Surface_level(const Evolving_surface& surface)
     : Surface_level(surface, surface.history().size())
   {}
 
   /// copies a surface.
   /// \param surface a model of `IntrinsicSurface`; removed elements leave gaps in the indices
-  /// \param time the number of operations that have led to it
-  /// Complexity: linear in the indices that have been used for elements.
+  /// \param time the number of operations before it Complexity: linear in the indices that have
+  /// been used for elements.
   template <typename Surface>
   Surface_level(const Surface& surface, Surface_history::Time time) : m_time(time)
   {
@@ -53,7 +53,7 @@ public:
       m_length.push_back(get(surface.length_map(), e));
   }
 
-  /// returns the number of operations that had been done.
+  /// returns the number of operations before this level.
   Surface_history::Time time() const { return m_time; }
 
   /// returns the connectivity.

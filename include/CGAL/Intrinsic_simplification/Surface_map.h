@@ -30,10 +30,9 @@ class Face_cutter;
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the bijective map between two levels of an evolving surface (Section 5.2.1).
 ///
-/// A point is carried through the operations between the levels that change the face in which it
-/// is, and through no others: they are found by a list for each face. The map is continuous, and
-/// projective on pieces. A vertex that both levels have is mapped to itself, exactly, and a point
-/// of a boundary to a point of the boundary.
+/// A point is carried only through those operations between the levels that change its face. A list
+/// for each face has these operations. The map is continuous, and projective on pieces. A vertex of
+/// both levels is mapped exactly to itself, and a point of a boundary to a point of the boundary.
 ///
 /// The object refers to the history and to both levels. Memory: 4 bytes for each face and operation
 /// on it.
@@ -63,9 +62,9 @@ public:
     : Surface_map(surface.history(), fine, coarse)
   {}
 
-  /// returns the level on whose surface the map starts.
+  /// returns the fine level.
   const Surface_level& fine() const { return m_fine; }
-  /// returns the level on whose surface the map ends.
+  /// returns the coarse level.
   const Surface_level& coarse() const { return m_coarse; }
 
   /// returns the vertex of the coarse level that is the vertex `v` of the fine level; null if it
@@ -85,7 +84,7 @@ public:
     return internal::carry_point<true>(p, route(true));
   }
 
-  /// maps a point of the coarse surface to the fine surface. Complexity: as `to_coarse()`.
+  /// maps a point of the coarse surface to the fine surface. Complexity: see `to_coarse()`.
   Location to_fine(const Location& p) const
   {
     return internal::carry_point<false>(p, route(false));
@@ -153,7 +152,7 @@ private:
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the place of a vertex of the fine surface on the coarse surface.
+/// returns the position of a vertex of the fine surface on the coarse surface.
 /// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \pre `v` is not isolated
 template <typename Map>
@@ -165,7 +164,7 @@ Surface_map::Location image_of_vertex(Vertex_index v, const Map& map)
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the place of a vertex of the coarse surface on the fine surface.
+/// returns the position of a vertex of the coarse surface on the fine surface.
 /// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \pre `v` is not isolated
 template <typename Map>

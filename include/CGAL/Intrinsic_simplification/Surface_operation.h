@@ -23,7 +23,7 @@ namespace CGAL::Intrinsic_simplification {
 class Face_corner
 {
 public:
-  /// makes no corner.
+  /// makes a null corner.
   Face_corner() = default;
 
   /// makes the corner at the source of `h` in its face.
@@ -53,33 +53,35 @@ private:
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the lengths at a vertex are multiplied: at the corners of the vertex, homogeneous barycentric
+/// a scaling of the lengths at a vertex. At the corners of the vertex, homogeneous barycentric
 /// coordinates are multiplied by a factor (Equation 5.1).
 struct Scaling
 {
   static constexpr int code = 0;   ///< the index of the type in files
   Vertex_index vertex;             ///< the vertex
   std::uint32_t first_corner;      ///< the first of its corners in the history
-  std::uint32_t number_of_corners; ///< 0 if the vertex is flat already: then nothing changes
+  std::uint32_t number_of_corners; ///< 0 if the vertex is already flat: then nothing changes
   double factor;                   ///< \f$e^{-u}\f$
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the edge of a halfedge \f$ij\f$ becomes the other diagonal \f$lk\f$ of its two faces. The faces
+/// a flip: the edge of a halfedge \f$ij\f$ becomes the other diagonal \f$lk\f$ of its two faces.
+/// The faces
 /// \f$ijk\f$ and \f$jil\f$ become \f$lki\f$ and \f$klj\f$, in this order of their corners.
 struct Flip
 {
   static constexpr int code = 1;      ///< the index of the type in files
   Halfedge_index halfedge;            ///< the halfedge \f$ij\f$, later \f$lk\f$
   std::array<Face_corner, 2> corners; ///< \f$i\f$ in \f$ijk\f$, and \f$j\f$ in \f$jil\f$
-  double crossing_before;             ///< the place of the crossing on \f$ij\f$
-  double crossing_after;              ///< the place of the crossing on \f$lk\f$
+  double crossing_before;             ///< the position of the crossing on \f$ij\f$
+  double crossing_after;              ///< the position of the crossing on \f$lk\f$
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a vertex of degree three is removed or, as the inverse, inserted: the faces around it, three or,
-/// on the boundary, two, become one, or one face becomes these. The corners of the whole face are
-/// the targets of the first, the second and the third outgoing halfedge of the vertex.
+/// the removal of a vertex of degree three or its inverse, an insertion. A removal joins the three
+/// faces around the vertex, or the two faces on the boundary; an insertion splits one face. The
+/// corners of the whole face are the targets of the first, the second and the third outgoing
+/// halfedge of the vertex.
 struct Vertex_change
 {
   static constexpr int code = 2; ///< the index of the type in files, and the first of four
@@ -95,8 +97,8 @@ struct Vertex_change
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a change of a surface, with all that is needed to carry points through it, in 32 bytes: a
-/// `Scaling`, a `Flip` or a `Vertex_change`.
+/// a change of a surface, with all data that carries points through it, in 32 bytes: a `Scaling`, a
+/// `Flip` or a `Vertex_change`.
 class Surface_operation
 {
 public:
@@ -121,7 +123,7 @@ public:
   /// returns the code of the operation in files.
   int code() const { return m_code; }
 
-  /// calls `visitor` with the operation as what it is, and returns what that returns.
+  /// calls `visitor` with the operation in its own type, and returns the result.
   template <typename Visitor>
   decltype(auto) visit(Visitor&& visitor) const
   {

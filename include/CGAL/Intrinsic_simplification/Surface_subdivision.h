@@ -33,33 +33,36 @@ namespace CGAL::Intrinsic_simplification {
 /// names one of the two levels of a map.
 enum class Level
 {
-  fine,  ///< where the map starts
-  coarse ///< where it ends
+  fine,  ///< the level on which the map starts
+  coarse ///< the level on which it ends
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the polygon mesh into which the edges of the fine and the coarse level together cut the surface.
 /// Each face is part of one face of both levels.
 ///
-/// The vertices are those of the fine level, with their indices; then those that only the coarse
-/// level has, in their order; then the points where edges of the coarse level cross those of the
-/// fine level or bend on its surface; then, on request, those where edges of the fine level
-/// bend on the coarse surface. So the polygons have straight sides on the fine surface, and with
-/// the last on the coarse surface too. They need not be convex.
+/// The vertices come in this order:
+/// - vertices of the fine level, with their indices;
+/// - vertices that only the coarse level has, in their order;
+/// - points at which edges of the coarse level cross edges of the fine level or bend on its
+///   surface;
+/// - on request, points at which edges of the fine level bend on the coarse surface.
+///
+/// So the polygons have straight sides on the fine surface. With the last vertices, they have
+/// straight sides on the coarse surface too. They need not be convex.
 ///
 /// The map from a polygon on one level to the polygon on the other is continuous and one-to-one. It
-/// is made of projective pieces that are smaller in general, one for each sequence of faces through
-/// which points have gone; where nothing has been scaled it is an isometry.
+/// consists of projective pieces that are smaller in general, one for each sequence of faces that
+/// contained a point. Without scaling it is an isometry.
 ///
-/// The connectivity is that of a subdivision of both levels, always: in which order edges of the
-/// coarse level cross an edge of the fine level is determined by how these curves separate on their
-/// ways, not by the places of the crossings. Those are rounded, and in order along every edge. An
-/// edge of the coarse level that comes to a vertex within rounding runs through it, and along an
-/// edge of the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons
-/// can have an area as small as rounding, of either sign (see `signed_area()`), and may have two
-/// sides only.
+/// The connectivity is always a subdivision of both levels. The order of crossings on an edge of
+/// the fine level depends on the separation of the crossing curves, not on positions of crossings.
+/// Positions are rounded, and in order along every edge. An edge of the coarse level that comes to
+/// a vertex within rounding runs through it. It runs along an edge of the fine level if it comes to
+/// both ends. If edges nearly coincide otherwise, polygons can have an area as small as rounding,
+/// of either sign (see `signed_area()`). They may have two sides only.
 ///
-/// The object refers to the levels of the map and is valid as long as they are.
+/// The object refers to the levels of the map, and is valid during their lifetime.
 ///
 /// \tparam Point the point type of the mesh
 template <typename Point = Intrinsic_triangulations::No_point>
@@ -72,23 +75,23 @@ class Surface_subdivision
   friend Base;
 
 public:
-  /// the type of numbers of elements.
+  /// the type of indices of elements.
   typedef typename Base::size_type size_type;
 
-  /// states at which bends there are vertices.
+  /// the bends that become vertices.
   enum class Bends
   {
-    of_coarse_edges, ///< those of edges of the coarse level on the fine surface
-    of_all_edges     ///< those of edges of the fine level on the coarse surface too
+    of_coarse_edges, ///< bends of edges of the coarse level on the fine surface
+    of_all_edges     ///< also bends of edges of the fine level on the coarse surface
   };
 
-  /// builds the subdivision. Complexity: that of tracing the edges, and the time to sort the
-  /// crossings on every edge.
-  /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level have
-  ///   crossed each other by rounding, or if a vertex is not in or next to the coarse face that the
-  ///   edges around it determine. On which side of a removed vertex or of a bend an edge passes is
-  ///   decided by a rounded number, for each edge by itself; so this needs vertices that are as
-  ///   near to each other as rounding.
+  /// builds the subdivision. Complexity: the time to trace the edges, and to sort the crossings on
+  /// every edge.
+  /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level cross each
+  ///   other by rounding. It is also thrown if a vertex is not in or next to the coarse face that
+  ///   the edges around it determine. A rounded number decides, for each edge separately, on which
+  ///   side of a removed vertex or of a bend an edge passes. So these errors need vertices as close
+  ///   to each other as rounding
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
   {
@@ -98,8 +101,8 @@ public:
   /// returns one of the levels.
   const Surface_level& level(Level side) const { return *m_levels[Base::index(side)]; }
 
-  /// returns the vertex of `side` that `v` is; null if it is not a vertex there. Complexity:
-  /// logarithmic for the coarse level.
+  /// returns the vertex of `side` that `v` is, or null. Complexity: logarithmic for the coarse
+  /// level.
   Vertex_index parent_vertex(Level side, Vertex_index v) const
   {
     const Vertex_index fine = Base::parent_vertex(Level::fine, v);
@@ -111,7 +114,7 @@ public:
     return n < m_new_vertices.size() ? m_new_vertices[n] : Vertex_index();
   }
 
-  /// returns the place of `v`.
+  /// returns the position of `v`.
   const Intrinsic_triangulations::Surface_point<double>& place(Level side, Vertex_index v) const
   {
     return m_place[Base::index(side)][v.idx()];
@@ -134,9 +137,8 @@ public:
     return Intrinsic_triangulations::face_location(p, this->mesh(side)).second;
   }
 
-  /// returns the halfedges that are the parts of the edge `e` of the coarse level, each beginning
-  /// where the one before ends, from the source of its first halfedge to the target. Complexity:
-  /// constant.
+  /// returns the parts of the edge `e` of the coarse level as halfedges, in order from the source
+  /// of its first halfedge to the target. Complexity: constant.
   Iterator_range<std::vector<Halfedge_index>::const_iterator>
   parts_of_coarse_edge(Edge_index e) const
   {
@@ -144,8 +146,8 @@ public:
     return {begin, m_coarse_parts.begin() + m_first_coarse_part[e.idx() + 1]};
   }
 
-  /// returns the area of `f` on one of the surfaces, from the places of its vertices. Complexity:
-  /// linear in its vertices.
+  /// returns the area of `f` on one of the surfaces, from the positions of its vertices.
+  /// Complexity: linear in its vertices.
   double signed_area(Level side, Face_index f) const
   {
     const Halfedge_index first = this->mesh().halfedge(f);

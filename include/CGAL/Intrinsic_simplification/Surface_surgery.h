@@ -26,21 +26,21 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// a surface that is cut along closed curves, and on which boundary loops are closed by disks,
-/// with the map from the surface as it was.
+/// a surface that can be cut along closed curves, and whose boundary loops can be closed by disks.
+/// It has the map from the original surface.
 ///
-/// A disk that closes a loop has one vertex, the apex, which is joined to all vertices of the loop
-/// by edges of one length. The disk is flat if the loop is near to a circle: its boundary is a
-/// polygon inscribed in one. If an edge is longer than the side of an equilateral triangle in that
-/// circle, the edges to the apex are \f$1/\sqrt{3}\f$ times as long as the longest edge, and the
-/// disk is a cone.
+/// A disk that closes a loop has one vertex, the apex. Edges of one length join it to all vertices
+/// of the loop. The disk is flat if the loop is close to a circle: its boundary is a polygon
+/// inscribed in a circle. An edge may be longer than the side of an equilateral triangle in this
+/// circle. Then the edges to the apex are \f$1/\sqrt{3}\f$ times as long as the longest edge, and
+/// the disk is a cone.
 ///
 /// Outside of the disks nothing changes: faces, edges and vertices of the surface keep their
-/// numbers, lengths and angles, and new ones come after them. Along a cut, the surface on its left
-/// gets new vertices and that on its right new edges.
+/// indices, lengths and angles. New elements have greater indices. Along a cut, the left side gets
+/// new vertices and the right side new edges.
 ///
-/// The surface may be triangulated anew in between. Then faces and edges get other indices, but
-/// the map leads through that.
+/// The surface may be triangulated again between operations. Then faces and edges get other
+/// indices; the map includes this change.
 /// \cgalModels `IntrinsicSurface`
 class Surface_surgery
 {
@@ -65,14 +65,15 @@ public:
   /// \name The Surface
   /// @{
 
-  /// returns the connectivity at present.
+  /// returns the current connectivity.
   const Delta_complex& mesh() const { return m_mesh; }
 
-  /// returns the lengths of the edges at present.
+  /// returns the current lengths of the edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
-  /// returns an intrinsic triangulation of the surface at present, with \f$T_1 = T_2\f$: the
-  /// input of further work. Constrained edges stay so, on both sides of a cut. Complexity: linear.
+  /// returns an intrinsic triangulation of the current surface, with \f$T_1 = T_2\f$: the input of
+  /// further work. Constrained edges remain constrained, on both sides of a cut. Complexity:
+  /// linear.
   Triangulation triangulation() const
   {
     const auto is_constrained = boost::make_function_property_map<Edge_index>(
@@ -81,11 +82,11 @@ public:
                                    .edge_is_constrained_map(is_constrained));
   }
 
-  /// returns the vertex of the surface at the beginning that the vertex `v` is or, on a cut, comes
-  /// from; null if `v` is the apex of a disk.
+  /// returns the vertex of the original surface that `v` is or, on a cut, comes from; null if `v`
+  /// is the apex of a disk.
   Vertex_index original_vertex(Vertex_index v) const { return m_origin[v]; }
 
-  /// returns the number of loops that have been closed, two for each cut included.
+  /// returns the number of closed loops, including two for each cut.
   std::size_t number_of_disks() const { return m_number_of_disks; }
 
   /// returns the area of all disks.
@@ -95,9 +96,9 @@ public:
   /// \name The Map
   /// @{
 
-  /// maps a point of the surface at the beginning to the surface at present: it is where it was. A
-  /// point on a cut goes to the side of its face. Complexity: constant, and that of
-  /// `Intrinsic_triangulations::point_across()` for each time that edges have been flipped.
+  /// maps a point of the original surface to the current surface. It keeps its position. A point on
+  /// a cut is mapped to the side of its face. Complexity: constant, plus
+  /// `Intrinsic_triangulations::point_across()` for each retriangulation.
   Location image(Location p) const
   {
     for(const Triangulation& stage : m_stages)
@@ -105,8 +106,8 @@ public:
     return p;
   }
 
-  /// maps a point of the surface at present to the surface at the beginning; nothing is returned
-  /// for a point in a disk. Complexity: as `image()`.
+  /// maps a point of the current surface to the original surface; returns nothing for a point in a
+  /// disk. Complexity: see `image()`.
   std::optional<Location> preimage(Location p) const
   {
     for(auto stage = m_stages.rbegin(); stage != m_stages.rend(); ++stage) {
@@ -146,10 +147,10 @@ public:
     return apex;
   }
 
-  /// cuts the surface along a closed curve of edges: two boundary loops arise. Complexity: linear
-  /// in the degrees of its vertices.
-  /// \param loop the halfedges of the curve; each starts where the one before ends
-  /// \returns border halfedges of both, first of that on the left
+  /// cuts the surface along a closed curve of edges, which makes two boundary loops. Complexity:
+  /// linear in the degrees of its vertices.
+  /// \param loop the halfedges of the curve, in their order along it
+  /// \returns border halfedges of both loops, the left one first
   /// \pre the curve passes no vertex twice, and none on the boundary
   std::pair<Halfedge_index, Halfedge_index> cut(const std::vector<Halfedge_index>& loop)
   {
@@ -168,8 +169,8 @@ public:
     return {opposite(loop[0]), right[0]};
   }
 
-  /// makes \f$T_2\f$ of `tri`, whose input is the surface at present, the surface.
-  /// Complexity: linear.
+  /// replaces the triangulation of the surface by \f$T_2\f$ of `tri`, whose input is the current
+  /// surface. Complexity: linear.
   /// \pre no vertices have been inserted
   void retriangulate(Triangulation tri)
   {
@@ -221,7 +222,7 @@ private:
     return h;
   }
 
-  // makes a face of a side of a loop and two edges to the apex
+  // Makes a face of a side of a loop and two edges to the apex.
   void fill(Halfedge_index side, Halfedge_index to_apex, Halfedge_index from_apex, double radius)
   {
     const Face_index f = m_mesh.add_face();
@@ -252,7 +253,7 @@ private:
     return opposite(inner);
   }
 
-  // gives the vertex fan of the border halfedge `border` a vertex of its own, as its target
+  // Gives the vertex fan of the border halfedge `border` a vertex of its own, as its target.
   void separate_left(Halfedge_index border)
   {
     const Vertex_index v = add_vertex(m_origin[m_mesh.target(border)]);
@@ -275,9 +276,9 @@ private:
 };
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// closes all boundary loops of a length of at most `maximum_length` by disks, see
+/// closes all boundary loops of at most the length `maximum_length` by disks, see
 /// `Surface_surgery`. Complexity: linear.
-/// \returns the number of loops that have been closed
+/// \returns the number of closed loops
 inline std::size_t close_boundary_loops(Surface_surgery& surface, double maximum_length)
 {
   std::size_t result = 0;

@@ -24,17 +24,17 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the cost of removing a vertex: how far curvature, area, or other data on the vertices would have
-/// been moved then (Section 5.3).
+/// the cost of removing a vertex: the distance by which curvature, area, or other data on the
+/// vertices would move (Section 5.3).
 ///
 /// Each signed quantity is split into two positive masses. A vertex carries its mass and, as a
-/// tangent vector, the sum of all mass times the way back to where it came from. A vertex that is
-/// removed leaves both to its neighbors, in the shares of Equation 5.7. Its cost is the sum of the
-/// lengths of the vectors that its neighbors would have (Equation 5.5), which approximates the
-/// optimal transport of the masses to their present places.
+/// tangent vector, the sum of all mass times the vector to its origin. A removed vertex leaves both
+/// to its neighbors, in the shares of Equation 5.7. Its cost is the sum of the lengths of the
+/// vectors that its neighbors would have (Equation 5.5). This approximates the optimal transport of
+/// the masses to their current positions.
 ///
-/// All masses are divided by their sum over the surface, so that costs are lengths whatever the
-/// unit of the data.
+/// All masses are divided by their sum over the surface. So costs are lengths, whatever the unit of
+/// the data.
 ///
 /// Memory: for each vertex three numbers for each mass.
 ///
@@ -42,13 +42,13 @@ namespace CGAL::Intrinsic_simplification {
 class Transport_cost
 {
 public:
-  /// makes a cost of nothing, which is zero.
+  /// makes a cost without masses, which is zero.
   explicit Transport_cost(const Evolving_surface& surface)
     : m_number_of_vertices(surface.mesh().num_vertices())
   {}
 
-  /// adds the curvature of the vertices (Section 5.3.2): what the angles lack of \f$2\pi\f$, or
-  /// \f$\pi\f$ on the boundary. Complexity: linear.
+  /// adds the curvature of the vertices (Section 5.3.2): \f$2\pi\f$, or \f$\pi\f$ on the boundary,
+  /// minus the sum of angles. Complexity: linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_curvature(const Evolving_surface& surface, double weight = 1)
@@ -61,7 +61,8 @@ public:
     add_quantity(defect, weight);
   }
 
-  /// adds the area of the surface, a third of each face at each corner. Complexity: linear.
+  /// adds the area of the surface, a third of each face for each of its corners. Complexity:
+  /// linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_area(const Evolving_surface& surface, double weight = 1)
@@ -74,9 +75,9 @@ public:
     add_quantity(area, weight);
   }
 
-  /// adds the area that flattening makes or takes away: it costs as much as if it was moved along
-  /// the edges in the shares of Equation 5.7, as a part of the area of the surface. It moves no
-  /// mass. Complexity: linear.
+  /// adds the change of area by flattening, as a fraction of the area of the surface. Its cost is
+  /// the cost of moving this area along the edges in the shares of Equation 5.7. It moves no mass.
+  /// Complexity: linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_area_change(const Evolving_surface& surface, double weight = 1)
@@ -84,10 +85,10 @@ public:
     m_area_change_factor += weight * inverse_area(surface);
   }
 
-  /// adds the area that flattening makes or takes away at the boundary: it costs as much as if it
-  /// was moved once around the boundaries of the surface, as a part of the area of the surface. So
-  /// corners of flat parts are kept, however few vertices are left: what is cut off there is gone
-  /// for good. It moves no mass, and is zero without boundary. Complexity: linear.
+  /// adds the change of area by flattening at the boundary, as a fraction of the area of the
+  /// surface. Its cost is the cost of moving this area once around the boundaries of the surface.
+  /// So corners of flat parts are kept, however few vertices are left. It moves no mass, and is
+  /// zero without boundary. Complexity: linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_boundary_change(const Evolving_surface& surface, double weight = 1)
@@ -100,16 +101,14 @@ public:
     m_boundary_change_factor += weight * length * inverse_area(surface);
   }
 
-  /// adds the Laplacian of a function that is linear on the faces, integrated over the hat function
-  /// of each vertex: what the cotan Laplacian makes of it. It is zero where the function is linear
-  /// already, so that vertices are left where its gradient changes, and the prolongation of its
-  /// values at them is close to it. For a color call it once for each component. Complexity:
-  /// linear.
+  /// adds the Laplacian of a function that is linear on the faces: the product with the cotan
+  /// Laplacian. It is zero on parts on which the function is linear. So vertices remain at changes
+  /// of the gradient, and the prolongation of their values is close to the function. For a color
+  /// call it once for each component. Complexity: linear.
   /// \param surface the surface, Delaunay at best (`Evolving_surface::make_Delaunay()`)
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
-  /// \throws Intrinsic_triangulations::Numerical_error if a face is so thin that it has no
-  ///   cotangents
+  /// \throws Intrinsic_triangulations::Numerical_error if a face is too thin to have cotangents
   /// \pre nothing has been removed yet
   template <typename Range>
   void add_function(const Evolving_surface& surface, const Range& value, double weight = 1)
@@ -127,8 +126,7 @@ public:
     add_quantity(laplacian, weight);
   }
 
-  /// adds a signed quantity on the vertices, which counts for what it is: where it is great,
-  /// vertices are left. Complexity: linear.
+  /// adds a signed quantity on the vertices. Vertices remain at great values. Complexity: linear.
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
   /// \pre nothing has been removed yet
@@ -179,16 +177,15 @@ public:
   /// returns the mass with index `c` of a vertex.
   double mass(Vertex_index v, std::size_t c) const { return m_state[v * m_channels + c].mass; }
 
-  /// returns the mass with index `c` of a vertex times the vector to the center of where it came
-  /// from, in the frame of the vertex.
+  /// returns the moment with index `c` of a vertex, in its frame: the mass times the vector to the
+  /// center of its origin.
   std::complex<double> moment(Vertex_index v, std::size_t c) const
   {
     return m_state[v * m_channels + c].moment;
   }
 
-  /// returns the sum over all vertices and masses of the lengths of the vectors: roughly the mean
-  /// distance over which the masses have been moved, for weights that sum up to one. Complexity:
-  /// linear.
+  /// returns the sum of the lengths of the vectors over all vertices and masses. For weights that
+  /// sum up to one, this is about the mean distance by which masses have moved. Complexity: linear.
   double total() const
   {
     double sum = 0;
@@ -214,7 +211,7 @@ private:
       internal::prefetch(&cost->m_state[v * cost->m_channels], cost->m_channels * sizeof(State));
   }
 
-  // A defect that rounding can have caused counts as none.
+  // A defect within rounding error counts as zero.
   static double angle_defect(Vertex_index v, const Intrinsic_surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
@@ -249,7 +246,7 @@ private:
       surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
   }
 
-  // zero for a surface without area
+  // Returns zero for a surface without area.
   static double inverse_area(const Evolving_surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
@@ -259,14 +256,14 @@ private:
     return quadrupled > 0 ? 4 / quadrupled : 0;
   }
 
-  // the cost of the area that flattening makes or takes away
+  // Returns the cost of the change of area by flattening.
   double change_of_area(const Flattened_star& star) const
   {
     const double boundary = star.is_border() ? m_boundary_change_factor : 0;
     return std::abs(star.area_change()) * (m_area_change_factor * mean_length(star) + boundary);
   }
 
-  // of the way from the center, in the shares of the neighbors
+  // Returns the mean distance from the center, in the shares of the neighbors.
   static double mean_length(const Flattened_star& star)
   {
     double sum = 0;
@@ -275,7 +272,7 @@ private:
     return sum;
   }
 
-  // adds the positive part of `factor * value` as one more mass of each vertex
+  // Adds the positive part of `factor * value` as one more mass of each vertex.
   template <typename Range>
   void add_mass(const Range& value, double factor)
   {
@@ -290,8 +287,8 @@ private:
     ++m_channels;
   }
 
-  // The moments that the neighbors would have (Equations 5.6 and 5.8, times the mass): each at its
-  // first outgoing halfedge.
+  // Computes the moments that the neighbors would have (Equations 5.6 and 5.8, times the mass),
+  // each at its first outgoing halfedge.
   void find_moments(const Flattened_star& star)
   {
     m_moment.resize(star.size() * m_channels);

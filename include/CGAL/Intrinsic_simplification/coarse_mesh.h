@@ -32,19 +32,18 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// how a coarse mesh in space differs from the surface that it stands for, and what is wrong with
-/// it.
+/// the distances of a coarse mesh in space from the surface that it represents, and its defects.
 struct Coarse_mesh_quality
 {
-  /// the number of vertices that had to be inserted into the coarse triangulation
+  /// the number of vertices that were inserted into the coarse triangulation
   std::size_t inserted_vertices = 0;
   /// the greatest distance in space of a vertex of the fine level from the coarse mesh
   double distance_to_coarse = 0;
   /// the greatest distance in space of the middle of an edge or face of the coarse mesh from the
   /// fine level
   double distance_to_fine = 0;
-  /// the number of faces whose normals point to the other side than the mean normal of the part of
-  /// the fine level that is mapped to them
+  /// the number of flipped faces: their normals point away from the mean normal of the part of the
+  /// fine level that is mapped to them
   std::size_t flipped_faces = 0;
   std::size_t degenerate_faces = 0;   ///< the number of faces whose corners are on a line, exactly
   std::size_t self_intersections = 0; ///< the number of pairs of faces that intersect, exactly
@@ -130,21 +129,21 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// adds the coarse triangulation to a mesh of any type, as an ordinary mesh in space: the vertices
-/// where they are on the fine level, the edges straight, the faces flat.
+/// adds the coarse triangulation to a mesh of any type, as an ordinary mesh in space. Vertices are
+/// at their positions on the fine level, edges are straight, and faces are flat.
 ///
-/// If the triangulation has loops or several edges with the same ends, vertices are inserted into a
-/// copy of the surface until it is simplicial, as `refine()` does with
+/// The triangulation may have loops or several edges with the same ends. Then vertices are inserted
+/// into a copy of the surface until it is simplicial, as by `refine()` with
 /// `minimum_angle(0).simplicial(true)`. They follow the other vertices and lie on the fine level.
 ///
-/// The coarse triangulation is close to the fine level in its lengths, not in space: its faces
-/// can be flipped, without area, or intersect. The result says what is so.
+/// The coarse triangulation is close to the fine level in its lengths, not in space. Its faces can
+/// be flipped, intersect, or have no area. The result counts such faces.
 ///
 /// \tparam Graph a model of `MutableFaceGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param surface the surface after its simplification
 /// \param fine the level before
-/// \param out the mesh; what it has already stays
+/// \param out the mesh; elements that it has are kept
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{input_point_map}
@@ -160,19 +159,19 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
 ///     \cgalParamDescription{gets for each vertex of `out` the vertex of the fine level that it is,
-///                           null for those that were inserted}
+///       null for inserted vertices}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
 ///                    value}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns how far both surfaces are apart in space, and the defects of the mesh
+/// \returns the distances of both surfaces in space, and the defects of the mesh
 ///
 /// Complexity: linear in the elements and the history, and \f$O(n \log n)\f$ for distances and
 /// intersections.
-/// \throws Intrinsic_triangulations::Numerical_error if vertices cannot be inserted because of
-///   rounding; `out` stays then
-/// \throws what `refine()` throws
+/// \throws Intrinsic_triangulations::Numerical_error if rounding prevents an insertion of vertices;
+///   then `out` is not changed
+/// \throws the exceptions of `refine()`
 template <typename Graph, typename NamedParameters>
 Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_level& fine,
                                 Graph& out, const NamedParameters& np)

@@ -16,16 +16,16 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// adds the common subdivision of both levels of a map to a mesh of any type. Its vertices are
-/// those of the fine level, in their order, then others (see `Surface_subdivision`).
+/// adds the common subdivision of both levels of a map to a mesh of any type. Vertices of the fine
+/// level come first, in their order, then others (see `Surface_subdivision`).
 ///
-/// Faces with two sides, which have no area, are joined with a neighbor; `out` can have garbage
-/// then. Polygons need not be convex. Complexity: that of `Surface_subdivision`.
+/// Faces with two sides, which have no area, are joined with a neighbor; then `out` can have
+/// garbage. Polygons need not be convex. Complexity: see `Surface_subdivision`.
 ///
 /// \tparam Graph a model of `MutableFaceGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param map the map
-/// \param out the mesh; what it has already stays
+/// \param out the mesh; elements that it has are kept
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{input_point_map}
@@ -48,18 +48,19 @@ namespace CGAL::Intrinsic_simplification {
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part; null if
-///       there is none}
+///     \cgalParamDescription{gets for each edge of `out` the edge that contains it; null if there
+///       is none}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_face_map}
-///     \cgalParamDescription{gets for each face of `out` the face of which it is a part}
+///     \cgalParamDescription{gets for each face of `out` the face that contains it}
 ///     \cgalParamType{as before, with faces and `Face_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Intrinsic_triangulations::Numerical_error as `Surface_subdivision`; `out` stays then
+/// \throws Intrinsic_triangulations::Numerical_error as `Surface_subdivision`; then `out` is not
+///   changed
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 void common_subdivision(const Surface_map& map, Graph& out,
                         const NamedParameters& np = CGAL::parameters::default_values())

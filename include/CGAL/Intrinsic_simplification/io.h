@@ -31,7 +31,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// levels of an evolving surface, and what has been done between them: all that maps need.
+/// levels of an evolving surface and the operations between them: the data of maps.
 struct Surface_hierarchy
 {
   Surface_history history; ///< the operations
@@ -57,8 +57,7 @@ inline void write_operation(std::ostream& os, const Flip& f)
              hexadecimal_text(f.crossing_after));
 }
 
-// A removal is determined by the first outgoing halfedge of the vertex, an insertion by the whole
-// face.
+// The first outgoing halfedge of the vertex determines a removal, the whole face an insertion.
 inline void write_operation(std::ostream& os, const Vertex_change& c)
 {
   const int code = Surface_operation(c).code();
@@ -71,7 +70,7 @@ inline void write_operation(std::ostream& os, const Vertex_change& c)
     write_line(os, code, c.whole.face(), x, y);
 }
 
-// Reads a hierarchy and does the operations once more, as far as connectivity is concerned.
+// Reads a hierarchy and repeats the operations on the connectivity.
 class Hierarchy_reader
 {
   typedef Delta_complex::size_type size_type;
@@ -106,7 +105,7 @@ private:
       m_lines.fail(message);
   }
 
-  // a line with a number
+  // Reads a line with a number.
   std::size_t count()
   {
     m_lines.next_line();
@@ -116,7 +115,7 @@ private:
     return static_cast<std::size_t>(result);
   }
 
-  // the operations since the level before, and the lengths
+  // Reads the operations since the level before, and the lengths.
   void read_level()
   {
     const std::size_t operations = count();
@@ -230,15 +229,15 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// writes levels of an evolving surface and the operations between them, exactly: what
-/// `read_surface_hierarchy()` makes of it has equal elements with equal indices, and lengths and
-/// maps that are equal to the bit. The format is described in the user manual (\ref
+/// writes levels of an evolving surface and the operations between them, exactly.
+/// `read_surface_hierarchy()` returns equal elements with equal indices. Lengths and maps are
+/// bitwise equal. The format is described in the user manual (\ref
 /// Intrinsic_simplification_file_format). Complexity: linear.
 /// \param os the stream
 /// \param history the history of the surface
 /// \param levels its levels, in their order
 /// \pre the first level is the surface before all operations
-/// \returns whether the stream is good after that
+/// \returns whether the stream is good afterwards
 inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& history,
                                     const std::vector<const Surface_level*>& levels)
 {
@@ -261,10 +260,10 @@ inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& his
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// reads what `write_surface_hierarchy()` has written, and checks it: the operations are done once
-/// more. Complexity: linear in the operations, and in the first level for each level.
+/// reads a hierarchy from `write_surface_hierarchy()`, and checks it: the operations are repeated.
+/// Complexity: linear in the operations, and in the first level for each level.
 /// \throws Intrinsic_triangulations::File_format_error if the text does not follow the format, or
-///         an operation is not possible; the line is named
+///   an operation is not possible. The error names the line
 /// \throws Intrinsic_triangulations::Invalid_input if the first level is not a triangulation of a
 ///   surface
 inline Surface_hierarchy read_surface_hierarchy(std::istream& is)

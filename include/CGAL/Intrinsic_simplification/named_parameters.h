@@ -25,12 +25,12 @@ using namespace Intrinsic_triangulations::internal_np;
 namespace parameters {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// names the number of vertices that shall be left.
+/// names the number of remaining vertices.
 template <typename Number>
 auto number_of_vertices(const Number& value);
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// names the greatest cost of a removal that is allowed.
+/// names the greatest allowed cost of a removal.
 template <typename Number>
 auto maximum_cost(const Number& value);
 

@@ -90,29 +90,29 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// takes away handles around which, or through which, a closed curve of edges of a length of at
-/// most `maximum_length` leads: cuts the surface along such curves, the shortest ones first, and
-/// closes both sides by disks, see `Surface_surgery`. No curve separates the surface: each cut
-/// lowers the genus by one, and components and boundary loops stay. Faces and edges beside the
-/// curves stay as they are.
+/// removes handles with a closed curve of edges around or through them whose length is at most
+/// `maximum_length`. It cuts the surface along such curves, the shortest ones first, and closes
+/// both sides by disks, see `Surface_surgery`. No curve separates the surface. So each cut lowers
+/// the genus by one, and components and boundary loops remain. Faces and edges beside the curves do
+/// not change.
 ///
-/// The curves start from one vertex after the other: the shortest one that is closed by an edge
-/// between two shortest paths from there and does not separate. The length up to which they are
-/// looked for doubles, from some edges up to the bound. Curves that have no vertex in common are
-/// cut in one round; then others are looked for, disks included.
+/// The search visits the vertices in turn. At each it finds the shortest curve that consists of two
+/// shortest paths from the vertex and an edge between them, and does not separate \cgalCite{EW05}.
+/// The greatest length of curves doubles, from a few edges up to the bound. Curves without common
+/// vertices are cut in one round. The next round searches the new surface, including disks.
 ///
-/// A handle stays if all short curves around it pass a vertex of the boundary, or if no curve of
-/// edges around it is short enough: edges that are long beside the handle hide it, and refinement
-/// shows it. By the length alone it is not known whether a handle or a tunnel is cut, and a thin
-/// torus is a handle as well. To cut along geodesics, make them edges
+/// A handle remains if all short curves around it pass a vertex of the boundary. It also remains if
+/// no curve of edges around it is short enough; refine the surface if edges are long beside the
+/// handle. The length alone does not determine whether a handle or a tunnel is cut, and a thin
+/// torus is a handle too. To cut along geodesics, make them edges
 /// (`Intrinsic_triangulations::Edge_paths`), and call `Surface_surgery::retriangulate()` and
 /// `Surface_surgery::cut()`.
-/// \returns the number of handles that have been cut
+/// \returns the number of handles that were cut
 ///
-/// Complexity: \f$O(n \log n)\f$ for each round. There are few rounds for each length, since
-/// disjoint curves are cut in one round. A search is not repeated near vertices where one has found
-/// nothing; so searches reach each vertex a few times in a round, unless there are many curves of
-/// about the length of the bound.
+/// Complexity: \f$O(n \log n)\f$ for each round. Each length has few rounds, since disjoint curves
+/// are cut in one round. A search is not repeated near vertices at which a search failed. So
+/// searches reach each vertex a few times in a round, unless many curves have about the length of
+/// the bound.
 inline std::size_t pinch_handles(Surface_surgery& surface, double maximum_length)
 {
   return internal::Handle_pincher(surface, maximum_length)();

@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a convex polygon inside one face of both levels on which the map between them is one projective
+/// a convex polygon inside one face of each level, on which the map between them is one projective
 /// map.
 struct Projective_piece
 {
@@ -39,13 +39,12 @@ struct Projective_piece
 
   Face_index fine_face;        ///< the face of the fine level
   Face_index coarse_face;      ///< the face of the coarse level
-  std::vector<Corner> corners; ///< counterclockwise; no two sides that meet are on a line
-  /// the matrix that takes homogeneous coordinates on the fine face to those on the coarse face, by
-  /// rows.
+  std::vector<Corner> corners; ///< counterclockwise; no two adjacent sides are on a line
+  /// the matrix that maps homogeneous coordinates on the fine face to the coarse face, by rows.
   std::array<Coordinates, 3> matrix;
 
-  /// maps a point of the piece to the coarse face. Its coordinates need not sum up to one, those of
-  /// the result do.
+  /// maps a point of the piece to the coarse face. Its coordinates need not sum up to one;
+  /// coordinates of the result sum up to one.
   Coordinates to_coarse(const Coordinates& b) const
   {
     return product([this](std::size_t r, std::size_t c) { return matrix[r][c]; }, b);
@@ -69,7 +68,7 @@ private:
     return result;
   }
 
-  // the determinant of the matrix without a row and a column, with its sign
+  // Returns the determinant of the matrix without a row and a column, with its sign.
   double cofactor(std::size_t r, std::size_t c) const
   {
     const Coordinates &x = matrix[(r + 1) % 3], &y = matrix[(r + 2) % 3];
@@ -95,7 +94,7 @@ inline Projective_piece projective_piece(Face_index fine_face, const Cell& cell,
   return result;
 }
 
-// whether it is more than what rounding leaves between lines that are the same
+// Returns whether it is more than the rounding error between equal lines.
 inline bool has_area(const std::vector<const Face_point*>& corners)
 {
   return polygon_area(corners.size(), [&](std::size_t c) { return corners[c]->along; }) >
@@ -115,7 +114,7 @@ void for_each_piece(Face_index f, const Surface_map& map, Face_cutter& cutter, C
               });
 }
 
-// in units of its face of the coarse level
+// In units of its face of the coarse level.
 inline double coarse_area(const Projective_piece& p)
 {
   return polygon_area(p.corners.size(), [&](std::size_t c) { return p.corners[c].coarse; });
@@ -124,27 +123,27 @@ inline double coarse_area(const Projective_piece& p)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// writes the pieces of a face of the fine level: the convex polygons on each of which the map to
-/// the coarse level is one projective map (Section 5.2).
+/// writes the pieces of a face of the fine level (Section 5.2). They are convex polygons, and the
+/// map to the coarse level is one projective map on each.
 ///
-/// The face is carried through the operations and is cut by every edge that crosses it at any time.
-/// In the end parts are joined again, unless they are in different faces of the coarse level, or
-/// the scale was changed beside an edge while it was between them. So where nothing is scaled, the
+/// The face is carried through the operations, and every edge that crosses it at any time cuts it.
+/// Finally parts are joined again, with two exceptions. They lie in different faces of the coarse
+/// level, or the scale beside an edge changed while the edge was between them. Without scaling, the
 /// pieces are the polygons into which the edges of the coarse level cut the face.
 ///
-/// The pieces are a subdivision of the face whatever rounding does. Edges that come to a point of
-/// another within rounding run through it; what has no more area than rounding on both levels is
-/// left out. A point carried by a matrix and by `Surface_map` comes to the same place up to the
-/// rounding of a product of as many matrices as there are operations: mostly 1e-13, and worse where
-/// a face has been part of long slivers.
+/// The pieces are a subdivision of the face, whatever the rounding. Edges that come to a point of
+/// another edge within rounding run through it. Parts without area on both levels, up to rounding,
+/// are left out. A matrix and `Surface_map` map a point to the same point up to the rounding of a
+/// product of matrices, one for each operation. The difference is mostly 1e-13, and greater if a
+/// face has been part of long slivers.
 /// \param f a face of the fine level
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
 /// \throws Intrinsic_triangulations::Invalid_input if a vertex has been inserted into the face
-///   between the levels (see `refine()`)
-/// Complexity: linear in the parts into which edges of any time cut the face, times the operations
-/// that move a part and the logarithms of both numbers.
+/// between the levels (see `refine()`). Complexity: linear in the parts into which edges of any
+/// time cut the face. Factors are the number of operations that move a part, and the logarithms of
+/// both numbers.
 template <typename OutputIterator>
 OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIterator out)
 {
@@ -155,13 +154,13 @@ OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIte
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// writes the pieces of all faces of the fine level, face by face; otherwise as for one face.
+/// writes the pieces of all faces of the fine level, face by face, as for one face.
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
-/// \throws Intrinsic_triangulations::Numerical_error if the pieces do not have the area of each
-///   face of the coarse level together: rounding has taken a part to another place. This needs
-///   vertices about as near to each other as rounding.
+/// \throws Intrinsic_triangulations::Numerical_error if the areas of pieces do not sum up to the
+///   area of each face of the coarse level: rounding has misplaced a part. This needs vertices
+///   about as close to each other as rounding
 template <typename OutputIterator>
 OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
 {

@@ -20,8 +20,8 @@ namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
-// Calls `visit` with the vertices of the face of a point and their barycentric coordinates, except
-// zero.
+// Calls `visit` with the vertices of the face of a point and their barycentric coordinates other
+// than zero.
 template <typename Visit>
 void for_each_weight(const Surface_map::Location& p, const Delta_complex& mesh, const Visit& visit)
 {
@@ -34,14 +34,13 @@ void for_each_weight(const Surface_map::Location& p, const Delta_complex& mesh, 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the matrix \f$P\f$ that takes values of a function at the vertices of the coarse surface
-/// to values at the vertices of the fine surface (Section 5.2.3). A row holds the barycentric
-/// coordinates of a fine vertex on the coarse surface: no entry is negative, and the sum is one.
-/// The rows of vertices that both have are those of the identity. Complexity: that of mapping the
-/// vertices.
+/// returns the matrix \f$P\f$ that maps values at the vertices of the coarse surface to values at
+/// the vertices of the fine surface (Section 5.2.3). A row holds the barycentric coordinates of a
+/// fine vertex on the coarse surface: no entry is negative, and the sum is one. Rows of common
+/// vertices are rows of the identity. Complexity: the time to map the vertices.
 ///
-/// Its transpose takes integrals against hat functions of the fine surface to those of the coarse
-/// one.
+/// Its transpose maps integrals against hat functions of the fine surface to integrals against hat
+/// functions of the coarse surface.
 /// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param map the map
@@ -75,13 +74,13 @@ prolongation_matrix(const Map& map, const NamedParameters& np = CGAL::parameters
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the matrix that takes values of a function at the vertices of the fine level to values
-/// at the vertices of the coarse level: means, weighted with the area of a fine vertex and its
-/// share in a coarse one. No entry is negative, and the sum of a row is one. With lumped masses,
-/// \f$R = M_c^{-1} P^T M\f$ with \f$M_c\f$ the diagonal matrix of the sums of the rows of
-/// \f$P^T M\f$: the integral of a function is kept. A coarse vertex in which no fine vertex with
-/// an area has a share gets the value at its place. Complexity: linear, and that of `Surface_map`
-/// for such vertices.
+/// returns the matrix that maps values at the vertices of the fine level to values at the vertices
+/// of the coarse level. Values are means, weighted with the area of a fine vertex and its share in
+/// a coarse vertex. No entry is negative, and the sum of a row is one. With lumped masses, it is
+/// \f$R = M_c^{-1} P^T M\f$. Here \f$M_c\f$ is the diagonal matrix of the sums of the rows of
+/// \f$P^T M\f$. So the integral of a function is kept. A coarse vertex without a share of a fine
+/// vertex with area gets the value at its position. Complexity: linear, plus a mapped point for
+/// each of these vertices.
 /// \param prolongation the matrix \f$P\f$
 /// \param map the map from which it was made
 inline Eigen::SparseMatrix<double>

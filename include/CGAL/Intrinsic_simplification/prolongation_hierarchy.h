@@ -23,15 +23,15 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// simplifies a surface step by step, each time to a fourth of the vertices, and returns the
-/// prolongation from each level to the one before; the first leads to the surface as it was. The
-/// cost is `default_cost()`, carried on from level to level.
+/// simplifies a surface repeatedly to a fourth of the vertices, and returns the prolongation from
+/// each level to the level before. The first one leads to the original surface. The cost is one
+/// `default_cost()` for all levels.
 ///
-/// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides
+/// Complexity: see `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides
 /// the result.
-/// \param surface the surface, which is as coarse as the last level afterwards
+/// \param surface the surface; afterwards it is as coarse as the last level
 /// \param number_of_vertices the hierarchy ends at a level with at most this number of vertices, or
-///   when no vertex can be removed any more
+///   if no vertex can be removed
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded,
 ///         Intrinsic_triangulations::Numerical_error and
 ///         Intrinsic_triangulations::Overflow_error as `simplify()` and `Surface_map`

@@ -24,7 +24,7 @@ namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
-// An intrinsic triangulation that is a level of a surface, with its constraints.
+// Returns an intrinsic triangulation that is a level of a surface, with its constraints.
 // \throws Numerical_error if a triangle inequality fails: lengths of levels are rounded
 inline Evolving_surface::Triangulation constrained_triangulation(const Surface_level& level,
                                                                  const Intrinsic_surface& surface)
@@ -46,22 +46,22 @@ inline Evolving_surface::Triangulation constrained_triangulation(const Surface_l
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// inserts vertices into a surface and flips it to Delaunay until every face obeys the bounds or is
-/// excused, as `Intrinsic_triangulations::refine()` does with an intrinsic triangulation of it: the
-/// surface as it is, with its geometry, gets better faces. What is done is recorded like the
-/// removals before: maps, subdivisions and prolongations lead through both.
+/// inserts vertices into a surface and flips it to Delaunay until every face satisfies the bounds
+/// or is excused, as `Intrinsic_triangulations::refine()` does. The geometry of the surface does
+/// not change. Operations are recorded like removals: maps, subdivisions and prolongations lead
+/// through both.
 ///
 /// \tparam NamedParameters a sequence of named parameters
 /// \param surface the surface
 /// \param np the parameters of `Intrinsic_triangulations::refine()`. The predicate and the visitor
 ///   get elements of an intrinsic triangulation of the surface, with indices without gaps.
 ///
-/// Complexity: that of `Intrinsic_triangulations::refine()`, and linear in the elements.
-/// \returns what has been done, how it ended, and the faces of the surface that violate the bounds,
-///   with the reason
-/// \throws what `Intrinsic_triangulations::refine()` throws; after that the surface is valid
-/// \throws Intrinsic_triangulations::Numerical_error if rounding has left a face of the surface
-///         whose lengths violate the triangle inequality
+/// Complexity: see `Intrinsic_triangulations::refine()`, plus linear in the elements.
+/// \returns the numbers of operations, the status, and the faces of the surface that violate the
+///   bounds, with the reason
+/// \throws the exceptions of `Intrinsic_triangulations::refine()`; afterwards the surface is valid
+/// \throws Intrinsic_triangulations::Numerical_error if the lengths of a face of the surface
+///   violate the triangle inequality by rounding
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Intrinsic_triangulations::Refinement_result
 refine(Evolving_surface& surface, const NamedParameters& np = CGAL::parameters::default_values())

@@ -41,14 +41,13 @@ struct Default_simplification_visitor
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// what a simplification has done.
+/// the result of a simplification.
 struct Simplification_result
 {
   std::size_t removed = 0;  ///< the number of vertices that have been removed
   double greatest_cost = 0; ///< the greatest cost of a removal
-  /// how many vertices could finally not be removed, for each reason. Vertices that have not
-  /// been looked at since their star changed, because the simplification stopped before, are not
-  /// counted.
+  /// the number of vertices that could finally not be removed, for each reason. Vertices whose star
+  /// has changed since the last attempt are not counted.
   std::array<std::size_t, number_of_removal_statuses> skipped{};
 };
 
@@ -82,7 +81,7 @@ public:
   }
 
 private:
-  // finds the cost of removing `v`, and leaves its star in m_star
+  // Computes the cost of removing `v`, and leaves its star in m_star.
   void evaluate(Vertex_index v)
   {
     m_status[v] = m_surface.flatten(v, m_star);
@@ -92,7 +91,7 @@ private:
       m_heap.remove(v);
   }
 
-  // A cost in the heap may be old where it depends on more than the star.
+  // A cost in the heap may be old if it depends on more than the star.
   void remove_top()
   {
     m_prefetcher(m_heap, m_surface.surface(), m_cost);
@@ -151,7 +150,7 @@ void check_target()
       "simplification needs a target: number_of_vertices() or maximum_cost()");
 }
 
-// returns `run(number_of_vertices, maximum_cost, visitor)` for the parameters
+// Returns `run(number_of_vertices, maximum_cost, visitor)` for the parameters.
 template <typename NamedParameters, typename Run>
 Simplification_result with_target(const NamedParameters& np, const Run& run)
 {
@@ -170,9 +169,10 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// makes a surface Delaunay and removes vertices from it, the cheapest first (Algorithm 6).
+/// makes a surface Delaunay and removes vertices from it, the cheapest first (Algorithm 6)
+/// \cgalCite{LGCSJC23}.
 ///
-/// It can be called again, with the same cost or another.
+/// It can be called repeatedly, with the same cost or another cost.
 ///
 /// \tparam Cost a model of `RemovalCost`
 /// \tparam NamedParameters a sequence of named parameters
@@ -181,13 +181,13 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_vertices}
-///     \cgalParamDescription{the number of vertices at which to stop; with 0, all vertices go that
-///                           can be removed}
+///     \cgalParamDescription{the number of vertices at which to stop; with 0, all removable
+///       vertices are removed}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0 if there is a `maximum_cost`; there is none otherwise}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_cost}
-///     \cgalParamDescription{the greatest cost of a removal that is allowed}
+///     \cgalParamDescription{the greatest allowed cost of a removal}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{no bound}
 ///   \cgalParamNEnd
@@ -199,18 +199,18 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 ///     \cgalParamDefault{`Default_simplification_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// One of the first two must be given.
+/// One of the first two parameters must be given.
 ///
-/// \returns what has been done
+/// \returns the numbers of removals and of remaining vertices
 ///
-/// Complexity: for bounded degrees and numbers of flips, linear in the removed vertices times the
-/// logarithm of all, plus linear in the size of the surface. Memory besides the history: 21 bytes
-/// for each vertex.
-/// \throws Intrinsic_triangulations::Invalid_input if there is neither a number of vertices nor a
-///         greatest cost; nothing was changed
+/// Complexity, for bounded degrees and numbers of flips: \f$O(r \log n)\f$ for \f$r\f$ removals
+/// among \f$n\f$ vertices, plus linear in the size of the surface. Memory besides the history: 21
+/// bytes for each vertex.
+/// \throws Intrinsic_triangulations::Invalid_input if neither a number of vertices nor a greatest
+///   cost is given; then the surface is not changed
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
-///         Intrinsic_triangulations::Numerical_error as `Evolving_surface::remove()`; `surface` is
-///         valid then, but may not be Delaunay.
+///         Intrinsic_triangulations::Numerical_error as `Evolving_surface::remove()`; then
+///         `surface` is valid, but may not be Delaunay
 template <typename Cost, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface, Cost& cost,
                                const NamedParameters& np = CGAL::parameters::default_values())
@@ -222,25 +222,25 @@ Simplification_result simplify(Evolving_surface& surface, Cost& cost,
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the weight of area in the default cost, where curvature has weight one. Solutions of Poisson
-/// problems on coarse surfaces are best with it on average.
+/// the weight of area in the default cost; curvature has weight one. With it, solutions of Poisson
+/// problems on coarse surfaces are best on average (\ref is_quality).
 constexpr double default_area_weight = 2;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the weight of the change of area in the default cost. Distances on coarse surfaces become better
-/// with it, and solutions of Poisson problems not worse.
+/// the weight of the change of area in the default cost. It improves distances on coarse surfaces,
+/// and does not affect solutions of Poisson problems (\ref is_quality_area_change).
 constexpr double default_area_change_weight = 6;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the weight of the change of area at the boundary in the default cost. With it, the corners of
-/// flat surfaces stay if there are as many vertices as corners.
+/// the weight of the change of area at the boundary in the default cost. With it, a flat surface
+/// with as many vertices as corners keeps its corners (\ref is_cost).
 constexpr double default_boundary_change_weight = 12;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the transport of curvature and area as cost, with weights one and `default_area_weight`,
-/// and the change of area, everywhere with weight `default_area_change_weight` and at the boundary
-/// with weight `default_boundary_change_weight`. Curvature alone places few vertices on flat parts,
-/// area alone few where the surface is most curved. Complexity: linear.
+/// returns a cost with four masses. Curvature has weight one, and area `default_area_weight`. The
+/// change of area has `default_area_change_weight`, and at the boundary also
+/// `default_boundary_change_weight`. Curvature alone leaves few vertices on flat parts. Area alone
+/// leaves few vertices on the most curved parts. Complexity: linear.
 inline Transport_cost default_cost(const Evolving_surface& surface)
 {
   Transport_cost cost(surface);

@@ -29,8 +29,8 @@ namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
-// Finds how the map turns the tangent spaces of fine vertices, from the directions of the images of
-// their edges.
+// Computes the rotations of tangent spaces of fine vertices by the map, from the directions of the
+// images of their edges.
 class Tangent_map
 {
   typedef std::complex<double> Complex;
@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  // halfedges stand for the directions around them
+  // Halfedges represent the directions around them.
   void weigh_corner(Halfedge_index h)
   {
     const Halfedge_index next = next_around_source(h, m_fine);
@@ -98,7 +98,7 @@ private:
     return result;
   }
 
-  // the image of the fine halfedge `h` starts at `p` towards `q`
+  // The image of the fine halfedge `h` starts at `p` towards `q`.
   void add_direction(Halfedge_index h, Face_index surface_face, const Face_point& p,
                      const Face_point& q)
   {
@@ -119,8 +119,8 @@ private:
     m_turn[m_fine.source(h)] += m_weight[h] * direction * std::polar(1., -m_fine_frames.angle(h));
   }
 
-  // the normalized angle of a vector at a corner of a coarse face, given in the frame of the side
-  // after the corner
+  // Returns the normalized angle of a vector at a corner of a coarse face, given in the frame of
+  // the side after the corner.
   double vertex_angle(Face_index f, std::size_t corner, const Complex& vector) const
   {
     const Halfedge_index side = Intrinsic_triangulations::sides(f, m_coarse)[corner];
@@ -128,7 +128,7 @@ private:
            m_coarse_frames.scale(m_coarse.source(side)) * std::arg(vector);
   }
 
-  // the rotation from the coarse surface back to the tangent space of `v`
+  // Returns the rotation from the coarse surface back to the tangent space of `v`.
   Complex back(Vertex_index v) const
   {
     const double size = std::abs(m_turn[v]);
@@ -138,7 +138,7 @@ private:
     return std::conj(m_turn[v]) / size;
   }
 
-  // vectors at the corners of the coarse face are transported straight to the image of `v`
+  // Vectors at the corners of the coarse face are transported straight to the image of `v`.
   template <typename Entries>
   void add_row(Vertex_index v, Entries& entries) const
   {
@@ -168,20 +168,20 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the complex matrix that takes tangent vectors at the vertices of the coarse level to
+/// returns the complex matrix that maps tangent vectors at the vertices of the coarse level to
 /// tangent vectors at the vertices of the fine level.
 ///
 /// For a fine vertex, the vectors at the corners of the coarse face are transported straight to its
-/// image and interpolated there; then they are turned as the map turns its tangent space: by the
+/// image and interpolated. Then they are turned as the map turns its tangent space. This is the
 /// rotation that is closest, over all directions, to the differential of the map. So no vector
-/// becomes longer than the longest; a parallel field keeps its length, and where nothing is scaled
-/// it is reproduced. The absolute values of the entries are those of `prolongation_matrix()`, or
-/// less where a coarse face has a vertex twice.
+/// becomes longer than the longest. A parallel field keeps its length; without scaling it is
+/// reproduced. Entries have the absolute values of `prolongation_matrix()`, or less if a coarse
+/// face has a vertex twice.
 /// \param map the map
 /// \param fine_frames,coarse_frames the frames of both levels, by which tangent vectors are complex
 ///   numbers
 ///
-/// Complexity: that of tracing all fine edges.
+/// Complexity: the time to trace all fine edges.
 /// \throws Intrinsic_triangulations::Numerical_error if rounding leaves no direction around a
 ///   vertex
 inline Eigen::SparseMatrix<std::complex<double>>

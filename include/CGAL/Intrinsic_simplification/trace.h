@@ -18,7 +18,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// describes where a point of a traced edge is on the other surface.
+/// the kind of the position of a point of a traced edge on the other surface.
 enum class Trace_place
 {
   vertex, ///< at a vertex: one coordinate is one, the others are exactly zero
@@ -31,8 +31,8 @@ enum class Trace_place
 struct Trace_end
 {
   std::array<double, 3> coordinates; ///< in the face of the piece
-  Trace_place place;                 ///< where that is
-  double t; ///< the place on the traced edge: 0 at its source, 1 at its target
+  Trace_place place;                 ///< the kind of this position
+  double t; ///< the position on the traced edge: 0 at its source, 1 at its target
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -41,7 +41,7 @@ struct Trace_end
 struct Trace_piece
 {
   Face_index face;               ///< the face
-  std::array<Trace_end, 2> ends; ///< from where and where to
+  std::array<Trace_end, 2> ends; ///< the first end and the last end
 };
 
 namespace internal {
@@ -56,7 +56,7 @@ inline Trace_end trace_end(const Face_point& p)
   return {b, place, p.along[1] / (p.along[0] + p.along[1])};
 }
 
-// The result of a tracer with numbers of `level`.
+// Returns the result of a tracer with indices of `level`.
 inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& segments,
                                              const Surface_level& level)
 {
@@ -76,19 +76,18 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 /// \ingroup PkgIntrinsicSimplificationRef
 /// traces an edge of the coarse level over the fine level (Section 5.2.2).
 ///
-/// The curve is straight on the coarse surface. On the fine one it is a sequence of pieces, each of
-/// them straight, that starts and ends at vertices, or where vertices have been inserted. It runs
-/// through other vertices where it comes to them within rounding. It may bend on edges, and inside
-/// faces: changes of scale bend a curve on the edges that it crosses at that time. Where nothing is
-/// scaled, it is a geodesic, and all its pieces end on edges.
+/// The curve is straight on the coarse surface. On the fine surface it is a sequence of straight
+/// pieces. It starts and ends at vertices, or at points with inserted vertices. It runs through
+/// other vertices if it comes to them within rounding. It may bend on edges, and inside faces: a
+/// scaling bends a curve on the edges that it crosses at that time. Without scaling, it is a
+/// geodesic, and all its pieces end on edges.
 /// \param h a halfedge of the coarse level
 /// \param map the map
-/// \returns the pieces from the source of `h` to its target. One begins where the other ends; if
-///   that is on an edge, they are in the faces on its two sides. What is a vertex, on which edges
-///   the curve is and in which order is consistent, whatever the rounding, and the places on `h`
-///   never decrease.
-/// Complexity: linear in the points where the curve crosses an edge at any time, times the
-/// operations that move such a point and the logarithm of the number of operations on a face.
+/// \returns the pieces from the source of `h` to its target. Each begins at the end of the piece
+/// before. If this point is on an edge, the pieces are in the faces on its two sides. Vertices and
+/// edges along the curve are consistent, whatever the rounding. Positions on `h` never decrease.
+/// Complexity: linear in the points at which the curve crosses an edge at any time. Factors are the
+/// operations that move such a point, and the logarithm of the number of operations on a face.
 inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surface_map& map)
 {
   return internal::trace_pieces(internal::Curve_tracer(map, false).trace_through_near_vertices(h),
@@ -96,8 +95,8 @@ inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surfac
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// traces an edge of the fine level over the coarse level; otherwise as `trace_coarse_edge()`. An
-/// end is inside a face, or on a boundary edge, if it is a vertex that has been removed.
+/// traces an edge of the fine level over the coarse level, as `trace_coarse_edge()` does in the
+/// other direction. A removed vertex as an end is inside a face, or on a boundary edge.
 /// \param h a halfedge of the fine level
 /// \param map the map
 inline std::vector<Trace_piece> trace_fine_edge(Halfedge_index h, const Surface_map& map)
