@@ -38,8 +38,7 @@ struct Spherical_circle
 
 namespace internal {
 
-// Returns the circle on the sphere of which `circle` is the stereographic image from the south
-// pole.
+// Returns the circle on the sphere whose stereographic image from the south pole is `circle`.
 inline Spherical_circle on_sphere(const Planar_circle& circle)
 {
   const auto& [c, r] = circle;

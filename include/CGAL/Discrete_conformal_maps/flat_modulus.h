@@ -47,8 +47,8 @@ inline std::vector<std::complex<double>> seam_translations(const Planar_conforma
   return result;
 }
 
-// Returns whether the axis of a flat double, on which the boundary is, cuts a face that is laid
-// out: the axis is straight, so there are vertices on both sides.
+// Returns whether the axis of a flat double, which contains the boundary, cuts a face that is laid
+// out. The axis is straight, so a cut face has vertices on both sides.
 inline bool is_cut_by_axis(Face_index f, const Planar_conformal_map& map)
 {
   const auto h = sides(f, map.ideal().mesh());
@@ -58,8 +58,8 @@ inline bool is_cut_by_axis(Face_index f, const Planar_conformal_map& map)
   });
 }
 
-// Returns the area of a flat surface with straight boundaries, without the second copy, of which
-// there may be a part only. Faces that the axis cuts are, in pairs or alone, symmetric to it.
+// Returns the area of a flat surface with straight boundaries, without the second copy, which may
+// exist only partly. Faces that the axis cuts are symmetric to it, in pairs or alone.
 inline double flat_area(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
