@@ -173,7 +173,7 @@ inline Map_status packing_status(Map_status of_map, double max_tangency_error)
                                                          : Map_status::not_closed;
 }
 
-// Packs circles between those of the outer face, and balances them.
+// Packs circles between the circles of the outer face, and balances them.
 inline Circle_packing packed(const Packing_complex& complex)
 {
   std::vector<Vertex_condition> condition(complex.rest().num_vertices());
