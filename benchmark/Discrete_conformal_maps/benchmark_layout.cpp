@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What each way to lay flat faces out costs, in seconds of CPU time, and what it leaves: the
-// greatest error of length cross ratios, and triangles of T^C that are turned over or have no area.
+// greatest error of length cross ratios, and triangles of T_3 that are turned over or have no area.
 // Arguments are names of meshes.
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>

@@ -117,7 +117,7 @@ inline std::vector<double> scaled_lengths(const Planar_conformal_map& map)
   return result;
 }
 
-// which faces of T^C have a part of the input; there is none beyond a border
+// which faces of T_3 have a part of the input; there is none beyond a border
 class Used_faces
 {
 public:
@@ -214,7 +214,7 @@ inline bool has_no_seam(const Planar_conformal_map& map)
 
 // ---- The map ----
 
-// the place of a vertex of the subdivision in a face of T^A, a simplicial complex
+// the place of a vertex of the subdivision in a face of T_1, a simplicial complex
 inline Location on_face(const DCM::Discrete_conformal_map& map, Face_index f, const Location& p)
 {
   const Delta_complex& mesh = mesh_A(map);

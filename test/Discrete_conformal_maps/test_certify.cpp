@@ -203,14 +203,14 @@ TEST(Certify_ideal_Delaunay, of_the_empty_surface)
 using Real_100 = boost::multiprecision::cpp_bin_float_100;
 using Ideal_traits_100 = IT::Ideal_geometry_traits<Real_100>;
 
-// The places of edges of T^A on edges of T^B, from the lengths of T^A: these are flipped to those
-// of T^B, over whose faces the edges of T^A are straight.
+// The places of edges of T_1 on edges of T_2, from the lengths of T_1: these are flipped to those
+// of T_2, over whose faces the edges of T_1 are straight.
 class Traced_places
 {
   using Vector_100 = std::array<Real_100, 2>;
 
 public:
-  // `length` has those of the edges of T^A
+  // `length` has those of the edges of T_1
   Traced_places(const std::vector<Real_100>& length, const Flips& flips, const Correspondence& ab)
     : m_ab(ab), m_mesh(ab.mesh(Side::input)), m_length(length), m_place(ab.number_of_crossings())
   {
@@ -220,7 +220,7 @@ public:
       trace(IT::first_halfedge(e));
   }
 
-  // on the first halfedge of the edge of T^B
+  // on the first halfedge of the edge of T_2
   const Real_100& operator[](std::size_t crossing) const { return m_place[crossing]; }
   Delta_complex::size_type size() const { return m_ab.number_of_crossings(); }
 
@@ -296,7 +296,7 @@ private:
   std::vector<Real_100> m_length, m_place;
 };
 
-// the vertices of the subdivision along a halfedge of T^B
+// the vertices of the subdivision along a halfedge of T_2
 std::vector<Vertex_index> vertices_along(Halfedge_index h, const DCM::Triple_subdivision<>& s)
 {
   std::map<Vertex_index, Vertex_index> next;
@@ -403,7 +403,7 @@ struct Tested
   std::size_t pairs = 0, exchanged = 0, ties = 0;
 };
 
-// Subdivisions with the right places, and with places of T^C on another surface.
+// Subdivisions with the right places, and with places of T_3 on another surface.
 void check_order(const Triangulation& start, const std::vector<Real_100>& length, double range,
                  unsigned int seed, Tested& tested)
 {
@@ -511,7 +511,7 @@ TEST(Certify, maps_with_ties)
   }
 }
 
-// The lengths of T^C once more, by the flips that led to it.
+// The lengths of T_3 once more, by the flips that led to it.
 TEST(Certify, agrees_with_exact_flips_of_maps)
 {
   for(const Named_mesh& m : traced(meshes())) {

@@ -98,7 +98,7 @@ struct Sample
   Complex expected;
 };
 
-// as a part of the area of the face of T^A
+// as a part of the area of the face of T_1
 double area_on_A(const Planar_conformal_map& map, Face_index f)
 {
   const auto& s = map.subdivision();
@@ -137,7 +137,7 @@ Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random&
   return result;
 }
 
-// the place on the face beyond an edge of T^A
+// the place on the face beyond an edge of T_1
 Location beyond_edge(const Planar_conformal_map& map, const Location& p, Halfedge_index h)
 {
   return on_face(map, mesh_A(map).face(mesh_A(map).opposite(h)), p);

@@ -334,7 +334,7 @@ TEST(Flatten_to_disk, puts_the_boundary_on_a_circle)
     }
 }
 
-// Lengths in strips of T^C are those in the plane, also where edges of T^C cross the boundary.
+// Lengths in strips of T_3 are those in the plane, also where edges of T_3 cross the boundary.
 TEST(Flatten_to_disk, measures_the_boundary_in_strips)
 {
   std::size_t crossed = 0;

@@ -540,7 +540,7 @@ TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
 
 // ---- Points ----
 
-// The middle of three corners of a face of the subdivision, found on T^A and then by the map, and
+// The middle of three corners of a face of the subdivision, found on T_1 and then by the map, and
 // by averaging the homogeneous coordinates of the corners.
 TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
 {

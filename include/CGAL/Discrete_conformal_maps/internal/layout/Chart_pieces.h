@@ -25,7 +25,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image of the input in the plane as convex polygons. They are faces of T^C that belong to the
+// The image of the input in the plane as convex polygons. They are faces of T_3 that belong to the
 // input as a whole, and the parts of other faces that do. Polygons that rounding has left without
 // area are left out.
 class Chart_pieces
@@ -33,7 +33,7 @@ class Chart_pieces
 public:
   struct Piece
   {
-    Face_index face; // of T^C
+    Face_index face; // of T_3
     Convex_polygon polygon;
     double area;
   };

@@ -33,7 +33,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // all, and the polyhedron is an ideal polygon seen from both sides. Its boundary consists of the
 // geodesics of the boundary of the disk, and every triangulation of it is one of the convex hull.
 //
-// So nothing is minimized. Edges of T^B that cross the boundary are flipped. The chords from the
+// So nothing is minimized. Edges of T_2 that cross the boundary are flipped. The chords from the
 // vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
 // quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
 //
@@ -112,7 +112,7 @@ public:
     return result;
   }
 
-  // whether a face of T^C is one of the polygon, not of its back
+  // whether a face of T_3 is one of the polygon, not of its back
   bool is_original(Face_index f) const { return m_is_original[f.idx()]; }
 
 private:
@@ -134,7 +134,7 @@ private:
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
   }
 
-  // Flips until the edges of the boundary exist, and notes which halfedges of T^C have the
+  // Flips until the edges of the boundary exist, and notes which halfedges of T_3 have the
   // boundary on their right.
   void flip_to_boundary()
   {
@@ -159,7 +159,7 @@ private:
         }
   }
 
-  // the faces of T^C that triangulate the polygon, not its mirror image
+  // the faces of T_3 that triangulate the polygon, not its mirror image
   void collect_original_faces()
   {
     m_is_original.assign(mesh().num_faces(), 0);
@@ -332,7 +332,7 @@ private:
 
   Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
-  Ptolemy_surface<FT> m_surface;      // in T^C
+  Ptolemy_surface<FT> m_surface;      // in T_3
   std::vector<char> m_is_on_boundary; // of edges
   // of the polygon, which is on their left, and the edges of the surface that they are
   std::vector<std::pair<Halfedge_index, Edge_index>> m_sides;

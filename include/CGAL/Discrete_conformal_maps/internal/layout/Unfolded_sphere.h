@@ -36,7 +36,7 @@ struct Unfolded_sphere
   Spherical_layout layout;
   std::vector<double> log_scale;        // of the polyhedron, at the vertices of the surface itself
   std::vector<Scale_in_plane> in_plane; // at the same vertices, or empty
-  std::vector<Halfedge_index> flips;    // from T^B to T^C
+  std::vector<Halfedge_index> flips;    // from T_2 to T_3
   Minimization_result minimization;
   double angle_error = std::numeric_limits<double>::infinity(); // in the plane, where it is flat
   double cross_ratio_error = std::numeric_limits<double>::infinity();

@@ -73,7 +73,7 @@ public:
           m_scale.add_cone_if_beyond(bound));
   }
 
-  // Takes scale factors that need no search, and the flips from T^B to T^C.
+  // Takes scale factors that need no search, and the flips from T_2 to T_3.
   void take(const std::vector<More_extended>& log_scale, const std::vector<Halfedge_index>& flips)
   {
     m_visitor.start(Flattening_stage::cones);
@@ -139,7 +139,7 @@ public:
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
 
-  // Makes T^C; returns whether it has lengths.
+  // Makes T_3; returns whether it has lengths.
   bool flip()
   {
     if(!m_flips)
@@ -163,7 +163,7 @@ private:
       leave_out();
   }
 
-  // On a doubled surface, only edges of T^C with a part inside the input are passed, which the
+  // On a doubled surface, only edges of T_3 with a part inside the input are passed, which the
   // subdivision determines.
   void find_cut_edges()
   {
@@ -282,7 +282,7 @@ private:
     return Plane_picture(m_builder.data(), m_layout).is_faithful();
   }
 
-  // Returns the lengths of the edges of T^C, after their angles have been measured.
+  // Returns the lengths of the edges of T_3, after their angles have been measured.
   template <typename FT>
   std::vector<FT> measured(std::vector<FT> u, const std::vector<double>& correction)
   {
@@ -349,9 +349,9 @@ private:
   Flat_scale_factors m_scale;
   Map_builder m_builder;
   Planar_layout m_layout;
-  std::optional<std::vector<Halfedge_index>> m_flips; // to T^C, if they are known
+  std::optional<std::vector<Halfedge_index>> m_flips; // to T_3, if they are known
   bool m_has_placed_cones = false;
-  std::vector<char> m_is_cut_edge;                  // edges of T^C that are not passed
+  std::vector<char> m_is_cut_edge;                  // edges of T_3 that are not passed
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };

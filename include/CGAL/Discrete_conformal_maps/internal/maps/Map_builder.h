@@ -89,7 +89,7 @@ public:
     return Map(std::move(m_owner), std::forward<Parts>(parts)...);
   }
 
-  // Notes the faces of the input with a part in one of these faces of T^C. There is a subdivision.
+  // Notes the faces of the input with a part in one of these faces of T_3. There is a subdivision.
   void set_crowded(const std::vector<char>& is_crowded)
   {
     std::vector<Face_index>& result = m_outcome.crowded_faces;
@@ -105,7 +105,7 @@ public:
     result.erase(std::unique(result.begin(), result.end()), result.end());
   }
 
-  // Notes faces of T^C with a side whose `size(h)` may be no more than rounding. `size(h)` is its
+  // Notes faces of T_3 with a side whose `size(h)` may be no more than rounding. `size(h)` is its
   // length in a picture with coordinates of at most one.
   template <typename Size>
   void find_crowded(const Size& size)
@@ -166,7 +166,7 @@ public:
     set_flips(std::move(flips));
   }
 
-  // Makes T^C ideal Delaunay with more precise scale factors at the vertices of the surface
+  // Makes T_3 ideal Delaunay with more precise scale factors at the vertices of the surface
   // itself. Returns its scaled lengths.
   template <typename FT>
   std::vector<FT> flip_again(const std::vector<FT>& u)
@@ -184,7 +184,7 @@ public:
     return result;
   }
 
-  // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision,
+  // Traces T_1 and T_2, and T_2 and T_3, over each other, and makes their common subdivision,
   // unless it exists. Beside a factor of a layout, it takes most memory.
   template <typename Visitor>
   void subdivide(Visitor& visitor)
@@ -202,12 +202,12 @@ public:
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
   }
 
-  // T^C
+  // T_3
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
 
   double scaled_length(Halfedge_index h) const { return m_data.scaled_length(h); }
 
-  // of the edges of T^C, by the recorded flips in the precision of the scale factors. `u` has them
+  // of the edges of T_3, by the recorded flips in the precision of the scale factors. `u` has them
   // for the vertices of the surface itself
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
@@ -246,7 +246,7 @@ private:
     return m_problem.scaled(scale.values()).flips();
   }
 
-  // Makes T^C exactly ideal Delaunay with the stored scale factors and lengths in `double`, if
+  // Makes T_3 exactly ideal Delaunay with the stored scale factors and lengths in `double`, if
   // rounding has left it undecided. An edge at which the copy of the surface ends stays.
   void flip_exactly()
   {
@@ -289,7 +289,7 @@ private:
   std::unique_ptr<Map_data> m_owner = std::make_unique<Map_data>();
   Map_data& m_data = *m_owner; // stays where it is when the map gets it
   Map_outcome m_outcome;
-  std::vector<Halfedge_index> m_flips; // from T^B to T^C
+  std::vector<Halfedge_index> m_flips; // from T_2 to T_3
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -202,7 +202,7 @@ private:
     });
   }
 
-  // of T^C
+  // of T_3
   template <typename Predicate>
   std::size_t number_of_faces(const Predicate& predicate) const
   {

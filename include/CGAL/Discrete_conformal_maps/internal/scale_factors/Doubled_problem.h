@@ -78,14 +78,14 @@ public:
   Doubled_problem(const Doubled_problem&) = delete;
   Doubled_problem& operator=(const Doubled_problem&) = delete;
 
-  // whether T^B and T^C are Delaunay, or the same as T^A
+  // whether T_2 and T_3 are Delaunay, or the same as T_1
   Flipping flipping() const { return m_flipping; }
 
   // whether functions that solve the problem use several threads
   Intrinsic_triangulations::Concurrency concurrency() const { return m_concurrency; }
   void set_concurrency(Intrinsic_triangulations::Concurrency c) { m_concurrency = c; }
 
-  // T^A and T^B
+  // T_1 and T_2
   const Triangulation& triangulation() const { return m_triangulation; }
   Triangulation& triangulation() { return m_triangulation; }
 
@@ -95,23 +95,23 @@ public:
   // the values of the vertices of the triangulation
   std::shared_ptr<Shared_order> expanded_order() const { return m_order->refined(m_original); }
 
-  // from T^A to T^B
+  // from T_1 to T_2
   std::size_t number_of_flips() const { return m_number_of_flips; }
 
-  // whether errors of the map are measured on the exact surface, although T^B has rounded lengths
+  // whether errors of the map are measured on the exact surface, although T_2 has rounded lengths
   bool is_measured() const { return m_is_measured; }
 
-  // whether the flips to T^C are decided exactly, too
+  // whether the flips to T_3 are decided exactly, too
   bool is_exact() const { return m_is_exact && has_precise_lengths(); }
 
-  // whether rounding changes angles of the input, so that lengths of T^B need more digits
+  // whether rounding changes angles of the input, so that lengths of T_2 need more digits
   bool has_needles() const { return m_has_needles && has_precise_lengths(); }
 
-  // whether the lengths of T^B are lengths on the exact surface, with more digits than `double`
+  // whether the lengths of T_2 are lengths on the exact surface, with more digits than `double`
   // has
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
-  // Makes T^B by exact decisions, and computes its lengths on the exact surface, from now on.
+  // Makes T_2 by exact decisions, and computes its lengths on the exact surface, from now on.
   // Returns whether there are such lengths, where there were none.
   bool make_precise()
   {
@@ -127,7 +127,7 @@ public:
     return has_precise_lengths();
   }
 
-  // Takes the lengths of T^B on the exact surface until they are dropped, and returns how far T^B
+  // Takes the lengths of T_2 on the exact surface until they are dropped, and returns how far T_2
   // and its rounded lengths are from that.
   double take_exact_lengths()
   {
@@ -146,7 +146,7 @@ public:
     return m_circles.radii<FT>(m_original);
   }
 
-  // Returns the lengths of T^B with the digits of `FT`, or the lengths of the tangents of circles.
+  // Returns the lengths of T_2 with the digits of `FT`, or the lengths of the tangents of circles.
   // `t` is the triangulation of the problem, which may have been moved.
   template <typename FT>
   auto lengths(const Triangulation& t) const
@@ -227,7 +227,7 @@ public:
     return result;
   }
 
-  // Returns whether the second copy is not deep enough for these flips, from T^B on. Beyond a
+  // Returns whether the second copy is not deep enough for these flips, from T_2 on. Beyond a
   // seam, the triangulation is the mirror image of the triangulation of the surface. As seams and
   // their mirror images bound a symmetric region, it is enough that no seam has to be flipped.
   bool has_exceeded(const std::vector<Halfedge_index>& flips)
@@ -244,10 +244,10 @@ public:
     return !m_exceeded.empty();
   }
 
-  // the edges of T^B between faces with and without copies
+  // the edges of T_2 between faces with and without copies
   const std::vector<Edge_index>& seams() const { return m_seams; }
 
-  // Makes the second copy deeper, and T^A and T^B with it, where it was not deep enough for these
+  // Makes the second copy deeper, and T_1 and T_2 with it, where it was not deep enough for these
   // flips.
   void extend(const std::vector<Halfedge_index>& flips)
   {
@@ -255,7 +255,7 @@ public:
     m_width *= 2;
   }
 
-  // Returns the surface in T^C of these scale factors, with their digits. The copy is made deep
+  // Returns the surface in T_3 of these scale factors, with their digits. The copy is made deep
   // enough for it.
   template <typename FT>
   Penner_surface<FT> scaled(const std::vector<FT>& scale)
@@ -342,7 +342,7 @@ private:
     }
   }
 
-  // Edges that are flipped join faces of T^A to regions. Copies whole ones: there is no flip across
+  // Edges that are flipped join faces of T_1 to regions. Copies whole ones: there is no flip across
   // their boundaries.
   void copy_regions(const std::vector<Halfedge_index>& flips)
   {
@@ -364,7 +364,7 @@ private:
       m_has_copy[f.idx()] = has_copy[regions.find_set(f.idx())];
   }
 
-  // Makes T^A and T^B again.
+  // Makes T_1 and T_2 again.
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);
@@ -382,7 +382,7 @@ private:
   struct Flip_record
   {
     void after_flip(Halfedge_index h) { flips.push_back(h); }
-    void before_exact_flips() { flips.clear(); } // they start from T^A
+    void before_exact_flips() { flips.clear(); } // they start from T_1
     std::vector<Halfedge_index>& flips;
   };
 
@@ -426,12 +426,12 @@ private:
   std::vector<char> m_has_copy; // for each face of the surface
   std::size_t m_width = 1;      // that are copied the next time
   Triangulation m_triangulation;
-  std::vector<Extended> m_precise_length;                   // of T^B, if flips are exact
+  std::vector<Extended> m_precise_length;                   // of T_2, if flips are exact
   mutable std::vector<More_extended> m_most_precise_length; // where these have too few digits
   std::size_t m_number_of_flips = 0;
   std::vector<Vertex_index> m_original;
   std::vector<Face_index> m_original_face;
-  std::vector<Halfedge_index> m_flips; // to T^B
+  std::vector<Halfedge_index> m_flips; // to T_2
   std::vector<Edge_index> m_seams;     // between faces with and without copies
   std::vector<Edge_index> m_exceeded;  // where the copy is not deep enough
   std::shared_ptr<Shared_order> m_order = std::make_shared<Shared_order>();

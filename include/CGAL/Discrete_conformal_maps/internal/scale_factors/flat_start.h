@@ -22,7 +22,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns a vertex and its neighbors in T^B, as vertices of the surface.
+// Returns a vertex and its neighbors in T_2, as vertices of the surface.
 inline std::set<Vertex_index> closed_neighborhood(Vertex_index v, const Doubled_problem& problem)
 {
   const Delta_complex& mesh = problem.triangulation().mesh();
@@ -32,7 +32,7 @@ inline std::set<Vertex_index> closed_neighborhood(Vertex_index v, const Doubled_
   return result;
 }
 
-// Returns scale factors that make a sphere flat except at a vertex and its neighbors in T^B. These
+// Returns scale factors that make a sphere flat except at a vertex and its neighbors in T_2. These
 // share the curvature of 4 pi equally. The list is empty if rounding or limits keep the minimizer
 // from them. Far from these vertices, the metric resembles the plane into which the sphere unfolds
 // from the first one. No bounds hold for its scale factors, so that they are found even if limbs

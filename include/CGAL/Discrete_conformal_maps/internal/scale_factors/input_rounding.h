@@ -49,8 +49,8 @@ inline bool has_unknown_angles(const Intrinsic_triangulations::Intrinsic_triangu
 }
 
 // The computations on the exact surface, with more digits than `double` has. They are nothing, or
-// the errors of the map, or the flips to T^B and its lengths. The last value adds the flips to
-// T^C, for the rounded numbers of the map.
+// the errors of the map, or the flips to T_2 and its lengths. The last value adds the flips to
+// T_3, for the rounded numbers of the map.
 enum class Exactness
 {
   none,

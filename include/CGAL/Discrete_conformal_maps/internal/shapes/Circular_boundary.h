@@ -271,7 +271,7 @@ private:
     }
   }
 
-  // Takes angles and scale factors of the map of the disk to a hemisphere. Unless edges of T^C
+  // Takes angles and scale factors of the map of the disk to a hemisphere. Unless edges of T_3
   // cross the boundary, this map is its stereographic projection. If they do, the angles are close
   // to these. Others are good enough if they succeed and scale factors differ by little. Returns
   // whether it has taken them.

@@ -44,7 +44,7 @@ struct Round_disk
 // changes nothing: all that a map to a disk needs is known.
 struct Round_polygon : Round_disk
 {
-  std::vector<Halfedge_index> flips; // from T^B to T^C
+  std::vector<Halfedge_index> flips; // from T_2 to T_3
   std::vector<double> side_length;   // in the plane, of each edge on the boundary of the surface
 };
 

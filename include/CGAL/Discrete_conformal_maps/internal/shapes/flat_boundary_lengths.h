@@ -27,7 +27,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// T^C with its lengths in the plane, and the crossings of T^A. The boundary of the surface is the
+// T_3 with its lengths in the plane, and the crossings of T_1. The boundary of the surface is the
 // axis of the flat double, and its edges are straight lines on it.
 class Flat_strips
 {
@@ -55,7 +55,7 @@ public:
   const Delta_complex& mesh() const { return m_triangulation.mesh(); }
   const std::vector<double>& length_map() const { return m_length; }
 
-  // The length of the edge of `h`, a halfedge of T^A, as a straight line. It is zero if squares of
+  // The length of the edge of `h`, a halfedge of T_1, as a straight line. It is zero if squares of
   // the lengths that it crosses are out of range.
   double length(Halfedge_index h) const
   {

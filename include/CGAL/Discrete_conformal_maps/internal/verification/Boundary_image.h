@@ -111,7 +111,7 @@ private:
   }
 
   std::vector<Point> m_position;              // of the vertices on the boundary
-  std::vector<std::vector<Point>> m_crossing; // where edges of T^B and T^C cross an edge
+  std::vector<std::vector<Point>> m_crossing; // where edges of T_2 and T_3 cross an edge
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

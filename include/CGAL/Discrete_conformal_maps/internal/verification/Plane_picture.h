@@ -22,7 +22,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Where the faces of T^C are in the plane.
+// Where the faces of T_3 are in the plane.
 struct Planar_layout
 {
   bool exists = false;
@@ -31,7 +31,7 @@ struct Planar_layout
   std::vector<char> is_seam;                  // for each edge
 };
 
-// The faces of T^C in the plane as positions in `double` show them, compared with their scaled
+// The faces of T_3 in the plane as positions in `double` show them, compared with their scaled
 // lengths.
 //
 // A side or a face is crowded if the picture has not its shape, and rounding of its corners alone
@@ -65,7 +65,7 @@ public:
            (!is_positive(f) && height(f) <= m_rounding);
   }
 
-  // for each face of T^C
+  // for each face of T_3
   std::vector<char> crowded_faces() const
   {
     std::vector<char> result(mesh().num_faces(), 0);

@@ -38,7 +38,7 @@ struct Defect_errors
   }
 };
 
-// Measures the angles of `mesh`, which is T^C, with these lengths of edges. Compares their sums at
+// Measures the angles of `mesh`, which is T_3, with these lengths of edges. Compares their sums at
 // the vertices of the surface with the conditions of the problem. Precondition: the problem has
 // its surface yet.
 template <typename Triangle, typename FT>

@@ -50,7 +50,7 @@ double ideal_length_error(Halfedge_index h, const Delta_complex& mesh,
   return static_cast<double>(p / (p + q) * (q / (p + q)) * (1 + sum.cosine));
 }
 
-// Returns how far T^B with lengths in `double` is from the exact surface, on which its edges have
+// Returns how far T_2 with lengths in `double` is from the exact surface, on which its edges have
 // the lengths `exact`. It is the greatest relative error of a length. Lengths of edges that cross
 // edges that should have been flipped count, too.
 template <typename FT>
