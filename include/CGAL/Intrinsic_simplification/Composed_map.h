@@ -26,7 +26,7 @@ public:
   typedef Surface_map::Location Location;
 
   /// composes two maps.
-  /// \pre the second one starts at the triangulation where the first one ends, with equal indices
+  /// \pre the second map starts at the last triangulation of the first map, with equal indices
   Composed_map(const First& first, const Second& second) : m_first(first), m_second(second)
   {
     CGAL_precondition(first.coarse().mesh().number_of_edges() ==

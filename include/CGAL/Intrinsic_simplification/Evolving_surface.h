@@ -106,8 +106,8 @@ public:
   /// flips edges until all are Delaunay by exact decisions about the metric of `tri`, from which
   /// the surface was made. It makes both Delaunay by the same flips, and copies the lengths of
   /// `tri`. Complexity: linear in the edges and flips.
-  /// \throws what `Intrinsic_triangulations::make_Delaunay()` throws. After an exception the
-  ///   surface is valid.
+  /// \throws the exceptions of `Intrinsic_triangulations::make_Delaunay()`. Afterwards the surface
+  ///   is valid.
   /// \pre the triangulation \f$T_2\f$ of `tri` is the triangulation of the surface, with the same
   ///   indices
   void make_exactly_Delaunay(Triangulation& tri)

@@ -23,7 +23,7 @@ enum class Trace_place
 {
   vertex, ///< at a vertex: one coordinate is one, the others are exactly zero
   edge,   ///< inside an edge: the coordinate that does not belong to it is exactly zero
-  face    ///< inside a face, where the curve bends or ends
+  face    ///< inside a face, at a bend or an end of the curve
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
