@@ -357,5 +357,6 @@ def stages():
     fig.write()
 
 
-for draw in (ptolemy, interpolation, three_way, peacock, star, transport, tufted, stages):
-    draw()
+if __name__ == "__main__":
+    for draw in (ptolemy, interpolation, three_way, peacock, star, transport, tufted, stages):
+        draw()
