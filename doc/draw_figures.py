@@ -20,7 +20,7 @@ class Figure:
     def __init__(self, path, title, width, height):
         self.path, self.height, self.center, self.scale = path, height, (0, 0), 1
         self.lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-                      f'viewBox="0 0 {width} {height}" font-family="DejaVu Serif, Georgia, serif" '
+                      f'viewBox="0 0 {width} {height}" font-family="DejaVu Sans, Verdana, sans-serif" '
                       f'font-size="17" text-anchor="middle">', f"<title>{title}</title>",
                       f'<rect width="{width}" height="{height}" fill="#ffffff"/>']
 
@@ -211,7 +211,7 @@ def crossing(p, q, r, s):
 
 def peacock():
     """All edges of a Delaunay triangulation at the vertex at infinity, and the plane that the rest unfolds to."""
-    fig = Figure("Discrete_conformal_maps/fig/peacock.svg", "A peacock triangulation", 900, 350)
+    fig = Figure("Discrete_conformal_maps/fig/peacock.svg", "A peacock triangulation", 900, 390)
     fig.frame(210, 170, 140)
     fig.circle(0j, 1, "#fbfcfd", GREY)
     root = -.86j
@@ -226,7 +226,7 @@ def peacock():
     fig.dot(*tips)
     fig.dot(root, color=ORANGE, pixels=6)
     fig.text(root, "∞", ORANGE, dx=18, dy=8, size=20)
-    fig.text(-1.17j, "the surface: shortest geodesics from ∞ to all vertices", size=14, dy=2)
+    fig.text(-1.38j, "the surface: shortest geodesics from ∞ to all vertices", size=15, dy=0)
     fig.frame(660, 175, 120)
     points = [-1.5 - .5j, -1 + .35j, -.7 - .7j, -.35 + .75j, 0 - .15j, .35 - .85j, .5 + .6j, .95 - .1j, 1.5 + .3j, 1.3 - .75j]
     hull = [0, 2, 5, 9, 8, 6, 3, 1]
@@ -238,7 +238,7 @@ def peacock():
         p = points[i]
         fig.line(p, p * (1 + .42 / abs(p)), color=GREEN, width=1.8, arrow=True)
     fig.dot(*points)
-    fig.text(-1.29j, "the rest in the plane, bounded by the neighbors of ∞", size=14, dy=2)
+    fig.text(-1.57j, "the rest in the plane, bounded by the neighbors of ∞", size=15, dy=0)
     fig.write()
 
 
@@ -340,8 +340,8 @@ def tufted():
 def stages():
     """The stages of a decision that is exact."""
     fig = Figure("Intrinsic_triangulations/fig/stages.svg", "Stages of an exact decision", 900, 250)
-    boxes = [("stored lengths", "with error bounds:", "nearly all edges"), ("squared lengths", "of straight edges:", "ties too"),
-             ("strips, rounded", "16, 31 and 154 digits", "with error bounds"), ("strips, exact", "sums of square roots,", "ties too")]
+    boxes = [("stored lengths", "with error bounds:", "nearly all edges"), ("squared lengths", "of straight edges:", "ties, too"),
+             ("strips, rounded", "53, 102 or 512 bits", "with error bounds"), ("strips, exact", "sums of square roots:", "ties, too")]
     for k, (name, *words) in enumerate(boxes):
         x = 20 + 222 * k
         fig.polygon((x, -40), (x + 172, -40), (x + 172, -140), (x, -140), color=BLUE, width=2)

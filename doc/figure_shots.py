@@ -154,12 +154,18 @@ const draw = () => {
   };
   const scaled = (name, low, high) => Object.assign(viewer.scale(name), {low, high});
 
-  // A word at a point of the surface: of all views the coordinates of the vertex.
+  const placeOf = ({surface, isPicture}, vertex) => {
+    const i = isPicture && surface.pointOfCorner ? surface.pointOfCorner.indexOf(vertex) : vertex;
+    return vector(...(isPicture ? surface.picture.positions : surface.points).slice(3 * i, 3 * i + 3));
+  };
+
+  // A word at a vertex, where it is seen.
   const spot = (vertex, word, dx = 0, dy = 0) => {
-    for(const {surface, pane, isPicture} of viewer.views) {
-      const i = isPicture && surface.pointOfCorner ? surface.pointOfCorner.indexOf(vertex) : vertex;
-      const positions = isPicture ? surface.picture.positions : surface.points;
-      const [x, y] = pane.project(vector(...positions.slice(3 * i, 3 * i + 3)));
+    for(const view of viewer.views) {
+      const {pane} = view, place = placeOf(view, vertex);
+      const [x, y] = pane.project(place), hit = pane.pick(x, y);
+      if(hit && hit.point.distanceTo(place) > .25)
+        continue;
       const label = document.createElement('div');
       label.className = 'spot';
       label.textContent = word;

@@ -84,10 +84,10 @@ struct Layer
   const char* attribute;
   Line_style style;
 };
-constexpr Line_style plain_edge{'e', {135, 149, 163}, .6}, outline{'o', {154, 167, 179}, .6},
+constexpr Line_style plain_edge{'e', {86, 100, 115}, .7}, outline{'o', {154, 167, 179}, .6},
   marked{'p', {20, 122, 90}, 2};
-constexpr std::array<Layer, 7> layers = {{{"input_edge", {'i', {135, 149, 163}, .5}},
-                                          {"intrinsic_edge", {'t', {200, 80, 30}, 1}},
+constexpr std::array<Layer, 7> layers = {{{"input_edge", {'i', {86, 100, 115}, .8}},
+                                          {"intrinsic_edge", {'t', {200, 80, 30}, 1.2}},
                                           {"flat_edge", {'f', {31, 111, 178}, .8}},
                                           {"sphere_edge", {'f', {31, 111, 178}, .8}},
                                           {"coarse_edge", {'c', {20, 32, 44}, 1.2}},

@@ -2,8 +2,8 @@
 
 export const paper = '#f6f8fa';
 export const failure = '#d81e1e';
-export const layers = {input: '#8795a3', intrinsic: '#c8501e', flat: '#1f6fb2', sphere: '#1f6fb2',
-  coarse: '#14202c', is_seam: '#7a2fa0', edges: '#8795a3'};
+export const layers = {input: '#566473', intrinsic: '#c8501e', flat: '#1f6fb2', sphere: '#1f6fb2',
+  coarse: '#14202c', is_seam: '#7a2fa0', edges: '#566473'};
 export const points = {is_cone: '#7a2fa0'};
 export const others = '#147a5a';
 export const plain = '#e4e2da';

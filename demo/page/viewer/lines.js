@@ -1,28 +1,32 @@
 // Lines on surfaces: wide ones, or thin ones where there are very many.
 
-import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { BufferAttribute, BufferGeometry, GreaterDepth, LineBasicMaterial, LineSegments } from 'three';
 import { LineMaterial } from './LineMaterial.js';
 import { LineSegments2 } from './LineSegments2.js';
 import { LineSegmentsGeometry } from './LineSegmentsGeometry.js';
 
 const mostWide = 120000;
 
-function thinLines(positions, color) {
+// Lines behind surfaces show through them.
+const behind = {transparent: true, opacity: .3, depthFunc: GreaterDepth, depthWrite: false};
+
+function thinLines(positions, style) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  return new LineSegments(geometry, new LineBasicMaterial({color}));
+  return new LineSegments(geometry, new LineBasicMaterial(style));
 }
 
-function wideLines(positions, color, width) {
+function wideLines(positions, style, linewidth) {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(positions);
-  return new LineSegments2(geometry, new LineMaterial({color, linewidth: width}));
+  return new LineSegments2(geometry, new LineMaterial({...style, linewidth}));
 }
 
 // `positions` are those of both ends of each segment; later layers have a greater `order`.
-export function lines(positions, {color, width, order}) {
+export function lines(positions, {color, width, order, isBehind}) {
+  const style = isBehind ? {color, ...behind} : {color};
   const result = positions.length / 6 > mostWide
-    ? thinLines(positions, color) : wideLines(positions, color, width);
+    ? thinLines(positions, style) : wideLines(positions, style, width);
   result.renderOrder = order;
   result.frustumCulled = false;
   return result;

@@ -10,10 +10,10 @@ const names = {
   sphere: 'edges of the polyhedron', coarse: 'coarse edges', edges: 'edges', is_seam: 'seams',
   is_cone: 'cones', log_scale: 'logarithmic scale factor', curvature: 'Gaussian curvature',
   distance: 'distance', distance_error: 'error of the distance',
-  angle_distortion: 'distortion of angles (quotient of stretches)',
-  linear_angle_distortion: 'distortion of angles, linear interpolation',
+  angle_distortion: 'distortion of angles',
+  linear_angle_distortion: 'distortion of angles, linear',
   area_distortion: 'distortion of areas (logarithm)',
-  interpolation_error: 'linear against projective interpolation',
+  interpolation_error: 'linear against projective',
   area_change: 'change of areas (logarithm)'};
 
 export const nameOf = key => names[key] ?? key.replace(/^is_/, '').replace(/_/g, ' ');
@@ -166,7 +166,7 @@ export class Panel {
   charts(page) {
     const result = [];
     if(page.angles.length > 0) {
-      const shades = ['#8795a3', colors.layers.intrinsic, colors.layers.flat];
+      const shades = [colors.layers.input, colors.layers.intrinsic, colors.layers.flat];
       const key = make('div', {className: 'key'}, ...page.angles.map((h, i) =>
         make('span', {}, swatch(shades[i]), h.name)));
       result.push(section('Angles', key, angleChart(page.angles, shades)));

@@ -243,8 +243,9 @@ export class Viewer {
     if(mark.polygons.length > 0 && !surface.developed)
       pane.show(`${mark.name} faces`, isShown, () => overlay(surface, pane, mark.polygons, color));
     if(mark.lines.corners.length > 0 && !isPicture)
-      pane.show(`${mark.name} lines`, isShown, () => lines(
-        positionsOf(segmentsOf(mark.lines), positions), {color, width: 3.5, order: 40}));
+      for(const isBehind of [false, true])
+        pane.show(`${mark.name} lines${isBehind ? ' behind' : ''}`, isShown, () => lines(
+          positionsOf(segmentsOf(mark.lines), positions), {color, width: 3.5, order: 40, isBehind}));
     if(mark.points.length > 0 && !isPicture)
       pane.show(`${mark.name} points`, isShown, () =>
         pointCloud(positionsOf(mark.points, positions), color, 11));
@@ -377,7 +378,7 @@ function widthOf(layer, parts) {
   if(layer === 'is_seam')
     return 3;
   const isThin = layer === 'input' || layer === 'edges';
-  return (isThin ? 1 : 1.8) * (parts > 8000 ? .7 : 1);
+  return (isThin ? 1.2 : 1.8) * (parts > 8000 ? .7 : 1);
 }
 
 const colorsByOwner = owner => i => colors.faces[colors.colorOfFace(owner[i])];
