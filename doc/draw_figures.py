@@ -63,10 +63,11 @@ class Figure:
         for p in points:
             self.circle(p, pixels / self.scale, color, "none")
 
-    def text(self, p, words, color=INK, size=17, dx=0, dy=6, anchor="middle"):
+    def text(self, p, words, color=INK, size=17, dx=0, dy=6, anchor="middle", halo=False):
         x, y = self.at(p)
+        extra = ' stroke="#ffffff" stroke-width="4" paint-order="stroke" stroke-linejoin="round"' if halo else ""
         self.lines.append(f'<text x="{x + dx:.1f}" y="{y + dy:.1f}" fill="{color}" font-size="{size}" '
-                          f'text-anchor="{anchor}">{words}</text>')
+                          f'text-anchor="{anchor}"{extra}>{words}</text>')
 
     def write(self):
         (HERE / self.path).write_text("\n".join(self.lines + ["</svg>", ""]))
@@ -128,13 +129,15 @@ def ptolemy():
     side = [complex(.548 * math.sqrt(z * z - .16), 1.02 * z) for z in heights]
     bowl = [complex(-p.real, p.imag) for p in side] + side[::-1]
     fig.line(*bowl, color=GREEN, width=1.5)
-    fig.text(bowl[-1], "H²", GREEN, dx=-22, dy=26)
+    fig.line(.245 + .612j, .46 + .45j, color=GREEN, width=1)
+    fig.text(.53 + .4j, "H²", GREEN)
     tips = [seen(.55 * h, math.radians(a), h) for a, h in ((345, 1.45), (75, 1.8), (190, 1.35), (262, 1.15))]
     fig.polygon(*tips, fill="#dfeaf5", color=BLUE, width=2, opacity=.75)
     fig.line(tips[0], tips[2], color=ORANGE)
-    for p, name in zip(tips, "jkil"):
+    for p in tips:
         fig.line(0j, p, color=INK, width=1.2, arrow=True)
-        fig.text(p, f"v<tspan baseline-shift='sub' font-size='11'>{name}</tspan>", dx=13, dy=-4, size=15)
+    for p, name, dx, dy in zip(tips, "jkil", (20, 18, -19, -16), (0, -6, -4, -8)):
+        fig.text(p, f"v<tspan baseline-shift='sub' font-size='11'>{name}</tspan>", dx=dx, dy=dy, size=15, halo=True)
     fig.write()
 
 

@@ -231,14 +231,20 @@ const draw = () => {
     viewer.stage.append(box);
   };
 
-  document.getElementById('panel').remove();
-  viewer.resize();
-  viewer.renderer.setClearColor('#ffffff');
+  PARTS
   PICTURE
   viewer.draw();
 };
 </script>
-<style>
+"""
+
+WITHOUT_PANEL = """
+  document.getElementById('panel').remove();
+  viewer.resize();
+  viewer.renderer.setClearColor('#ffffff');
+"""
+
+STYLE = """<style>
   #stage { background: #fff !important; }
   .pane { border: none !important; }
   .pane .caption { display: none; }
@@ -263,17 +269,19 @@ FRAME = """<!doctype html><meta charset="utf-8"><style>
 class Tile:
     """A page, after a script, or a picture, with a caption below it."""
 
-    def __init__(self, source, width, height, caption="", script=""):
+    def __init__(self, source, width, height, caption="", script="", is_whole=False):
         self.source, self.size, self.caption = Path(source), (width, height), caption
-        self.script = script
+        self.script, self.is_whole = script, is_whole
 
     def picture(self, number, browser):
         if self.source.suffix != ".html":
             return self.source
         page = self.source.with_suffix(f".{number}.html")
         text = self.source.read_text(encoding="utf-8")
-        page.write_text(text.replace("<body>", "<body>\n" + SCRIPT.replace("PICTURE", self.script), 1),
-                        encoding="utf-8")
+        script = SCRIPT.replace("PICTURE", self.script)
+        if not self.is_whole:
+            script = script.replace("PARTS", WITHOUT_PANEL) + STYLE
+        page.write_text(text.replace("<body>", "<body>\n" + script.replace("PARTS", ""), 1), encoding="utf-8")
         picture = page.with_suffix(".png")
         picture.write_bytes(browser.picture(page, *self.size, True))
         return picture
@@ -287,6 +295,7 @@ def compose(browser, target, width, height, tiles, colors=256):
         figures.append(f'<figure style="width: {w}px"><img src="{tile.picture(i, browser).resolve()}" '
                        f'width="{w}" height="{h}"><figcaption>{html.escape(tile.caption, False)}'
                        '</figcaption></figure>')
+    width = max([width, *(tile.size[0] for tile in tiles)])
     page, picture = Path("composed.html"), Path("composed.png")
     page.write_text(FRAME + "\n".join(figures) + "</main>", encoding="utf-8")
     picture.write_bytes(browser.picture(page, width, height, False))

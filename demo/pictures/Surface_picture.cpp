@@ -94,11 +94,14 @@ constexpr std::array<Layer, 7> layers = {{{"input_edge", {'i', {86, 100, 115}, .
                                           {"path_edge", marked},
                                           {"is_seam", {'s', {122, 47, 160}, 1.8}}}};
 
-std::vector<Line_style> all_styles()
+// With lines that are `scale` times as wide.
+std::vector<Line_style> all_styles(double scale)
 {
   std::vector<Line_style> result{plain_edge, outline};
   for(const Layer& layer : layers)
     result.push_back(layer.style);
+  for(Line_style& style : result)
+    style.width *= scale;
   return result;
 }
 
@@ -449,8 +452,10 @@ void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const
   for(const Shown_surface& surface : surfaces)
     count += surface.kind == Image_kind::none ? 1 : 2;
   const double width = size * double(count);
-  const std::unique_ptr<Canvas> canvas =
-    is_png(path) ? png_canvas(text, width, size) : svg_canvas(text, width, size, all_styles());
+  const double line_scale = section ? 2 : 1; // A section shows few edges.
+  const std::unique_ptr<Canvas> canvas = is_png(path)
+                                           ? png_canvas(text, width, size, line_scale)
+                                           : svg_canvas(text, width, size, all_styles(line_scale));
   double left = 0;
   for(const Shown_surface& surface : surfaces)
     for(const bool is_image : {false, true})

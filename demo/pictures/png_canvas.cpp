@@ -16,8 +16,9 @@ namespace {
 class Png_canvas : public Canvas
 {
 public:
-  Png_canvas(Text& text, double width, double height)
+  Png_canvas(Text& text, double width, double height, double line_scale)
     : m_text(text),
+      m_line_scale(line_scale),
       m_surface(
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(scale * width), int(scale * height))),
       m_cairo(cairo_create(m_surface))
@@ -58,7 +59,7 @@ public:
       cairo_fill_preserve(m_cairo);
     }
     set_color(line != nullptr ? line->color : *fill);
-    cairo_set_line_width(m_cairo, line != nullptr ? line->width : .4);
+    cairo_set_line_width(m_cairo, line != nullptr ? m_line_scale * line->width : .4);
     cairo_stroke(m_cairo);
   }
 
@@ -83,19 +84,20 @@ private:
   static constexpr double scale = 2; // for screens with many pixels
 
   Text& m_text;
+  double m_line_scale;
   cairo_surface_t* m_surface;
   cairo_t* m_cairo;
 };
 
 } // namespace
 
-std::unique_ptr<Canvas> png_canvas(Text& text, double width, double height)
+std::unique_ptr<Canvas> png_canvas(Text& text, double width, double height, double line_scale)
 {
-  return std::make_unique<Png_canvas>(text, width, height);
+  return std::make_unique<Png_canvas>(text, width, height, line_scale);
 }
 
 #else
 
-std::unique_ptr<Canvas> png_canvas(Text&, double, double) { return nullptr; }
+std::unique_ptr<Canvas> png_canvas(Text&, double, double, double) { return nullptr; }
 
 #endif

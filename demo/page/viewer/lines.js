@@ -1,14 +1,17 @@
 // Lines on surfaces: wide ones, or thin ones where there are very many.
 
-import { BufferAttribute, BufferGeometry, GreaterDepth, LineBasicMaterial, LineSegments } from 'three';
+import { BufferAttribute, BufferGeometry, Color, GreaterDepth, LineBasicMaterial, LineSegments }
+  from 'three';
+import { plain } from './colors.js';
 import { LineMaterial } from './LineMaterial.js';
 import { LineSegments2 } from './LineSegments2.js';
 import { LineSegmentsGeometry } from './LineSegmentsGeometry.js';
 
 const mostWide = 120000;
 
-// Lines behind surfaces show through them.
-const behind = {transparent: true, opacity: .3, depthFunc: GreaterDepth, depthWrite: false};
+// Lines behind surfaces show through them, pale.
+const behind = color => ({color: new Color(color).lerp(new Color(plain), .65),
+  depthFunc: GreaterDepth, depthWrite: false});
 
 function thinLines(positions, style) {
   const geometry = new BufferGeometry();
@@ -24,7 +27,7 @@ function wideLines(positions, style, linewidth) {
 
 // `positions` are those of both ends of each segment; later layers have a greater `order`.
 export function lines(positions, {color, width, order, isBehind}) {
-  const style = isBehind ? {color, ...behind} : {color};
+  const style = isBehind ? behind(color) : {color};
   const result = positions.length / 6 > mostWide
     ? thinLines(positions, style) : wideLines(positions, style, width);
   result.renderOrder = order;

@@ -243,9 +243,10 @@ export class Viewer {
     if(mark.polygons.length > 0 && !surface.developed)
       pane.show(`${mark.name} faces`, isShown, () => overlay(surface, pane, mark.polygons, color));
     if(mark.lines.corners.length > 0 && !isPicture)
-      for(const isBehind of [false, true])
+      for(const isBehind of mark.is_failure ? [false] : [true, false])
         pane.show(`${mark.name} lines${isBehind ? ' behind' : ''}`, isShown, () => lines(
-          positionsOf(segmentsOf(mark.lines), positions), {color, width: 3.5, order: 40, isBehind}));
+          positionsOf(segmentsOf(mark.lines), positions), 
+          {color, width: 3.5, order: isBehind ? 39 : 40, isBehind}));
     if(mark.points.length > 0 && !isPicture)
       pane.show(`${mark.name} points`, isShown, () =>
         pointCloud(positionsOf(mark.points, positions), color, 11));
