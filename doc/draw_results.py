@@ -172,7 +172,7 @@ def exact_heat():
     return [Tile("exact.html", 225, 170, "exact", scale),
             Tile("heat.html", 225, 170, "by heat: " + error(heat, exact), scale),
             Tile(view("error.ply"), 225, 170, "their difference",
-                 "viewer.set({color: 'field error', isolines: false}); show(); legend('error', '% of the longest', 2);")]
+                 "viewer.set({color: 'field error', isolines: false}); show(); legend('error', 'error in %', 2);")]
 
 
 # ---- Convex polyhedra ----
@@ -275,13 +275,13 @@ def flatten():
 def viewer_uniformize():
     page = run("uniformize", "knot1.off", "-o", "out.ply")
     script = "viewer.set({squares: 96}); style('is_seam', 2);"
-    return [Tile(page, 250, 300, "", "only(0);" + script), Tile(page, 440, 300, "", "only(1); closer(1.06);" + script)]
+    return [Tile(page, 250, 300, "", "only(0);" + script), Tile(page, 440, 300, "", "only(1); closer(1.5);" + script)]
 
 
 @figure(MAPS, 350)
 def viewer_hyperbolic():
     page = run("hyperbolic", "eight.off", "-o", "out.obj", "--tiles", 2)
-    return both(page, "viewer.set({shown: {is_seam: true}}); style('is_seam', 2.2); style('outlines', 1.2, '#566473');")
+    return both(page, "viewer.set({squares: 32, shown: {is_seam: true}}); style('is_seam', 2.2); style('outlines', 1.2, '#566473');")
 
 
 PLACES = 5531, 7866, 8290, 2738, 4542, 2568, 90  # of the bear: paws, ears, feet and belly

@@ -43,8 +43,8 @@ public:
 std::unique_ptr<Canvas> svg_canvas(Text& text, double width, double height,
                                    const std::vector<Line_style>& styles);
 
-// A PNG picture, or null if the program was built without Cairo. Lines are `line_scale` times as wide
-// as their styles say.
+// A PNG picture, or null if the program was built without Cairo. Lines are `line_scale` times as
+// wide as their styles say.
 std::unique_ptr<Canvas> png_canvas(Text& text, double width, double height, double line_scale = 1);
 
 #endif // INTRINSIC_CANVAS_H

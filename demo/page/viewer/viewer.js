@@ -245,7 +245,7 @@ export class Viewer {
     if(mark.lines.corners.length > 0 && !isPicture)
       for(const isBehind of mark.is_failure ? [false] : [true, false])
         pane.show(`${mark.name} lines${isBehind ? ' behind' : ''}`, isShown, () => lines(
-          positionsOf(segmentsOf(mark.lines), positions), 
+          positionsOf(segmentsOf(mark.lines), positions),
           {color, width: 3.5, order: isBehind ? 39 : 40, isBehind}));
     if(mark.points.length > 0 && !isPicture)
       pane.show(`${mark.name} points`, isShown, () =>
