@@ -179,9 +179,9 @@ def three_way():
     layers = [([(a, p), (b, p), (d, p), (p, q), (b, q), (c, q), (d, q)], GREY),
               ([(a, p), (b, p), (d, p), (b, d), (b, q), (c, q), (d, q)], BLUE),
               ([(a, p), (d, p), (p, q), (a, q), (b, q), (c, q), (p, c)], ORANGE)]
-    names = ["T<tspan baseline-shift='super' font-size='12'>A</tspan>, the input",
-             "T<tspan baseline-shift='super' font-size='12'>B</tspan>, Delaunay",
-             "T<tspan baseline-shift='super' font-size='12'>C</tspan>, ideal Delaunay", "their subdivision"]
+    names = ["<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>1</tspan>, the input",
+             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>2</tspan>, Delaunay",
+             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>3</tspan>, ideal Delaunay", "their subdivision"]
     for k, name in enumerate(names):
         fig.frame(25 + 222 * k, 235, 112)
         fig.polygon(*corners, fill=PALE)

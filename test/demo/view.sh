@@ -65,6 +65,18 @@ awk 'BEGIN {
 expect 0 info needles.mesh.off --view page.html
 page_shows page.html 'view.viewer.marks[0].polygons.length === 8'
 
+# A path that a square hides shows through it, pale; one that nothing hides is green.
+off covered '0 0 .1,1 0 .1,1 1 .1,0 1 .1,.3 .3 0,.7 .3 0,.7 .7 0,.3 .7 0' '0 1 2,0 2 3,4 5 6,4 6 7'
+for ends in '5 7 isPale !isGreen .5,.5,0' '1 3 isGreen !isPale .5,.5,.1'; do
+  read -r from to is not place <<<"$ends"
+  expect 0 path covered.mesh.off --from "$from" --to "$to" -o a.obj --view page.html
+  page_shows page.html 'globalThis.isGreen = ([r, g, b]) => g > r + 70, true' \
+    'globalThis.isPale = ([r, g, b]) => g > r + 15 && g < r + 60, true' \
+    "$is(colorAt([$place]))" "$not(colorAt([$place]))" 'view.set({shown: {path: false}}) === undefined' \
+    "!$is(colorAt([$place]))"
+done
+rm covered.mesh.off
+
 # The Delaunay triangulation of a sheared grid, with its edges over those of the input.
 expect 0 delaunay sheared.mesh.off -o a.ply --view page.html
 page_shows page.html 'view.viewer.layers.join() === "input,intrinsic"' \
@@ -321,6 +333,11 @@ for name, columns in ("b.svg", 2), ("c.svg", 1):
     assert abs(sides[0] - 560 / 3) < .05, sides
     middle = [p for path in paths for p in re.findall(r"[-\d.]+,[-\d.]+", path.getAttribute("d"))]
     assert "300,300" in middle' || fail 'sections'
+
+# Its lines are twice as wide as those of the whole.
+python3 -c 'import re
+a, b = (list(map(float, re.findall(r"}\.\w{[^}]*stroke-width:([\d.]+)", open(name).read()))) for name in ("a.svg", "b.svg"))
+assert len(a) > 5 and all(abs(2 * x - y) < 1e-9 for x, y in zip(a, b)), (a, b)' || fail 'lines of sections'
 
 # As PNG too, where the program can: beside each other, and drawn on.
 result=0

@@ -10,7 +10,7 @@ import { LineSegmentsGeometry } from './LineSegmentsGeometry.js';
 const mostWide = 120000;
 
 // Lines behind surfaces show through them, pale.
-const behind = color => ({color: new Color(color).lerp(new Color(plain), .65),
+const behind = color => ({color: new Color(color).lerp(new Color(plain), .3),
   depthFunc: GreaterDepth, depthWrite: false});
 
 function thinLines(positions, style) {
