@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,8 @@ class Conformal_barycenter
 public:
   typedef std::array<FT, 2> Point;
 
-  // Complexity: linear for each iteration; there are about five, and more by a tenth of the
-  // hyperbolic distance from the start to the result.
+  // Complexity: linear for each iteration; there are about five, and more by the
+  // hyperbolic distance from the start to the result, or less.
   // \throws Numerical_error if rounding keeps it from an end
   // \pre no mass is half of all or more
   Conformal_barycenter(const std::vector<Point>& position, const std::vector<double>& mass,
@@ -52,7 +53,7 @@ public:
     for(double& m : m_mass)
       m /= total;
     start();
-    for(int i = 0; i < 1000; ++i)
+    for(int i = 0; i < iteration_limit; ++i)
       if(iterate())
         return;
     throw Intrinsic_triangulations::Numerical_error("the center of the sphere cannot be found");
@@ -71,6 +72,8 @@ public:
 
 private:
   static constexpr double longest_step = 8;
+  // as far as the digits of `FT` reach
+  static constexpr int iteration_limit = 10 * (std::numeric_limits<FT>::digits10 + 100);
 
   // above the mean, at the mean distance
   void start()

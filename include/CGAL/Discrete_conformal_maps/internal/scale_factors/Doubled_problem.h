@@ -151,16 +151,17 @@ public:
   template <typename FT>
   auto lengths(const Triangulation& t) const
   {
-    if constexpr(std::is_same_v<FT, More_extended>)
-      if(has_precise_lengths() && m_most_precise_length.empty())
-        m_most_precise_length = exact_lengths<FT>(t);
+    constexpr bool is_most_precise =
+      std::is_same_v<FT, More_extended> || std::is_same_v<FT, Long_number>;
+    if(is_most_precise && has_precise_lengths() && m_most_precise_length.empty())
+      m_most_precise_length = exact_lengths<More_extended>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
       if(has_radii())
         return m_circles.tangent_length<FT>(t, e, m_original);
       if(!has_precise_lengths())
         return FT(t.length(e));
-      if constexpr(std::is_same_v<FT, More_extended>)
-        return m_most_precise_length[e.idx()];
+      if constexpr(is_most_precise)
+        return converted<FT>(m_most_precise_length[e.idx()]);
       else
         return converted<FT>(m_precise_length[e.idx()]);
     });
