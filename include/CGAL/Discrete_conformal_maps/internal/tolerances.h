@@ -77,6 +77,12 @@ double rounding_of_gradient()
 {
   return roundings_of_gradient * static_cast<double>(std::numeric_limits<FT>::epsilon());
 }
+// By what a step must reduce a gradient, for its factorization to be used again.
+constexpr double contraction = 0.25;
+constexpr std::size_t corrections = 3;
+// The same for a start, which needs few digits, and how far, as logarithms of lengths, its
+// factorization is used.
+constexpr double contraction_at_start = 0.5, step_at_start = 1;
 // Some roundings of one variable: steps, or distances from a bound, that are no more are none.
 constexpr double roundings_of_variable = 64, variable = roundings_of_variable * unit;
 // The greatest rounding error of squared lengths and quotients of them, in units: ties are not

@@ -27,6 +27,8 @@ struct Minimization_limits
   std::size_t iterations;
   // says of a point, and of the length of the step that has led there, whether that is enough
   std::function<bool(const Eigen::VectorXd&, double)> is_enough = nullptr;
+  // how often a factorization is used again after a step of full length
+  std::size_t corrections = 0;
 };
 
 // The way of an energy from point to point. The best one is always in the caller's hands.

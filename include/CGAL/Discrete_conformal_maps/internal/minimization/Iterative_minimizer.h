@@ -50,6 +50,15 @@ public:
     return result;
   }
 
+  // The same, but a factorization is used again, up to `corrections` times, after a step of full
+  // length that makes the gradient much smaller.
+  Iterative_minimizer correcting_steps(std::size_t corrections) const
+  {
+    Iterative_minimizer result = *this;
+    result.m_limits.corrections = corrections;
+    return result;
+  }
+
 protected:
   Iterative_minimizer(double gradient_tolerance, std::size_t maximum_number_of_iterations)
     : m_limits{gradient_tolerance, maximum_number_of_iterations}

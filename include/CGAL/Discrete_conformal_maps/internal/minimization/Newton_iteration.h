@@ -120,12 +120,16 @@ private:
     m_base = m_descent.point();
     m_base_slope = slope();
     m_base_error = m_descent.energy().gradient_error();
+    m_base_norm = m_descent.norm();
     const double noise = rounding_error(hessian).dot(m_direction.direction().cwiseAbs());
     const std::optional<Status> end =
       -m_base_slope > noise ? search_line() : step_within_rounding();
     if(end)
       return end;
-    m_visitor.after_iteration(++m_iterations, m_descent.norm(), m_step * m_direction.length());
+    const double length = m_step * m_direction.length();
+    m_last_length = m_direction.length();
+    correct();
+    m_visitor.after_iteration(++m_iterations, m_descent.norm(), length);
     return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
   }
 
@@ -134,7 +138,7 @@ private:
   {
     const Minimization_limits& limits = m_descent.limits();
     return limits.is_enough && m_iterations > 0 && !m_direction.is_damped() &&
-           m_descent.is_at_best() && limits.is_enough(m_descent.point(), m_direction.length());
+           m_descent.is_at_best() && limits.is_enough(m_descent.point(), m_last_length);
   }
 
   // Whether some steps in a row were no more than rounding of each variable, or gained nothing from
@@ -206,6 +210,29 @@ private:
     m_descent.keep_if_best();
   }
 
+  // Goes on with the factorization of a full step while that makes the gradient much smaller: after
+  // k corrections, the error of a step is of order k + 2 (Shamanskii 1967).
+  void correct()
+  {
+    double before = m_base_norm;
+    for(std::size_t i = 0; i < m_descent.limits().corrections && is_contracting(before); ++i) {
+      before = m_descent.norm();
+      if(!m_direction.find_again(m_descent.gradient()))
+        return;
+      if(!m_descent.move_to(m_descent.point() + m_direction.direction()) ||
+         !m_descent.keep_if_best())
+        return m_descent.move_to_best();
+      if(m_descent.norm() <= tolerance::contraction * before)
+        m_last_length = m_direction.length();
+    }
+  }
+
+  bool is_contracting(double before) const
+  {
+    return m_step == 1 && !m_direction.is_damped() && m_descent.is_at_best() &&
+           !m_descent.has_converged() && m_descent.norm() <= tolerance::contraction * before;
+  }
+
   // Slopes say little now, but the full step may well be good. Failures in a row are the end.
   std::optional<Status> step_within_rounding()
   {
@@ -237,7 +264,9 @@ private:
   Eigen::VectorXd m_base;
   double m_base_slope = 0;
   double m_base_error = 0; // of the gradient
+  double m_base_norm = 0;  // of the gradient
   double m_step = 0;
+  double m_last_length = 0;   // of the last direction, twice the distance of the minimum at least
   double m_largest_error = 0; // rounding error of the gradient
   double m_least_norm = std::numeric_limits<double>::infinity();
   int m_idle_steps = 0;

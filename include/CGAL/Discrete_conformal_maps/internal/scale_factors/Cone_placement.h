@@ -23,7 +23,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Greedy cones. The scale factors that make the surface flat are estimated by one linear system; a
 // cone is placed where they are greatest, and the estimate is zero there from then on. For a new
 // cone the system is not factorized again: it takes one column of the inverse, from which what
-// former cones take away is subtracted.
+// former cones take away is subtracted. `Laplacian` is the Hessian of the energy at some scale
+// factors, and the estimate is good near them.
 //
 // The Laplacian does not see constants on a component without fixed vertices. One vertex is held
 // there, and all that sums to zero has a solution. The first cone takes the rest.
@@ -47,6 +48,19 @@ public:
 
   const Vector& estimate() const { return m_estimate; }
 
+  // Takes `u` for the estimate, which is zero at all cones.
+  void set_estimate(const Vector& u) { m_estimate = u; }
+
+  // Moves the estimate along constants, to zero at the first cone of its component.
+  void move_to_first(std::size_t v)
+  {
+    add_first(v);
+    const double at_first = m_estimate[index(v)];
+    for(std::size_t w = 0; w < std::size_t(m_estimate.size()); ++w)
+      if(m_components[w] == m_components[v])
+        m_estimate[index(w)] -= at_first;
+  }
+
   // the vertex of component `c` with the greatest estimate, of those that are candidates
   std::size_t worst(std::size_t c, const std::vector<char>& is_candidate) const
   {
@@ -65,14 +79,15 @@ public:
   {
     Vector source = Vector::Zero(m_estimate.size());
     source[index(v)] = 1;
-    Vector column = solve(source);
-    for(const Column& c : m_columns)
-      column -= (column[c.at] / c.values[c.at]) * c.values;
+    const Vector column = zero_at_cones(solve(source));
     m_columns.push_back({index(v), column});
     m_estimate -= (m_estimate[index(v)] / column[index(v)]) * column;
     for(const Column& c : m_columns)
       m_estimate[c.at] = 0;
   }
+
+  // Returns the change of scale factors that reduces a gradient to zero, to first order.
+  Vector step(const Vector& gradient) { return zero_at_cones(solve(-gradient)); }
 
 private:
   struct Column
@@ -82,6 +97,16 @@ private:
   };
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  // Each column is zero at the cones before its own.
+  Vector zero_at_cones(Vector values) const
+  {
+    for(const Column& c : m_columns) {
+      values -= (values[c.at] / c.values[c.at]) * c.values;
+      values[c.at] = 0;
+    }
+    return values;
+  }
 
   // zero at fixed vertices and first cones
   Vector solve(Vector right_side)

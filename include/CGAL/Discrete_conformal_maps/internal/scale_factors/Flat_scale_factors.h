@@ -11,6 +11,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +65,7 @@ public:
       add_cone(v);
     }
     if constexpr(std::is_same_v<FT, double>)
-      start_from_estimate(energy, placement.estimate());
+      start_from_estimate(energy, placement, bound);
   }
 
   // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Returns
@@ -74,7 +76,9 @@ public:
     const std::size_t v = vertex_beyond(bound, values());
     if(v == none)
       return false;
-    add_cone(v);
+    if(m_problem.flipping() == Flipping::none || is_extended() || is_wide() ||
+       m_problem.has_needles() || !start_with_cone(v, bound))
+      add_cone(v);
     if(m_problem.has_needles())
       start_from(std::vector<double>(m_problem.size(), 0));
     return true;
@@ -84,9 +88,11 @@ public:
   // half of Newton's last step, are certainly out of bounds: there a cone can be added.
   auto ending_beyond(double bound, const Newton_minimizer& minimizer) const
   {
-    return minimizer.ending_where([this, bound](const Vector& change, double step) {
-      return step < bound / 10 && vertex_beyond(bound + step / 2, values() + change) != none;
-    });
+    return minimizer
+      .ending_where([this, bound](const Vector& change, double step) {
+        return certainly_beyond(bound, values() + change, step) != none;
+      })
+      .correcting_steps(std::isfinite(bound) ? tolerance::corrections : 0);
   }
   template <typename Minimizer>
   const Minimizer& ending_beyond(double, const Minimizer& minimizer) const
@@ -144,23 +150,105 @@ private:
     m_cones.push_back(vertex(v));
   }
 
-  // The estimate is the first step of Newton's method from scale factors of zero: if the slope of
-  // the energy lets the minimizer take it, it need not be computed again.
-  void start_from_estimate(Symmetric_energy<Conformal_energy<>>& energy, Vector step)
+  // the vertex that is beyond a bound at the minimum, too, if that is not as far from `scale` as
+  // half of the last step
+  std::size_t certainly_beyond(double bound, const Vector& scale, double step) const
   {
-    const Free_variables variables(domain(), m_problem.size());
-    variables.remove_means(step);
+    return step < bound / 10 ? vertex_beyond(bound + step / 2, scale) : none;
+  }
+
+  typedef Symmetric_energy<Conformal_energy<>> Energy;
+
+  // by the variables
+  Vector free_gradient(const Energy& energy) const
+  {
+    Vector result = energy.gradient();
+    Free_variables(domain(), m_problem.size()).set_fixed_to_zero(result);
+    return result;
+  }
+  Vector gradient_at(const Vector& u, Energy& energy) const
+  {
+    energy.evaluate(u);
+    return free_gradient(energy);
+  }
+
+  // The estimate is the first step of Newton's method from scale factors of zero, where the energy
+  // is: if its slope lets the minimizer take it, it need not be computed again.
+  void start_from_estimate(Energy& energy, Cone_placement& placement, double bound)
+  {
     if(m_problem.flipping() == Flipping::none || !values().isZero(0) || has_prescribed_scale())
       return;
-    const auto slope = [&] {
-      Vector gradient = energy.gradient();
-      variables.set_fixed_to_zero(gradient);
-      return gradient.dot(step);
-    };
-    const double first = slope();
-    energy.evaluate(step);
-    if(slope() <= -first / 2)
-      start_from({step.begin(), step.end()});
+    Vector start = placement.estimate();
+    Free_variables(domain(), m_problem.size()).remove_means(start);
+    const double slope = free_gradient(energy).dot(start);
+    if(gradient_at(start, energy).dot(start) <= -slope / 2)
+      start_near(start, energy, placement, bound);
+  }
+
+  // Makes a cone of `v`, and starts from scale factors with the same curvatures elsewhere, to first
+  // order, if their gradient is less than without a change elsewhere. Returns false if rounding
+  // prevents that.
+  bool start_with_cone(std::size_t v, double bound)
+  {
+    auto energy =
+      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+    energy.evaluate(values());
+    try {
+      Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
+                               m_problem.order());
+      placement.set_estimate(values());
+      add_cone(v, placement);
+      Vector unchanged = values();
+      unchanged[Eigen::Index(v)] = 0;
+      const double norm = max_norm(gradient_at(unchanged, energy));
+      if(max_norm(gradient_at(placement.estimate(), energy)) < norm)
+        start_near(placement.estimate(), energy, placement, bound);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      return m_problem.is_fixed()[v];
+    }
+    return true;
+  }
+
+  void add_cone(std::size_t v, Cone_placement& placement)
+  {
+    if(m_problem.number_of_fixed()[m_problem.components()[v]] == 0)
+      placement.move_to_first(v);
+    else
+      placement.add(v);
+    add_cone(v);
+  }
+
+  // Starts from scale factors near `u`, where the energy is, with a smaller gradient. While lengths
+  // change little, so does the Laplacian, on a smooth surface not at all: the factorization of the
+  // placement finds them. Cones that are certainly needed are placed on the way.
+  void start_near(Vector u, Energy& energy, Cone_placement& placement, double bound)
+  {
+    const Free_variables variables(domain(), m_problem.size());
+    Vector gradient = free_gradient(energy);
+    double norm = max_norm(gradient);
+    for(double ratio = 0; ratio <= tolerance::contraction_at_start;) {
+      Vector step = placement.step(gradient);
+      variables.remove_means(step);
+      const double length = max_norm(step), slope = gradient.dot(step);
+      if(!(length <= tolerance::step_at_start))
+        break;
+      gradient = gradient_at(u + step, energy);
+      ratio = max_norm(gradient) / norm;
+      if(!(ratio < 1 && gradient.dot(step) <= -slope / 2))
+        break;
+      u += step;
+      norm *= ratio;
+      const std::size_t v =
+        ratio <= tolerance::contraction ? certainly_beyond(bound, u, length) : none;
+      if(v != none) {
+        placement.set_estimate(u);
+        add_cone(v, placement);
+        u = placement.estimate();
+        gradient = gradient_at(u, energy);
+        norm = max_norm(gradient);
+      }
+    }
+    start_from({u.begin(), u.end()});
   }
 
   // whether a scale factor is prescribed that is not zero
