@@ -172,6 +172,26 @@ TEST(Newton_minimizer, no_variables)
 }
 
 // Two grids and a lonely variable; one grid has a fixed variable.
+// Every correction raises the order of convergence; the minimum stays.
+TEST(Newton_minimizer, corrections)
+{
+  const Vector minimum = random_vector(grid_size, 1, 1), start = random_vector(grid_size, 1, 2);
+  std::size_t before = std::numeric_limits<std::size_t>::max();
+  for(const std::size_t corrections : {0u, 1u, 3u}) {
+    Linked<Log_cosh> energy(grid(side), minimum);
+    Vector u = start;
+    const auto result =
+      Newton_minimizer().correcting_steps(corrections)(energy, u, floating(grid_size));
+    EXPECT_EQ(result.status, Status::converged);
+    EXPECT_EQ(result.evaluations, energy.evaluations());
+    EXPECT_LT(result.iterations, before);
+    before = result.iterations;
+    Vector difference = u - minimum;
+    difference.array() -= difference.mean();
+    EXPECT_LE(difference.lpNorm<Eigen::Infinity>(), error_of_point(energy, result));
+  }
+}
+
 TEST(Newton_minimizer, components)
 {
   std::vector<Link> links = grid(4);
