@@ -24,6 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// vertices (faces), the one with the least index comes first. Its path is the path that was found
 /// first.
 ///
+/// With bounds for the rest of paths it is the algorithm A*: what has the least sum of distance and
+/// bound comes first. If it comes before its distance is final, it comes again.
+///
 /// \tparam Index `Vertex_index` or `Face_index`
 /// \tparam FT the number type of distances
 template <typename Index, typename FT>
@@ -44,42 +47,53 @@ public:
   }
 
   /// proposes a path to `x` of the length `distance` whose last halfedge is `entry`, null for a
-  /// source. Returns whether it is shorter than all before.
-  bool reach(Index x, const FT& distance, Halfedge_index entry = Halfedge_index())
+  /// source. From `x` to a target, it is at least `rest`. Returns whether the path is shorter than
+  /// all before.
+  bool reach(Index x, const FT& distance, Halfedge_index entry = Halfedge_index(),
+             const FT& rest = FT(0))
   {
     Label& label = m_label[x.idx()];
     if(label.round == m_round && label.distance <= distance)
       return false;
     label = {m_round, distance, entry, false};
-    m_queue.push_back({distance, x});
+    m_queue.push_back({distance + rest, x});
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
     return true;
   }
 
   /// replaces the last halfedge of the path to `x` by the last halfedge of another path of the
   /// same length.
-  /// \pre `!is_final(x)`
   void set_entry(Index x, Halfedge_index entry) { m_label[x.idx()].entry = entry; }
 
   /// returns the closest one to which a path is known and which has not been returned before; null
-  /// if there is none. Its distance is final.
+  /// if there is none. Its distance is final if no bounds for the rest are given.
   Index next()
   {
-    while(!m_queue.empty()) {
-      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
-      const Index x = m_queue.back().second;
-      m_queue.pop_back();
-      if(!std::exchange(m_label[x.idx()].is_final, true))
-        return x;
+    const Index x = peek();
+    if(x.is_valid()) {
+      m_label[x.idx()].is_final = true;
+      pop();
     }
-    return Index();
+    return x;
   }
 
-  /// returns whether `next()` has returned `x` in this search.
-  bool is_final(Index x) const
+  /// returns what `next()` will return.
+  Index peek()
   {
-    return m_label[x.idx()].round == m_round && m_label[x.idx()].is_final;
+    while(!m_queue.empty() && m_label[m_queue.front().second.idx()].is_final)
+      pop();
+    return m_queue.empty() ? Index() : m_queue.front().second;
   }
+
+  /// returns a bound for the number of those to which a path is known and which `next()` has not
+  /// returned.
+  std::size_t number_of_open() const { return m_queue.size(); }
+
+  /// returns whether `next()` has returned `x` in this search.
+  bool is_final(Index x) const { return is_reached(x) && m_label[x.idx()].is_final; }
+
+  /// returns whether a path to `x` is known in this search.
+  bool is_reached(Index x) const { return m_label[x.idx()].round == m_round; }
 
   /// returns the length of the last path to `x`, in this search or an earlier one that reached
   /// `x`.
@@ -99,6 +113,12 @@ private:
   };
 
   typedef std::pair<FT, Index> Entry;
+
+  void pop()
+  {
+    std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+    m_queue.pop_back();
+  }
 
   std::size_t m_round = 1;
   std::vector<Label> m_label;

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan_flattener.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_lists.h>
 
@@ -19,7 +20,6 @@
 #include <cstddef>
 #include <functional>
 #include <queue>
-#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -91,7 +91,7 @@ public:
   /// `shorten()` only. It must not be flipped in the meantime. Lengths of type `double` of edges
   /// that are not in \f$T_1\f$ are computed afresh. Complexity: linear.
   /// \throws Numerical_error if a length is not positive and finite
-  explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()), m_flipping(tri) {}
+  explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()), m_flattener(tri) {}
 
   /// \name Paths
   /// @{
@@ -169,13 +169,25 @@ public:
     return true;
   }
 
-  /// returns the number of flips so far.
-  std::size_t number_of_flips() const { return m_flips; }
+  /// removes all paths and takes all flips back: \f$T_2\f$ is as it was when this object was made,
+  /// with the same indices and numbers. Complexity: linear in the flips and the paths.
+  void rewind()
+  {
+    m_flattener.rewind();
+    m_segment.clear();
+    m_path.clear();
+    m_queue = {};
+    m_idle_moves = 0;
+  }
+
+  /// returns the number of flips since the last `rewind()`.
+  std::size_t number_of_flips() const { return m_flattener.number_of_flips(); }
 
   /// @}
 
 private:
-  typedef std::vector<Halfedge_index> Fan;
+  typedef internal::Fan Fan;
+  typedef std::vector<Halfedge_index> Halfedges;
   typedef std::tuple<FT, Index, Index, bool> Joint; // angle, two segments, on their left
 
   static constexpr std::size_t greatest_number_of_idle_moves = 1000;
@@ -201,9 +213,9 @@ private:
   }
 
   // Paths to and fro have no sides: beside them, others could lie in an order that crosses.
-  static Fan without_spurs(const Fan& halfedges, bool is_loop)
+  static Halfedges without_spurs(const Halfedges& halfedges, bool is_loop)
   {
-    Fan result;
+    Halfedges result;
     for(Halfedge_index h : halfedges)
       if(!result.empty() && result.back() == opposite(h))
         result.pop_back();
@@ -217,12 +229,12 @@ private:
     return {first, last};
   }
 
-  std::size_t add(const Fan& halfedges, bool is_loop)
+  std::size_t add(const Halfedges& halfedges, bool is_loop)
   {
     CGAL_precondition(is_connected(halfedges, is_loop));
     const Index path = static_cast<Index>(m_path.size());
     const Index first = static_cast<Index>(m_segment.size());
-    const Fan outgoing = without_spurs(halfedges, is_loop);
+    const Halfedges outgoing = without_spurs(halfedges, is_loop);
     for(Halfedge_index h : outgoing) {
       const Index s = m_segment.add(h, path);
       m_segment.link(s == first ? Segments::null : s - 1, s);
@@ -236,7 +248,7 @@ private:
     return path;
   }
 
-  bool is_connected(const Fan& halfedges, bool is_loop) const
+  bool is_connected(const Halfedges& halfedges, bool is_loop) const
   {
     for(std::size_t i = is_loop ? 0 : 1; i < halfedges.size(); ++i)
       if(m_mesh.target(halfedges[(i == 0 ? halfedges.size() : i) - 1]) !=
@@ -261,12 +273,13 @@ private:
   {
     if(is_spur(s, t))
       return true;
-    if(m_straight.count({s, t}) > 0)
+    if(m_segment[s].is_straight(is_left))
       return false;
     const Fan outgoing = fan(s, t, is_left);
-    return !outgoing.empty() && m_flipping.is_less_than_pi(outgoing);
+    return !outgoing.empty() && m_flattener.is_less_than_pi(outgoing);
   }
 
+  // Puts the joint into the queue, on each side where it may have an angle of less than pi.
   void note(Index s, Index t)
   {
     if(s == Segments::null || t == Segments::null)
@@ -276,11 +289,24 @@ private:
       return;
     }
     for(bool is_left : {true, false})
-      if(const Fan outgoing = fan(s, t, is_left); !outgoing.empty()) {
-        const auto sum = internal::fan_angle(outgoing, m_tri.intrinsic(), Flipping::length_error());
-        if(possibly(internal::is_less_than_pi(sum)))
-          m_queue.push({sum.angle, s, t, is_left});
-      }
+      if(!m_segment[s].is_straight(is_left))
+        note(s, t, is_left);
+  }
+
+  void note(Index s, Index t, bool is_left)
+  {
+    const Fan outgoing = fan(s, t, is_left);
+    if(!outgoing.empty() && may_be_less_than_pi(outgoing)) {
+      const auto sum = internal::fan_angle(outgoing, m_tri.intrinsic(), Flipping::length_error());
+      m_queue.push({sum.angle, s, t, is_left});
+    } else
+      m_segment.set_straight(s, is_left);
+  }
+
+  bool may_be_less_than_pi(const Fan& outgoing) const
+  {
+    return possibly(
+      internal::is_less_than_pi_by_sines(outgoing, m_tri.intrinsic(), Flipping::length_error()));
   }
 
   // Whether nothing is in the fan but edges that may be flipped.
@@ -303,13 +329,17 @@ private:
     Fan outgoing = fan(s, t, is_left);
     const Index at_out = is_left ? t : s, at_in = is_left ? s : t;
     if(m_segment.outermost(outgoing.front()) != at_out ||
-       m_segment.outermost(m_mesh.opposite(outgoing.back())) != at_in || !is_free(outgoing) ||
-       !m_flipping.is_less_than_pi(outgoing))
+       m_segment.outermost(m_mesh.opposite(outgoing.back())) != at_in || !is_free(outgoing))
       return false;
-    flip_out(outgoing, s == t);
+    if(!m_flattener.is_less_than_pi(outgoing)) {
+      m_segment.set_straight(s, is_left);
+      return false;
+    }
+    m_flattener.flip_out(outgoing, s == t);
     const Fan arc = outer_arc(outgoing, s == t);
     if(!is_shorter(arc, s, t)) {
-      m_straight.insert({s, t});
+      m_segment.set_straight(s, true); // up to rounding, by length
+      m_segment.set_straight(s, false);
       return false;
     }
     replace(s, t, arc, is_left);
@@ -322,53 +352,6 @@ private:
       return false;
     replace(s, t, {}, true);
     return true;
-  }
-
-  // Flips the edges inside the fan as long as one can be flipped. The face of a loop of one edge is
-  // at both ends of the fan, and its apex at both ends of the arc: it is left as it is unless the
-  // whole angle there is less than pi. To flip its other sides one by one could wind them around
-  // the loop without end.
-  void flip_out(Fan& outgoing, bool is_one_edge)
-  {
-    const std::size_t limit = m_flips + 16 * outgoing.size();
-    flip_between(outgoing, is_one_edge ? 2 : 1, limit);
-    while(is_one_edge && outgoing.size() > 4 && m_flips < limit &&
-          m_flipping.is_less_than_pi(internal::fan(m_mesh.next(outgoing[outgoing.size() - 3]),
-                                                   m_mesh.next(outgoing[1]), m_mesh))) {
-      flip(outgoing[1]);
-      outgoing = internal::fan(m_mesh.opposite(outgoing.back()), outgoing.front(), m_mesh);
-      flip_between(outgoing, 2, limit);
-    }
-  }
-
-  // Leaves as many outgoing halfedges as `margin` at both ends. Each flip takes one away, and adds
-  // one only where a face has two corners at the apex: then the fan is taken anew.
-  void flip_between(Fan& outgoing, std::size_t margin, std::size_t limit)
-  {
-    const Vertex_index apex = m_mesh.source(outgoing.front());
-    const Halfedge_index in = m_mesh.opposite(outgoing.back());
-    for(std::size_t i = margin; i + margin < outgoing.size() && m_flips < limit;) {
-      const Halfedge_index h = outgoing[i];
-      if(!m_flipping.is_flippable(h)) {
-        ++i;
-        continue;
-      }
-      const bool is_loop = m_mesh.target(h) == apex;
-      flip(h);
-      if(is_loop || m_mesh.source(h) == apex || m_mesh.target(h) == apex) {
-        outgoing = internal::fan(in, outgoing.front(), m_mesh);
-        i = margin;
-      } else {
-        outgoing.erase(outgoing.begin() + static_cast<std::ptrdiff_t>(i));
-        i = (std::max)(i - 1, margin);
-      }
-    }
-  }
-
-  void flip(Halfedge_index h)
-  {
-    m_flipping.flip(h);
-    ++m_flips;
   }
 
   // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has the
@@ -432,13 +415,11 @@ private:
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
-  mutable Flipping m_flipping; // decisions are remembered
+  mutable internal::Fan_flattener<Traits> m_flattener; // decisions are remembered
   Segments m_segment;
   std::vector<Path> m_path;
   std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> m_queue;
-  std::size_t m_flips = 0;
   std::size_t m_idle_moves = 0;
-  std::set<std::pair<Index, Index>> m_straight; // up to rounding, by length
 };
 
 } // namespace CGAL::Intrinsic_triangulations

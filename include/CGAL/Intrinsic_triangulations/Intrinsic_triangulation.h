@@ -45,6 +45,8 @@ class Exact_flipping;
 template <typename Traits>
 class Exact_insertion;
 template <typename Traits>
+class Flip_record;
+template <typename Traits>
 class Vertex_reinserter;
 
 } // namespace internal
@@ -94,8 +96,7 @@ public:
   /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex, with loops
   ///         and parallel edges, is allowed
   /// \tparam NamedParameters a sequence of named parameters
-  /// \param g the input; every face a triangle, with or without boundary, of any genus and number
-  ///        of components
+  /// \param g the input: triangles, with or without boundary, of any genus and number of components
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{vertex_point_map}
@@ -198,10 +199,9 @@ public:
              !can_be_turned(h);
   }
 
-  /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see
-  /// `flip_edge()`). It updates length and integer coordinates. The coordinates are exact. An edge
-  /// that is also in \f$T_1\f$ has its length in \f$T_1\f$, to the bit. Complexity: constant; no
-  /// memory is allocated.
+  /// turns the edge of `h` as `flip_edge()` does. It updates length and integer coordinates. The
+  /// coordinates are exact. An edge that is also in \f$T_1\f$ has its length in \f$T_1\f$, to the
+  /// bit. Complexity: constant; no memory is allocated.
   /// \throws Numerical_error if the new length is not positive and finite
   /// \throws Overflow_error if the new normal coordinate is out of range
   /// After an exception nothing has changed.
@@ -348,9 +348,8 @@ public:
     Base::number_inserted_outgoing_halfedges();
   }
 
-  /// adds a property of the elements of \f$T_2\f$, which follows them when they get other indices.
-  /// It is lost when \f$T_2\f$ becomes another triangulation, by assignment or
-  /// `reset_to_input()`. Complexity: linear.
+  /// adds a property of the elements of \f$T_2\f$, which follows them if they get other indices. It
+  /// is lost when \f$T_2\f$ is assigned to, and by `reset_to_input()`. Complexity: linear.
   /// \param name the name
   /// \param value the value of all elements, and of new ones
   template <typename Index, typename Value>
@@ -383,6 +382,7 @@ private:
   friend class internal::Input_splitter<Traits>;
   friend class internal::Exact_flipping<Traits>;
   friend class internal::Exact_insertion<Traits>;
+  friend class internal::Flip_record<Traits>;
   friend class internal::Vertex_reinserter<Traits>;
 
   bool can_be_turned(Halfedge_index h) const
@@ -390,7 +390,7 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // returns the new vertex `m` after its edges have got their lengths
+  // sets the lengths of the edges of the new vertex `m` and returns `m`
   template <typename Decisions>
   Vertex_index measured(Vertex_index m, const Decisions& decisions)
   {

@@ -70,7 +70,10 @@ constexpr std::size_t chunk_size = 1024;
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns the number of chunks of `n` elements.
-inline std::size_t number_of_chunks(std::size_t n) { return (n + chunk_size - 1) / chunk_size; }
+inline std::size_t number_of_chunks(std::size_t n, std::size_t size = chunk_size)
+{
+  return (n + size - 1) / size;
+}
 
 #ifdef CGAL_LINKED_WITH_TBB
 namespace internal {
@@ -115,14 +118,13 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `f(begin, end)` for the chunks of 0, ..., n - 1. If `concurrency` is parallel, calls are
 /// in any order and at the same time; otherwise one follows the other. If calls throw, the
-/// exception of the first chunk is thrown.
+/// exception of the first chunk is thrown. Chunks have `size` elements, few if one takes long.
 template <typename Function>
-void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
+void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f,
+                    std::size_t size = chunk_size)
 {
-  const auto run = [&](std::size_t chunk) {
-    f(chunk * chunk_size, (std::min)(n, (chunk + 1) * chunk_size));
-  };
-  const std::size_t chunks = number_of_chunks(n);
+  const auto run = [&](std::size_t chunk) { f(chunk * size, (std::min)(n, (chunk + 1) * size)); };
+  const std::size_t chunks = number_of_chunks(n, size);
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency.is_parallel()) {
     internal::First_exception exception(chunks);

@@ -10,14 +10,195 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Landmarks.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// finds a shortest path along edges (Dijkstra).
+/// finds shortest paths along edges between pairs of vertices.
+///
+/// The first paths are searched for from both ends. With more and more paths, distances from up to
+/// eight vertices are computed, which lead later searches to their targets (the algorithm A*). Each
+/// path is what Dijkstra's algorithm from the source finds, to the last bit: distances are the
+/// rounded sums of lengths in the order of the path. Only if rounding loses whole lengths, it can
+/// be another one of the shortest paths.
+///
+/// \tparam Surface a model of `IntrinsicSurface`
+template <typename Surface>
+class Shortest_edge_paths
+{
+public:
+  /// the number type of lengths.
+  typedef Length_of<Surface> FT;
+
+  /// prepares for searches on `surface`, whose connectivity and lengths are referred to. They must
+  /// be the same whenever a path is searched for. Complexity: linear in the vertices.
+  explicit Shortest_edge_paths(const Surface& surface)
+    : m_surface(internal::view_of(surface)),
+      m_mesh(surface.mesh()),
+      m_ahead(m_mesh.num_vertices()),
+      m_back(m_mesh.num_vertices())
+  {}
+
+  /// finds a shortest path along edges.
+  ///
+  /// \param source the vertex where it starts
+  /// \param target the vertex where it ends
+  /// \returns its halfedges from `source` to `target`; none if the two are equal, or if there is
+  ///   no path. Of equally short paths to a vertex, the one whose last halfedge has the least index
+  ///   counts.
+  ///
+  /// Complexity: \f$O(m \log m)\f$ for \f$m\f$ edges near the ends, up to about half the distance
+  /// between them, or later near shortest paths; before the paths with the indices 2, 4, 8, ...,
+  /// 256, \f$O(n \log n)\f$ for \f$n\f$ vertices.
+  std::vector<Halfedge_index> path(Vertex_index source, Vertex_index target)
+  {
+    std::vector<Halfedge_index> result;
+    if(source == target || m_mesh.is_isolated(source) || m_mesh.is_isolated(target))
+      return result;
+    if(m_number_of_paths++ == std::size_t(2) << m_landmarks.size() &&
+       m_landmarks.size() < internal::Landmarks<View>::greatest_number)
+      m_landmarks.add(source, m_surface, m_ahead);
+    m_ahead.restart();
+    if(m_landmarks.size() > 0)
+      search_by_landmarks(source, target);
+    else
+      search_from_both(source, target);
+    if(m_ahead.is_final(target))
+      for(Halfedge_index h = m_ahead.entry(target); h.is_valid();
+          h = m_ahead.entry(m_mesh.source(h)))
+        result.push_back(h);
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  typedef Surface_view<Length_map_of<Surface>> View;
+  typedef Dijkstra_search<Vertex_index, FT> Search;
+
+  // Returns what bounds the relative error of a sum of lengths along a path, and more: it is
+  // rounded once for each edge.
+  FT rounding() const { return 4 * std::numeric_limits<FT>::epsilon() * FT(m_mesh.num_vertices()); }
+
+  // ---- From both ends ----
+
+  void search_from_both(Vertex_index source, Vertex_index target)
+  {
+    m_back.restart();
+    m_ahead.reach(source, FT(0));
+    m_back.reach(target, FT(0));
+    if(const std::optional<FT> length = meet())
+      go_on(target, *length * (1 + rounding()));
+  }
+
+  // Searches from both ends until no path between them can be shorter than one that is known.
+  // Returns its length; none if there is no path.
+  std::optional<FT> meet()
+  {
+    std::optional<FT> shortest;
+    for(;;) {
+      const Vertex_index v = m_ahead.peek(), w = m_back.peek();
+      if(!v.is_valid() || !w.is_valid() ||
+         (shortest && *shortest <= m_ahead.distance(v) + m_back.distance(w)))
+        return shortest;
+      const bool is_ahead = m_ahead.number_of_open() <= m_back.number_of_open();
+      const Search& other = is_ahead ? m_back : m_ahead;
+      advance(is_ahead ? m_ahead : m_back, [&](Vertex_index x, const FT& distance) {
+        if(other.is_reached(x))
+          if(const FT length = distance + other.distance(x); !shortest || length < *shortest)
+            shortest = length;
+      });
+    }
+  }
+
+  // Continues the search from the source to the target, on vertices through which a path can have a
+  // length of at most `longest`.
+  void go_on(Vertex_index target, const FT& longest)
+  {
+    const Vertex_index nearest = m_back.peek(); // of those whose distance to the target is unknown
+    const FT radius = nearest.is_valid() ? m_back.distance(nearest) : longest;
+    const auto is_near = [&](Vertex_index v) {
+      return m_ahead.distance(v) + (m_back.is_final(v) ? m_back.distance(v) : radius) <= longest;
+    };
+    for(Vertex_index v = m_ahead.peek(); v.is_valid() && v != target; v = m_ahead.peek())
+      if(is_near(v))
+        advance(m_ahead, [](Vertex_index, const FT&) {});
+      else
+        m_ahead.next();
+    m_ahead.next();
+  }
+
+  // Makes the distance of one vertex final, and calls `visit(w, distance)` for the paths from there
+  // to its neighbors.
+  template <typename Visit>
+  void advance(Search& search, const Visit& visit)
+  {
+    const Vertex_index v = search.next();
+    for_each_outgoing_halfedge(v, m_mesh, [&, from = search.distance(v)](Halfedge_index h) {
+      const Vertex_index w = m_mesh.target(h);
+      const FT distance = from + internal::edge_length(h, m_surface);
+      if(search.reach(w, distance, h))
+        visit(w, distance);
+      else if(!search.is_final(w))
+        choose_entry(w, distance, h, search);
+    });
+  }
+
+  // Lets the path to `w` end with `h` if it is as short, and `h` has a lesser index than its last
+  // halfedge. A path whose last length is lost by rounding gives way to others.
+  void choose_entry(Vertex_index w, const FT& distance, Halfedge_index h, Search& search) const
+  {
+    const auto is_closer = [&](Halfedge_index x) {
+      return search.distance(m_mesh.source(x)) < distance;
+    };
+    if(distance == search.distance(w) && is_closer(h) &&
+       (h < search.entry(w) || !is_closer(search.entry(w))))
+      search.set_entry(w, h);
+  }
+
+  // ---- By landmarks ----
+
+  // Searches until all paths are known that are as short as the shortest one up to rounding.
+  void search_by_landmarks(Vertex_index source, Vertex_index target)
+  {
+    const auto rest = [&](Vertex_index v) { return m_landmarks.bound(v, target); };
+    m_ahead.reach(source, FT(0));
+    for(Vertex_index v = m_ahead.peek(); v.is_valid(); v = m_ahead.peek()) {
+      const FT distance = m_ahead.distance(v);
+      if(m_ahead.is_reached(target) && distance + rest(v) > longest_like(m_ahead.distance(target)))
+        break;
+      m_ahead.next();
+      for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
+        const Vertex_index w = m_mesh.target(h);
+        const FT length = distance + internal::edge_length(h, m_surface);
+        if(!m_ahead.is_reached(w) || length < m_ahead.distance(w))
+          m_ahead.reach(w, length, h, rest(w));
+        else
+          choose_entry(w, length, h, m_ahead);
+      });
+    }
+  }
+
+  FT longest_like(const FT& distance) const
+  {
+    return distance + rounding() * (distance + m_landmarks.greatest_distance());
+  }
+
+  View m_surface;
+  const Delta_complex& m_mesh;
+  Search m_ahead, m_back; // from the source; from the target
+  internal::Landmarks<View> m_landmarks;
+  std::size_t m_number_of_paths = 0;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// finds a shortest path along edges, see `Shortest_edge_paths::path()`.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \param source the vertex where it starts
@@ -26,31 +207,13 @@ namespace CGAL::Intrinsic_triangulations {
 ///   path. Of equally short paths to a vertex, the one whose last halfedge has the least index
 ///   counts.
 ///
-/// Complexity: \f$O(n + m \log m)\f$ for \f$n\f$ vertices, and \f$m\f$ edges within the distance
-/// of `target`.
+/// Complexity: \f$O(n + m \log m)\f$ for \f$n\f$ vertices, and \f$m\f$ edges near one of the
+/// ends, up to about half the distance between them. For many pairs, use `Shortest_edge_paths`.
 template <typename Surface>
 std::vector<Halfedge_index> shortest_edge_path(const Surface& surface, Vertex_index source,
                                                Vertex_index target)
 {
-  typedef Length_of<Surface> FT;
-  const Delta_complex& mesh = surface.mesh();
-  Dijkstra_search<Vertex_index, FT> search(mesh.num_vertices());
-  if(!mesh.is_isolated(source))
-    search.reach(source, FT(0));
-  for(Vertex_index v = search.next(); v.is_valid() && v != target; v = search.next())
-    for_each_outgoing_halfedge(v, mesh, [&, distance = search.distance(v)](Halfedge_index h) {
-      const Vertex_index w = mesh.target(h);
-      const FT length = distance + internal::edge_length(h, surface);
-      if(!search.reach(w, length, h) && !search.is_final(w) && length == search.distance(w) &&
-         h < search.entry(w))
-        search.set_entry(w, h);
-    });
-  std::vector<Halfedge_index> result;
-  if(search.is_final(target))
-    for(Halfedge_index h = search.entry(target); h.is_valid(); h = search.entry(mesh.source(h)))
-      result.push_back(h);
-  std::reverse(result.begin(), result.end());
-  return result;
+  return Shortest_edge_paths<Surface>(surface).path(source, target);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -168,7 +168,15 @@ protected:
   template <typename Attempt>
   void try_with_more_digits(const Attempt& attempt) const
   {
-    if(!attempt(m_double) && !attempt(m_extended))
+    if(!attempt(m_double))
+      try_with_many_digits(attempt);
+  }
+
+  // the same without corners in `double`
+  template <typename Attempt>
+  void try_with_many_digits(const Attempt& attempt) const
+  {
+    if(!attempt(m_extended))
       attempt(m_long);
   }
 

@@ -175,16 +175,23 @@ public:
   bool is_less_than_pi(const Fan& outgoing) const
   {
     const double rest = pi<double>() - rounded_fan_angle(outgoing);
-    if(std::abs(rest) > fan_tolerance())
-      return rest > 0;
+    return std::abs(rest) > fan_tolerance() ? rest > 0 : is_nearly_pi_but_less(outgoing);
+  }
+
+  // Returns the same for a sum that differs from pi by no more than `fan_tolerance()`. Nearly all
+  // are ties, for which numbers of type `double` do not suffice.
+  template <typename Fan>
+  bool is_nearly_pi_but_less(const Fan& outgoing) const
+  {
     bool result = false;
-    try_with_more_digits([&](auto& corners) {
+    const auto attempt = [&](auto& corners) {
       const auto product = turn_over(outgoing, this->development(corners));
       const Uncertain<Sign> sign = sign_of_imaginary(product);
       result = certainly(sign == POSITIVE);
       return is_certain(sign) ||
              product.radius <= flat_fan_tolerance() * std::abs(to_double(product.x));
-    });
+    };
+    this->try_with_many_digits(attempt);
     return result;
   }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Flip_record.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -105,6 +106,32 @@ public:
       return flipped.length;
     });
     return true;
+  }
+
+  // what a flip of an edge changes
+  struct Record
+  {
+    Flip_record<Traits> flip;
+    typename Edge_courses<Traits>::Storage course;
+    float error;
+    std::size_t number_of_doubtful;
+  };
+
+  // returns what a flip of the edge of `h` will change
+  Record record(Halfedge_index h) const
+  {
+    const Edge_index e(h);
+    return {Flip_record<Traits>(h, m_tri), m_courses.storage(e), m_error[e], m_doubtful.size()};
+  }
+
+  // takes the last flip back
+  void undo(const Record& record)
+  {
+    const Edge_index e(record.flip.halfedge());
+    record.flip.undo(m_tri);
+    m_courses.after_undo(e, record.course);
+    m_error[e] = record.error;
+    m_doubtful.resize(record.number_of_doubtful);
   }
 
   // whether edges cross more than `find_lengths()` may lay out

@@ -13,24 +13,38 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the outgoing halfedges from `out` counterclockwise to the opposite of `in`, which ends
-// where `out` starts: on the left of a path. Empty if the boundary is between them.
+// outgoing halfedges of a vertex, counterclockwise
+typedef boost::container::small_vector<Halfedge_index, 16> Fan;
+
+// Sets `result` to the outgoing halfedges from `out` counterclockwise to the opposite of `in`, on
+// the left of a path that goes on from `in` to `out`. Empty if the boundary is between them.
 template <typename P>
-std::vector<Halfedge_index> fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh)
+void find_fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh, Fan& result)
 {
-  std::vector<Halfedge_index> result{out};
-  do {
-    if(mesh.is_border(result.back()))
-      return {};
-    result.push_back(next_around_source(result.back(), mesh));
-  } while(result.back() != mesh.opposite(in));
+  result.clear();
+  for(Halfedge_index h = out;; h = next_around_source(h, mesh)) {
+    result.push_back(h);
+    if(h == opposite(in) && result.size() > 1)
+      return;
+    if(mesh.is_border(h))
+      return result.clear();
+  }
+}
+
+// returns this fan
+template <typename P>
+Fan fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh)
+{
+  Fan result;
+  find_fan(in, out, mesh, result);
   return result;
 }
 
@@ -41,32 +55,94 @@ struct Bounded_angle
   FT angle, error;
 };
 
-// Returns the angle at the source of `h` and a bound for its error if each length has the relative
-// error `error`. A change of the opposite side changes the angle by this change over the height at
-// that side times its foot, a change of another side by less. The bound is twice that, since the
-// area may change, too; it is infinite if the triangle may be flat.
+// The corner of a triangle between the sides `b` and `c`. Each length has the relative error
+// `error`.
+template <typename FT>
+struct Uncertain_corner
+{
+  FT a, b, c, error;
+
+  template <typename Surface>
+  Uncertain_corner(Halfedge_index h, const Surface& surface, const FT& error)
+    : a(edge_length(surface.mesh().next(h), surface)),
+      b(edge_length(h, surface)),
+      c(edge_length(surface.mesh().prev(h), surface)),
+      error(error)
+  {}
+
+  // Returns a bound for the error of the angle. A change of the opposite side changes the angle by
+  // this change over the height at that side times its foot, a change of another side by less. The
+  // bound is twice that, since the area may change, too; it is infinite if the triangle may be
+  // flat.
+  FT angle_error(const FT& quadrupled_area) const
+  {
+    const FT change = error * (a + b + c);
+    const FT slack = (std::min)({a + (b - c), a + (c - b), c + (b - a)});
+    return 8 * change <= slack ? 4 * a * change / quadrupled_area
+                               : std::numeric_limits<FT>::infinity();
+  }
+
+  Bounded_angle<FT> angle() const
+  {
+    return {corner_angle(a, b, c), angle_error(quadrupled_area(a, b, c))};
+  }
+};
+
+// The sum of the angles of corners as a complex number of about length one.
+template <typename FT>
+class Corner_sum
+{
+public:
+  void add(const Uncertain_corner<FT>& corner)
+  {
+    const auto& [a, b, c, error] = corner;
+    const FT area = quadrupled_area(a, b, c), scale = 2 * b * c;
+    const FT cosine = doubled_corner_product(a, b, c) / scale, sine = area / scale;
+    m_error += corner.angle_error(area);
+    const FT x = m_x * cosine - m_y * sine;
+    m_y = m_x * sine + m_y * cosine;
+    m_x = x;
+  }
+
+  // Returns whether the sum is less than pi, as far as its sine leaves no doubt. \pre all corners
+  // but the last one have a sum that certainly is
+  Uncertain<bool> is_less_than_pi() const
+  {
+    const FT bound = m_error + m_error / 4; // with the rounding of products
+    return m_y > bound    ? Uncertain<bool>(true)
+           : m_y < -bound ? Uncertain<bool>(false)
+                          : Uncertain<bool>::indeterminate();
+  }
+
+private:
+  FT m_x = 1, m_y = 0, m_error = 0;
+};
+
+// Returns whether the angle of a fan is less than pi, as far as sines of parts of it leave no
+// doubt: without inverse tangents, on which the time of paths would depend.
 template <typename Surface>
-Bounded_angle<Length_of<Surface>> bounded_angle(Halfedge_index h, const Surface& surface,
-                                                const Length_of<Surface>& error)
+Uncertain<bool> is_less_than_pi_by_sines(const Fan& outgoing_halfedges, const Surface& surface,
+                                         const Length_of<Surface>& error)
 {
   typedef Length_of<Surface> FT;
-  const Delta_complex& mesh = surface.mesh();
-  const FT a = edge_length(mesh.next(h), surface), b = edge_length(h, surface),
-           c = edge_length(mesh.prev(h), surface);
-  const FT area = quadrupled_area(a, b, c), change = error * (a + b + c);
-  const FT slack = (std::min)({a + (b - c), a + (c - b), c + (b - a)});
-  return {corner_angle(a, b, c),
-          8 * change <= slack ? 4 * a * change / area : std::numeric_limits<FT>::infinity()};
+  Corner_sum<FT> sum;
+  Uncertain<bool> result(true);
+  for(std::size_t i = 0; i + 1 < outgoing_halfedges.size() && certainly(result); ++i) {
+    sum.add(Uncertain_corner<FT>(outgoing_halfedges[i], surface, error));
+    result = sum.is_less_than_pi();
+  }
+  return result;
 }
 
 // the sum of its angles
 template <typename Surface>
-Bounded_angle<Length_of<Surface>> fan_angle(const std::vector<Halfedge_index>& outgoing_halfedges,
-                                            const Surface& surface, const Length_of<Surface>& error)
+Bounded_angle<Length_of<Surface>> fan_angle(const Fan& outgoing_halfedges, const Surface& surface,
+                                            const Length_of<Surface>& error)
 {
-  Bounded_angle<Length_of<Surface>> sum{0, 0};
+  typedef Length_of<Surface> FT;
+  Bounded_angle<FT> sum{0, 0};
   for(std::size_t i = 0; i + 1 < outgoing_halfedges.size(); ++i) {
-    const auto corner = bounded_angle(outgoing_halfedges[i], surface, error);
+    const auto corner = Uncertain_corner<FT>(outgoing_halfedges[i], surface, error).angle();
     sum.angle += corner.angle;
     sum.error += corner.error;
   }

@@ -9,14 +9,19 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Flip_record.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -29,9 +34,10 @@ class Fan_flipping_by_lengths
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::FT FT;
-  typedef std::vector<Halfedge_index> Fan;
 
 public:
+  typedef Flip_record<Traits> Record;
+
   explicit Fan_flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
   static FT length_error() { return rounding_unit<FT>(); }
@@ -40,8 +46,11 @@ public:
     return certainly(
       internal::is_less_than_pi(fan_angle(outgoing, m_tri.intrinsic(), length_error())));
   }
+  // whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
   void flip(Halfedge_index h) { m_tri.flip(h); }
+  Record record(Halfedge_index h) const { return Record(h, m_tri); }
+  void undo(const Record& record) { record.undo(m_tri); }
 
 private:
   Triangulation& m_tri;
@@ -54,11 +63,19 @@ template <typename Traits>
 class Exact_fan_flipping
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
-  typedef std::vector<Halfedge_index> Fan;
 
 public:
-  explicit Exact_fan_flipping(Triangulation& tri) : m_tri(tri), m_flipping(tri)
+  struct Record
   {
+    typename Exact_flipping<Traits>::Record flip;
+    std::uint32_t name;
+  };
+
+  explicit Exact_fan_flipping(Triangulation& tri)
+    : m_tri(tri), m_flipping(tri), m_name(tri.mesh().num_edges())
+  {
+    std::iota(m_name.begin(), m_name.end(), std::uint32_t(0));
+    m_next_name = static_cast<std::uint32_t>(m_name.size());
     const Delta_complex& mesh = tri.mesh();
     if(!Is_exact<Traits>::value &&
        !std::all_of(mesh.edges().begin(), mesh.edges().end(),
@@ -73,13 +90,26 @@ public:
     return decide(outgoing, [&](auto& decisions) { return decisions.fan_sign(outgoing); });
   }
 
+  // whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped
   bool is_flippable(Halfedge_index h)
   {
-    return m_flipping.can_be_turned(h) && is_convex_at_source(h) &&
-           is_convex_at_source(m_tri.mesh().opposite(h));
+    return m_flipping.can_be_turned(h) && is_convex_at_source(m_tri.mesh().opposite(h));
   }
 
-  void flip(Halfedge_index h) { m_flipping.flip(h); }
+  void flip(Halfedge_index h)
+  {
+    m_flipping.flip(h);
+    m_name[Edge_index(h)] = m_next_name;
+    m_next_name = (std::min)(m_next_name + 1, nameless);
+  }
+
+  Record record(Halfedge_index h) const { return {m_flipping.record(h), m_name[Edge_index(h)]}; }
+
+  void undo(const Record& record)
+  {
+    m_flipping.undo(record.flip);
+    m_name[Edge_index(record.flip.flip.halfedge())] = record.name;
+  }
 
 private:
   bool is_convex_at_source(Halfedge_index h)
@@ -92,18 +122,48 @@ private:
   template <typename Exact_sign>
   bool decide(const Fan& outgoing, const Exact_sign& exact_sign)
   {
-    const Uncertain<bool> by_lengths =
-      internal::is_less_than_pi(fan_angle(outgoing, m_tri.intrinsic(), length_error()));
+    const Uncertain<bool> by_sines =
+      is_less_than_pi_by_sines(outgoing, m_tri.intrinsic(), length_error());
+    if(is_certain(by_sines))
+      return get_certain(by_sines);
+    const auto angle = fan_angle(outgoing, m_tri.intrinsic(), length_error());
+    const Uncertain<bool> by_lengths = internal::is_less_than_pi(angle);
     if(is_certain(by_lengths))
       return get_certain(by_lengths);
-    if constexpr(Is_exact<Traits>::value)
-      return exact_sign(m_flipping.decisions()) == POSITIVE;
-    else
-      return m_flipping.decisions().is_less_than_pi(outgoing);
+    return remembered(outgoing, [&] {
+      auto& decisions = m_flipping.decisions();
+      if constexpr(Is_exact<Traits>::value)
+        return exact_sign(decisions) == POSITIVE;
+      else
+        return angle.error < fan_tolerance() / 4 ? decisions.is_nearly_pi_but_less(outgoing)
+                                                 : decisions.is_less_than_pi(outgoing);
+    });
   }
+
+  // Returns what `decide()` returns. The edges on both sides of a fan determine its angle, so that
+  // ties, as on flat parts of a surface, are decided once.
+  template <typename Decide>
+  bool remembered(const Fan& outgoing, const Decide& decide)
+  {
+    const auto name = [this](Halfedge_index h) {
+      return std::uint64_t(m_name[Edge_index(h)]) << 1 | (is_first_halfedge(h) ? 0 : 1);
+    };
+    const std::uint64_t first = name(outgoing.front()), last = name(outgoing.back());
+    if((std::max)(first, last) >= 2 * std::uint64_t(nameless) ||
+       sizeof(std::size_t) < sizeof(std::uint64_t))
+      return decide();
+    return m_decided(static_cast<std::size_t>(first << 32 | last), decide);
+  }
+
+  // Edges with this name are any.
+  static constexpr std::uint32_t nameless = std::uint32_t(1) << 31;
 
   Triangulation& m_tri;
   Exact_flipping<Traits> m_flipping;
+  // A name for each edge. It belongs to one geodesic: after a flip, the edge has another name.
+  std::vector<std::uint32_t> m_name;
+  std::uint32_t m_next_name;
+  Direct_mapped_cache<bool> m_decided;
 };
 
 template <typename Traits>

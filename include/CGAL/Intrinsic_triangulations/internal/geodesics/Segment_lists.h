@@ -31,10 +31,24 @@ public:
     Halfedge_index halfedge;
     Index path, previous, next; // null at the ends of a path
     bool is_removed;
+    // whether the angle to the next segment is not less than pi, as far as known; flips do not
+    // change this angle
+    bool is_straight_on_left, is_straight_on_right;
+
+    bool is_straight(bool on_left) const
+    {
+      return on_left ? is_straight_on_left : is_straight_on_right;
+    }
   };
 
   // the number of segments that have been added
   std::size_t size() const { return m_segment.size(); }
+
+  void clear()
+  {
+    m_segment.clear();
+    m_on_edge.clear();
+  }
 
   const Segment& operator[](Index s) const { return m_segment[s]; }
 
@@ -63,7 +77,7 @@ public:
   // Adds a segment along `h`, which is not on the edge yet.
   Index add(Halfedge_index h, Index path)
   {
-    m_segment.push_back({h, path, null, null, false});
+    m_segment.push_back({h, path, null, null, false, false, false});
     return static_cast<Index>(m_segment.size() - 1);
   }
 
@@ -104,10 +118,17 @@ public:
   // either may be null
   void link(Index s, Index t)
   {
-    if(s != null)
+    if(s != null) {
       m_segment[s].next = t;
+      m_segment[s].is_straight_on_left = m_segment[s].is_straight_on_right = false;
+    }
     if(t != null)
       m_segment[t].previous = s;
+  }
+
+  void set_straight(Index s, bool on_left)
+  {
+    (on_left ? m_segment[s].is_straight_on_left : m_segment[s].is_straight_on_right) = true;
   }
 
 private:

@@ -91,6 +91,31 @@ public:
       update(Edge_index(h));
   }
 
+  // where the course of an edge is stored
+  struct Storage
+  {
+    std::size_t layout; // all courses have moved where this has changed
+    size_type first;
+    std::size_t size; // of all courses
+  };
+
+  Storage storage(Edge_index e) const
+  {
+    return {m_layout, m_is_stored ? m_first[e] : unknown, m_exits.size()};
+  }
+
+  // To be called after the last flip, of the edge `e`, has been taken back. Before the flip, its
+  // course was stored at `before`, where it still is.
+  void after_undo(Edge_index e, const Storage& before)
+  {
+    if(m_is_stored && before.layout != m_layout)
+      update(e);
+    else if(m_is_stored) {
+      m_first[e] = before.first;
+      m_exits.resize(before.size);
+    }
+  }
+
   // To be called after the vertex `m` has been inserted into a face.
   void after_insertion(Vertex_index m)
   {
@@ -175,6 +200,7 @@ private:
     m_exits.resize(marks.size());
     m_most_exits = 2 * m_exits.size() + 16 * edges;
     m_is_stored = true;
+    ++m_layout;
   }
 
   void store(Concurrency concurrency) const
@@ -292,6 +318,7 @@ private:
     }
     m_exits = std::move(exits);
     m_most_exits = 2 * m_exits.size() + 16 * m_first.size();
+    ++m_layout;
   }
 
   const Pair* m_pair;
@@ -299,6 +326,7 @@ private:
   mutable std::size_t m_steps = 0; // in which crossings have been followed
   mutable double m_most_steps = 0; // after which storing may be faster
   mutable std::size_t m_most_exits = 0;
+  mutable std::size_t m_layout = 0;
   mutable std::vector<size_type> m_first;      // the exits of each edge, or unknown
   mutable std::vector<Halfedge_index> m_exits; // of first halfedges
 };

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_RECORD_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_RECORD_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <array>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// What a flip of the edge of `h` changes in T2, as it is before the flip. The flips that follow are
+// taken back in reverse order; then every index and every number is as it was, to the bit.
+template <typename Traits>
+class Flip_record
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+
+public:
+  Flip_record(Halfedge_index h, const Triangulation& tri)
+    : m_h(h),
+      m_n(tri.coordinates().normal_coordinate(Edge_index(h))),
+      m_r{tri.coordinates().roundabout(h), tri.coordinates().roundabout(opposite(h))},
+      m_length(tri.length(Edge_index(h))),
+      m_of_vertex{tri.mesh().halfedge(tri.mesh().source(h)),
+                  tri.mesh().halfedge(tri.mesh().target(h))},
+      m_of_face{tri.mesh().halfedge(tri.mesh().face(h)),
+                tri.mesh().halfedge(tri.mesh().face(opposite(h)))}
+  {}
+
+  Halfedge_index halfedge() const { return m_h; }
+
+  // Takes the flip back. Complexity: constant.
+  void undo(Triangulation& tri) const
+  {
+    Delta_complex& mesh = tri.m_mesh;
+    const Halfedge_index o = opposite(m_h);
+    for(int flips = 0; flips < 3; ++flips) // the fourth after that of the record
+      flip_edge(m_h, mesh);
+    mesh.set_halfedge(mesh.source(m_h), m_of_vertex[0]);
+    mesh.set_halfedge(mesh.target(m_h), m_of_vertex[1]);
+    mesh.set_halfedge(mesh.face(m_h), m_of_face[0]);
+    mesh.set_halfedge(mesh.face(o), m_of_face[1]);
+    tri.m_coordinates.set(Edge_index(m_h), m_n);
+    tri.m_coordinates.set(m_h, m_r[0]);
+    tri.m_coordinates.set(o, m_r[1]);
+    tri.m_length[Edge_index(m_h)] = m_length;
+  }
+
+private:
+  Halfedge_index m_h;
+  typename Traits::Integer m_n;
+  std::array<Delta_complex::size_type, 2> m_r;
+  typename Traits::FT m_length;
+  std::array<Halfedge_index, 2> m_of_vertex, m_of_face; // of both ends and both sides
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_RECORD_H
