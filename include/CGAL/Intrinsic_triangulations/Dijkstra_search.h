@@ -85,8 +85,8 @@ public:
     return m_queue.empty() ? Index() : m_queue.front().second;
   }
 
-  /// returns a bound for the number of those to which a path is known and which `next()` has not
-  /// returned.
+  /// returns a bound for the number of vertices (faces) to which a path is known and which `next()`
+  /// has not returned.
   std::size_t number_of_open() const { return m_queue.size(); }
 
   /// returns whether `next()` has returned `x` in this search.

@@ -38,9 +38,9 @@ struct Flipped_path
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// geodesics between pairs of vertices: for each pair, the shortest path along edges of \f$T_2\f$
-/// is shortened by flips (`Edge_paths`), which are taken back afterwards. So the time of a path
-/// does not depend on the size of the triangulation, except for the search along edges, and no
-/// path depends on those before it.
+/// is shortened by flips (`Edge_paths`), which are taken back afterwards. So no path depends on
+/// earlier paths. Except for the search along edges, the time of a path does not depend on the size
+/// of the triangulation.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
 template <typename Traits>
@@ -61,7 +61,7 @@ public:
   Flipped_paths(const Flipped_paths&) = delete;
   Flipped_paths& operator=(const Flipped_paths&) = delete;
 
-  /// returns a geodesic from `source` to `target`. It has no places if the two are equal; if there
+  /// returns a geodesic from `source` to `target`. It has no points if the two are equal; if there
   /// is no path, its length is infinite, too.
   /// \throws Numerical_error, Overflow_error as `Edge_paths::shorten()` and `path_on_input()`
   /// After an exception other paths can be computed.

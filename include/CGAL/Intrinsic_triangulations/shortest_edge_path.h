@@ -25,9 +25,9 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// The first paths are searched for from both ends. With more and more paths, distances from up to
 /// eight vertices are computed, which lead later searches to their targets (the algorithm A*). Each
-/// path is what Dijkstra's algorithm from the source finds, to the last bit: distances are the
-/// rounded sums of lengths in the order of the path. Only if rounding loses whole lengths, it can
-/// be another one of the shortest paths.
+/// path equals the path by Dijkstra's algorithm from the source, to the last bit. Distances are
+/// the rounded sums of lengths in the order of the path. Only if rounding loses whole lengths, the
+/// result can be another one of the shortest paths.
 ///
 /// \tparam Surface a model of `IntrinsicSurface`
 template <typename Surface>
@@ -55,8 +55,8 @@ public:
   ///   counts.
   ///
   /// Complexity: \f$O(m \log m)\f$ for \f$m\f$ edges near the ends, up to about half the distance
-  /// between them, or later near shortest paths; before the paths with the indices 2, 4, 8, ...,
-  /// 256, \f$O(n \log n)\f$ for \f$n\f$ vertices.
+  /// between them, or later near shortest paths. Before the paths with the indices 2, 4, 8, ...,
+  /// 256, it is \f$O(n \log n)\f$ for \f$n\f$ vertices.
   std::vector<Halfedge_index> path(Vertex_index source, Vertex_index target)
   {
     std::vector<Halfedge_index> result;
@@ -134,7 +134,7 @@ private:
     m_ahead.next();
   }
 
-  // Makes the distance of one vertex final, and calls `visit(w, distance)` for the paths from there
+  // Makes the distance of one vertex final, and calls `visit(w, distance)` for the paths from it
   // to its neighbors.
   template <typename Visit>
   void advance(Search& search, const Visit& visit)

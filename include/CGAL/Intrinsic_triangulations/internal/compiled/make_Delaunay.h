@@ -19,7 +19,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
 make_Delaunay(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
-flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
+flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency,
+             Tie_decisions);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -34,8 +34,8 @@ public:
   std::size_t number_of_flips() const { return m_flips.size(); }
 
   // Flips the edges inside the fan as long as one can be flipped. The face of a loop of one edge is
-  // at both ends of the fan, and its apex at both ends of the arc: it is left as it is unless the
-  // whole angle there is less than pi. To flip its other sides one by one could wind them around
+  // at both ends of the fan, and its apex at both ends of the arc. This face stays unless the whole
+  // angle at its apex is less than pi. To flip its other sides one by one could wind them around
   // the loop without end.
   void flip_out(Fan& outgoing, bool is_one_edge)
   {
@@ -59,7 +59,7 @@ public:
 
 private:
   // Leaves as many outgoing halfedges as `margin` at both ends. Each flip takes one away, and adds
-  // one only where a face has two corners at the apex: then the fan is taken anew.
+  // one only where a face has two corners at the apex: then the fan is collected again.
   void flip_between(Fan& outgoing, std::size_t margin, std::size_t limit)
   {
     const Vertex_index apex = m_mesh.source(outgoing.front());
