@@ -20,6 +20,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -85,8 +86,15 @@ public:
     for(Eigen::Index v = 0; v < result.size(); ++v)
       if(m_is_fixed[index(v)])
         result[v] = values[v];
-    const Vector rest = moments - m_area.cwiseProduct(free_means(moments)) - m_laplacian * result;
-    result += m_unknowns * m_factorization.solve(m_unknowns.transpose() * rest);
+    Vector rest = moments - m_area.cwiseProduct(free_means(moments));
+    if(m_has_fixed)
+      rest -= m_laplacian * result;
+    Vector unknowns(m_unknowns.cols());
+    for(Eigen::Index i = 0; i < unknowns.size(); ++i)
+      unknowns[i] = rest[vertex_of_unknown(i)];
+    unknowns = m_factorization.solve(unknowns);
+    for(Eigen::Index i = 0; i < unknowns.size(); ++i)
+      result[vertex_of_unknown(i)] += unknowns[i];
     return result - free_means(m_area.cwiseProduct(result));
   }
 
@@ -124,6 +132,7 @@ private:
       m_laplacian(laplacian),
       m_area(area),
       m_is_fixed(is_fixed),
+      m_has_fixed(std::find(is_fixed.begin(), is_fixed.end(), char(1)) != is_fixed.end()),
       m_order(order),
       m_is_anchored(anchored_components()),
       m_unknowns(select_unknowns()),
@@ -166,12 +175,14 @@ private:
     return selection_matrix<FT>(m_is_fixed.size(), unknowns);
   }
 
+  Eigen::Index vertex_of_unknown(Eigen::Index i) const { return m_unknowns.innerIndexPtr()[i]; }
+
   // A part of an order is good for the part of the matrix.
   Elimination_order order_of_unknowns() const
   {
     std::vector<int> number(m_is_fixed.size(), -1);
     for(Eigen::Index i = 0; i < m_unknowns.cols(); ++i)
-      number[index(typename Matrix::InnerIterator(m_unknowns, i).row())] = static_cast<int>(i);
+      number[index(vertex_of_unknown(i))] = static_cast<int>(i);
     Elimination_order result(m_unknowns.cols());
     Eigen::Index k = 0;
     for(const int v : m_order)
@@ -187,15 +198,18 @@ private:
     const auto component = [&](Eigen::Index v) {
       return static_cast<Eigen::Index>(m_components[index(v)]);
     };
-    Vector integral = Vector::Zero(static_cast<Eigen::Index>(m_components.size())), area = integral;
+    Vector mean = Vector::Zero(static_cast<Eigen::Index>(m_components.size())), area = mean;
     for(Eigen::Index v = 0; v < moments.size(); ++v) {
-      integral[component(v)] += moments[v];
+      mean[component(v)] += moments[v];
       area[component(v)] += m_area[v];
     }
-    Vector result = Vector::Zero(moments.size());
+    for(Eigen::Index c = 0; c < mean.size(); ++c)
+      mean[c] = !m_is_anchored[index(c)] && area[c] > 0
+                  ? FT(internal::Digits<FT>::few(mean[c] / area[c]))
+                  : FT(0);
+    Vector result(moments.size());
     for(Eigen::Index v = 0; v < moments.size(); ++v)
-      if(const auto c = component(v); !m_is_anchored[index(c)] && area[c] > 0)
-        result[v] = internal::Digits<FT>::few(integral[c] / area[c]);
+      result[v] = mean[component(v)];
     return result;
   }
 
@@ -203,6 +217,7 @@ private:
   Matrix m_laplacian;
   Vector m_area; // a third of the area around each vertex
   std::vector<char> m_is_fixed;
+  bool m_has_fixed;
   Elimination_order m_order;       // of all vertices
   std::vector<char> m_is_anchored; // components where a value is prescribed
   Matrix m_unknowns;

@@ -10,19 +10,21 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <CGAL/number_utils.h>
+
 #include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -59,11 +61,13 @@ public:
   explicit Heat_method(const Surface& surface)
     : m_components(surface.mesh()),
       m_mean_length(time_steps(surface, FT(1), m_components)),
-      m_gradient(gradient_matrix(surface)),
-      m_divergence(divergence_matrix(surface))
+      m_number_of_vertices(static_cast<Eigen::Index>(surface.mesh().num_vertices()))
   {
     for(FT& length : m_mean_length)
       length = CGAL::sqrt(length);
+    for(Face_index f : surface.mesh().faces())
+      if(const Face_metric<FT> metric(f, surface); has_gradients(metric, f))
+        m_faces.emplace_back(metric, surface.mesh().halfedge(f), surface.mesh());
   }
 
   // of vertices
@@ -83,7 +87,16 @@ public:
   }
 
   // The divergence of the unit vectors against the gradient of the heat, integrated.
-  Vector moments(const Vector& heat) const { return -(m_divergence * unit_descent(heat)); }
+  Vector moments(const Vector& heat) const
+  {
+    Vector result = Vector::Zero(m_number_of_vertices);
+    for(const Face& face : m_faces) {
+      const auto [x, y] = face.unit_gradient(heat);
+      for(std::size_t k = 0; k < 3; ++k)
+        result[face.corner[k]] -= (face.side[k][0] * x + face.side[k][1] * y) / 2;
+    }
+    return result;
+  }
 
   // Where there are several sources on a component, the values there are known already.
   Vector without_error_at_sources(Vector distance, const Source_values& sources) const
@@ -119,7 +132,7 @@ private:
   // On a curve, there is as much heat as with a vertex for each mean edge length.
   Source_values values_of(const std::vector<Part>& parts) const
   {
-    const Eigen::Index n = m_divergence.rows();
+    const Eigen::Index n = m_number_of_vertices;
     Source_values result{Vector::Zero(n), Vector::Constant(n, infinity())};
     std::vector<char> has_source(m_components.size(), 0);
     for(const Part& part : parts) {
@@ -137,20 +150,45 @@ private:
     return result;
   }
 
-  // against the gradient of the heat, of length one; zero where the gradient is
-  Vector unit_descent(const Vector& heat) const
+  // A face with an area. `side[k]` is the gradient of the hat function of `corner[k]`, times the
+  // doubled area.
+  struct Face
   {
-    using std::hypot;
-    Vector field = -(m_gradient * heat);
-    for(Eigen::Index i = 0; i < field.size(); i += 2)
-      if(const FT norm = hypot(field[i], field[i + 1]); norm > 0)
-        field.template segment<2>(i) /= norm;
-    return field;
-  }
+    std::array<Eigen::Index, 3> corner;
+    std::array<std::array<FT, 2>, 3> side;
+
+    Face(const Face_metric<FT>& metric, Halfedge_index h, const Delta_complex& mesh)
+      : corner{index(mesh.target(mesh.next(h))), index(mesh.source(h)), index(mesh.target(h))}
+    {
+      for(std::size_t k = 0; k < 3; ++k)
+        side[k] = {metric.turned_side(k)[0], metric.turned_side(k)[1]};
+    }
+
+    // The direction of the gradient of the heat; zero if the gradient is. Numbers are scaled, since
+    // heat and its squares take all of the range of `FT`.
+    std::array<FT, 2> unit_gradient(const Vector& heat) const
+    {
+      const FT a = heat[corner[0]], b = heat[corner[1]], c = heat[corner[2]];
+      const FT unit = (std::max)({CGAL::abs(a), CGAL::abs(b), CGAL::abs(c)});
+      if(!(unit > 0))
+        return {FT(0), FT(0)};
+      const FT u = a / unit, v = b / unit, w = c / unit;
+      const FT x = u * side[0][0] + v * side[1][0] + w * side[2][0],
+               y = u * side[0][1] + v * side[1][1] + w * side[2][1];
+      const FT greatest = (std::max)(CGAL::abs(x), CGAL::abs(y));
+      if(!(greatest > 0))
+        return {FT(0), FT(0)};
+      const FT p = x / greatest, q = y / greatest, norm = CGAL::sqrt(FT(p * p + q * q));
+      return {p / norm, q / norm};
+    }
+
+    static Eigen::Index index(Vertex_index v) { return static_cast<Eigen::Index>(v.idx()); }
+  };
 
   Mesh_components m_components;
   std::vector<FT> m_mean_length; // of the edges of each component
-  Eigen::SparseMatrix<FT> m_gradient, m_divergence;
+  Eigen::Index m_number_of_vertices;
+  std::vector<Face> m_faces;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -57,6 +57,93 @@ private:
 #endif
 };
 
+// Solves equations with a supernodal factor of CHOLMOD. CHOLMOD itself calls BLAS for each block,
+// which takes longer than the block where there is one right-hand side.
+template <typename Scalar>
+class Supernodal_solution
+{
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Map<const Vector> Column;
+
+public:
+  explicit Supernodal_solution(const cholmod_factor& factor)
+    : m_factor(factor), m_below(static_cast<Eigen::Index>(factor.maxesize))
+  {}
+
+  Vector operator()(const Vector& right_side)
+  {
+    const int* order = static_cast<const int*>(m_factor.Perm);
+    m_x.resize(right_side.size());
+    for(Eigen::Index i = 0; i < m_x.size(); ++i)
+      m_x[i] = right_side[order[i]];
+    const int n = static_cast<int>(m_factor.nsuper);
+    for(int s = 0; s < n; ++s)
+      eliminate(block(s));
+    for(int s = n; s-- > 0;)
+      substitute(block(s));
+    Vector result(m_x.size());
+    for(Eigen::Index i = 0; i < m_x.size(); ++i)
+      result[order[i]] = m_x[i];
+    return result;
+  }
+
+private:
+  // Columns of the factor with the same rows below their triangle.
+  struct Block
+  {
+    Eigen::Index first, columns, rows;
+    const Scalar* entries;
+    const int* row; // below the triangle
+
+    Scalar diagonal(Eigen::Index j) const { return entries[j * rows + j]; }
+    // the entries of column `j` below the diagonal in the triangle
+    Column inside(Eigen::Index j) const { return {entries + j * rows + j + 1, columns - j - 1}; }
+    // those below the triangle
+    Column below(Eigen::Index j) const { return {entries + j * rows + columns, rows - columns}; }
+  };
+
+  Block block(int s) const
+  {
+    const auto at = [s](const void* numbers, int k = 0) {
+      return static_cast<const int*>(numbers)[s + k];
+    };
+    const int first = at(m_factor.super), columns = at(m_factor.super, 1) - first;
+    const int begin = at(m_factor.pi), rows = at(m_factor.pi, 1) - begin;
+    return {first, columns, rows, static_cast<const Scalar*>(m_factor.x) + at(m_factor.px),
+            static_cast<const int*>(m_factor.s) + begin + columns};
+  }
+
+  // Solves for the unknowns of a block in the equations of the lower triangle.
+  void eliminate(const Block& block)
+  {
+    auto below = m_below.head(block.rows - block.columns);
+    below.setZero();
+    for(Eigen::Index j = 0; j < block.columns; ++j) {
+      const Scalar x = m_x[block.first + j] /= block.diagonal(j);
+      m_x.segment(block.first + j + 1, block.columns - j - 1) -= x * block.inside(j);
+      below += x * block.below(j);
+    }
+    for(Eigen::Index i = 0; i < below.size(); ++i)
+      m_x[block.row[i]] -= below[i];
+  }
+
+  // the same in the upper triangle
+  void substitute(const Block& block)
+  {
+    auto below = m_below.head(block.rows - block.columns);
+    for(Eigen::Index i = 0; i < below.size(); ++i)
+      below[i] = m_x[block.row[i]];
+    for(Eigen::Index j = block.columns; j-- > 0;) {
+      const auto inside = m_x.segment(block.first + j + 1, block.columns - j - 1);
+      const Scalar known = block.inside(j).dot(inside) + block.below(j).dot(below);
+      m_x[block.first + j] = (m_x[block.first + j] - known) / block.diagonal(j);
+    }
+  }
+
+  const cholmod_factor& m_factor;
+  Vector m_x, m_below;
+};
+
 // Eigen's interface to CHOLMOD, supernodal if that pays. Hermitian matrices are given by their
 // upper triangles (entries below are ignored), in their order. It adds settings, an order of
 // elimination of its own, errors, and solutions in many threads with one factor.
@@ -101,7 +188,18 @@ public:
   }
 
   // Eigen's `solve()` has one workspace, which threads cannot share.
-  Vector solve(Vector right_side) const
+  Vector solve(const Vector& right_side) const
+  {
+    return this->m_cholmodFactor->is_super
+             ? Supernodal_solution<Scalar>(*this->m_cholmodFactor)(right_side)
+             : simplicial_solution(right_side);
+  }
+
+  // The number of entries of the factor.
+  double size() const { return this->m_cholmod.lnz; }
+
+private:
+  Vector simplicial_solution(Vector right_side) const
   {
     cholmod_common workspace;
     cholmod_start(&workspace);
@@ -116,10 +214,6 @@ public:
     return right_side;
   }
 
-  // The number of entries of the factor.
-  double size() const { return this->m_cholmod.lnz; }
-
-private:
   explicit Supernodal_Cholesky(int ordering)
   {
     cholmod_common& settings = this->m_cholmod;
