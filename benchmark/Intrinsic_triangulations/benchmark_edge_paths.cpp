@@ -3,8 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Geodesics by flips: shortest paths along edges between random vertices, and the loops of a basis
-// of homology.
-// Usage: benchmark_edge_paths [--paths N] [mesh...]
+// of homology. CPU times per path: of the search along edges, of shortening with the flips taken
+// back, and the longest one.
+// Usage: benchmark_edge_paths [--paths N] [--peer PROGRAM] [mesh...]
+// PROGRAM gets a mesh, and pairs of vertices on standard input. After a line of headings, it prints
+// for each pair the milliseconds of the search and of shortening, and the length.
 
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -18,13 +21,17 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -35,67 +42,130 @@ namespace IT = CGAL::Intrinsic_triangulations;
 typedef IT::Intrinsic_triangulation<> Triangulation;
 typedef std::vector<IT::Halfedge_index> Halfedges;
 
+typedef std::vector<std::pair<IT::Vertex_index, IT::Vertex_index>> Pairs;
+
 struct Result
 {
   std::size_t paths = 0, geodesic = 0, longer = 0, flips = 0;
-  double seconds = 0, slowest = 0;
+  double search = 0, seconds = 0, slowest = 0, length = 0;
 };
 
-void shorten(const Halfedges& start, bool is_loop, Triangulation& t, Result& result)
+void shorten(const Halfedges& start, bool is_loop, IT::Edge_paths<Triangulation::Traits>& paths,
+             Result& result)
 {
   CGAL::Timer timer;
-  IT::Edge_paths paths(t);
+  timer.start();
   is_loop ? paths.add_loop(start) : paths.add_path(start);
   const double before = paths.length(0);
-  timer.start();
   const auto status = paths.shorten();
+  const double after = paths.length(0);
+  result.flips += paths.number_of_flips();
+  paths.rewind();
   timer.stop();
   ++result.paths;
   result.geodesic += status == IT::Shortening_status::geodesic;
-  result.longer += paths.length(0) > before * (1 + 1e-14);
-  result.flips += paths.number_of_flips();
+  result.longer += after > before * (1 + 1e-14);
+  result.length += after;
   result.seconds += timer.time();
   result.slowest = (std::max)(result.slowest, timer.time());
 }
 
-Result random_paths(const Triangulation& input, int n)
+Pairs random_pairs(const IT::Delta_complex& mesh, int n)
 {
   CGAL::Random random(1);
   const auto any = [&] {
-    return IT::Vertex_index(static_cast<unsigned>(
-      random.get_int(0, static_cast<int>(input.mesh().number_of_vertices()))));
+    return IT::Vertex_index(
+      static_cast<unsigned>(random.get_int(0, static_cast<int>(mesh.number_of_vertices()))));
   };
-  Result result;
-  Triangulation t = input;
+  Pairs result;
   for(int i = 0; i < n; ++i) {
-    const Halfedges start = IT::shortest_edge_path(input, any(), any());
-    if(result.flips > 0 && i > 0)
-      t.reset_to_input();
-    shorten(start, false, t, result);
+    const IT::Vertex_index v = any();
+    result.emplace_back(v, any());
   }
   return result;
+}
+
+Result shortened_paths(const Triangulation& input, const Pairs& pairs)
+{
+  Result result;
+  Triangulation t = input;
+  IT::Edge_paths<Triangulation::Traits> paths(t);
+  IT::Shortest_edge_paths<Triangulation> search(input);
+  for(const auto& [v, w] : pairs) {
+    CGAL::Timer timer;
+    timer.start();
+    const Halfedges start = search.path(v, w);
+    timer.stop();
+    result.search += timer.time();
+    shorten(start, false, paths, result);
+  }
+  return result;
+}
+
+// What another program measures on these pairs.
+Result peer_paths(const std::string& program, const std::string& file, const Pairs& pairs)
+{
+  const auto folder = std::filesystem::temp_directory_path();
+  const std::string name = "benchmark_edge_paths." + std::to_string(std::random_device()());
+  const auto input = folder / (name + ".in"), output = folder / (name + ".out");
+  {
+    std::ofstream out(input);
+    for(const auto& [v, w] : pairs)
+      out << v.idx() << ' ' << w.idx() << '\n';
+  }
+  const std::string command =
+    "'" + program + "' '" + file + "' < '" + input.string() + "' > '" + output.string() + "'";
+  Result result;
+  if(std::system(command.c_str()) == 0) {
+    std::ifstream in(output);
+    std::string headings;
+    std::getline(in, headings);
+    for(double search, milliseconds, length; in >> search >> milliseconds >> length;) {
+      ++result.paths;
+      result.search += search / 1e3;
+      result.seconds += milliseconds / 1e3;
+      result.slowest = (std::max)(result.slowest, milliseconds / 1e3);
+      result.length += length;
+    }
+  }
+  std::filesystem::remove(input);
+  std::filesystem::remove(output);
+  return result;
+}
+
+double milliseconds_per_path(double seconds, const Result& r)
+{
+  return 1e3 * seconds / static_cast<double>((std::max)(r.paths, std::size_t(1)));
 }
 
 void print(const Result& r)
 {
   std::cout << std::setw(8) << r.paths << std::setw(10) << r.geodesic << std::setw(8) << r.longer
             << std::setw(10) << r.flips / (std::max)(r.paths, std::size_t(1)) << std::setw(10)
-            << 1e3 * r.seconds / static_cast<double>((std::max)(r.paths, std::size_t(1)))
-            << std::setw(10) << 1e3 * r.slowest;
+            << milliseconds_per_path(r.search, r) << std::setw(10)
+            << milliseconds_per_path(r.seconds, r) << std::setw(10) << 1e3 * r.slowest;
+}
+
+void print_peer(const Result& peer, const Result& ours)
+{
+  std::cout << "\n"
+            << std::setw(28) << "peer" << std::setw(17) << peer.paths << std::setw(38)
+            << milliseconds_per_path(peer.search, peer) << std::setw(10)
+            << milliseconds_per_path(peer.seconds, peer) << std::setw(10) << 1e3 * peer.slowest
+            << "  lengths differ by " << std::abs(peer.length - ours.length) / ours.length;
 }
 
 Result homology_loops(const Triangulation& input)
 {
   Result result;
   Triangulation t = input;
-  for(const Halfedges& loop : IT::homology_basis(input)) {
-    t.reset_to_input();
-    shorten(loop, true, t, result);
-  }
+  IT::Edge_paths<Triangulation::Traits> paths(t);
+  for(const Halfedges& loop : IT::homology_basis(input))
+    shorten(loop, true, paths, result);
   return result;
 }
 
-void measure(const std::string& file, int n)
+void measure(const std::string& file, int n, const std::string& peer)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) ||
@@ -105,8 +175,12 @@ void measure(const std::string& file, int n)
             << mesh.number_of_faces() << std::flush;
   try {
     const Triangulation input(mesh);
-    print(random_paths(input, n));
+    const Pairs pairs = random_pairs(input.mesh(), n);
+    const Result paths = shortened_paths(input, pairs);
+    print(paths);
     print(homology_loops(input));
+    if(!peer.empty())
+      print_peer(peer_paths(peer, file, pairs), paths);
   } catch(const std::exception& error) {
     std::cout << "  " << error.what();
   }
@@ -119,8 +193,12 @@ int main(int argc, char* argv[])
 {
   std::vector<std::string> files(argv + 1, argv + argc);
   int n = 1000;
-  if(files.size() >= 2 && files[0] == "--paths") {
-    n = std::atoi(files[1].c_str());
+  std::string peer;
+  while(files.size() >= 2 && (files[0] == "--paths" || files[0] == "--peer")) {
+    if(files[0] == "--paths")
+      n = std::atoi(files[1].c_str());
+    else
+      peer = files[1];
     files.erase(files.begin(), files.begin() + 2);
   }
   if(files.empty()) {
@@ -132,8 +210,9 @@ int main(int argc, char* argv[])
   std::cout << std::setprecision(3) << std::setw(28) << "mesh" << std::setw(9) << "faces";
   for(const char* kind : {"paths", "loops"})
     std::cout << std::setw(8) << kind << std::setw(10) << "geodesic" << std::setw(8) << "longer"
-              << std::setw(10) << "flips" << std::setw(10) << "[ms]" << std::setw(10) << "slowest";
+              << std::setw(10) << "flips" << std::setw(10) << "search" << std::setw(10) << "[ms]"
+              << std::setw(10) << "slowest";
   std::cout << std::endl;
   for(const std::string& file : files)
-    measure(file, n);
+    measure(file, n, peer);
 }
