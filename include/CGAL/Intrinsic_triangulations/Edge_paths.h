@@ -31,8 +31,8 @@ namespace CGAL::Intrinsic_triangulations {
 enum class Shortening_status
 {
   geodesic, ///< all paths are geodesics
-  blocked   ///< where paths cross or end at others, or at constrained edges, angles below
-            ///< \f$\pi\f$ are left, and contain an edge of those
+  blocked   ///< angles below \f$\pi\f$ are left: each contains a constrained edge, or an edge
+            ///< of a path that crosses or ends at another one
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
@@ -50,28 +50,27 @@ inline const char* to_string(Shortening_status status)
 /// paths and loops along edges of \f$T_2\f$, which are shortened to geodesics by flipping edges
 /// (Sharp and Crane 2020).
 ///
-/// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are
-/// flipped as long as they can be, and the path moves to the arc on the other side of their
+/// If a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
+/// as long as possible \cgalCite{SC20b}. The path moves to the arc on the other side of their
 /// triangles, which is shorter. Finally both angles at every vertex between the ends are at least
-/// \f$\pi\f$, on the boundary the one angle of the surface: the paths are geodesics along edges of
-/// \f$T_2\f$, each isotopic to its start. \f$T_1\f$ never changes, and the integer
+/// \f$\pi\f$; on the boundary, the one angle of the surface is. Then the paths are geodesics along
+/// edges of \f$T_2\f$, each isotopic to its start. \f$T_1\f$ never changes. The integer
 /// coordinates determine how the edges of the paths run over it, see `path_on_input()`.
 ///
 /// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side
-/// in an order, and only those next to an angle move into it; so paths do not cross while they
+/// in an order, and only segments next to an angle move into it. So paths do not cross while they
 /// move. Paths that come together and part again are ordered so that they do not cross, if that is
-/// possible; those that never part lie in the order in which they are added, to the right. The
+/// possible. Paths that never part lie in the order in which they are added, to the right. The
 /// ends of paths are fixed: paths that end at one vertex are a network. A loop has no end; a loop
 /// that contracts to a point becomes empty.
 ///
-/// Decisions: with exact traits it is decided exactly which angles are less than \f$\pi\f$ and
-/// which edges can be flipped. With `double` it is decided on the surface of \f$T_1\f$ too, where
-/// an angle that differs from \f$\pi\f$ by less than \f$10^{-24}\f$ counts as \f$\pi\f$. In both
-/// cases lengths stay within a relative error of \f$2^{-40}\f$ of those of the surface, however
-/// many flips led to them; with `double`, the edges of \f$T_2\f$ must be straight at the start, see
-/// `certify_Delaunay()`. With other number types an angle is less than \f$\pi\f$ if it is so by
-/// more than the rounding of lengths, and a vertex counts as straight if the path would get shorter
-/// by rounding errors only.
+/// Decisions about angles less than \f$\pi\f$ and about flips are exact with exact traits. With
+/// `double` the surface of \f$T_1\f$ decides, too; an angle within \f$10^{-24}\f$ of \f$\pi\f$
+/// counts as \f$\pi\f$. In both cases lengths have a relative error of at most \f$2^{-40}\f$,
+/// after any number of flips. With `double`, the edges of \f$T_2\f$ must be straight at the start,
+/// see `certify_Delaunay()`. With other number types an angle is less than \f$\pi\f$ if it is less
+/// by more than the rounding of lengths. Then a vertex counts as straight if the path would get
+/// shorter by rounding errors only.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
 template <typename Traits>
@@ -89,7 +88,7 @@ public:
 
   /// prepares for paths on the second triangulation of `tri`, which is referred to and flipped by
   /// `shorten()` only. It must not be flipped in the meantime. Lengths of type `double` of edges
-  /// that are not in \f$T_1\f$ are computed afresh. Complexity: linear.
+  /// that are not in \f$T_1\f$ are recomputed. Complexity: linear.
   /// \throws Numerical_error if a length is not positive and finite
   explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()), m_flattener(tri) {}
 
@@ -354,8 +353,8 @@ private:
     return true;
   }
 
-  // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has the
-  // face of this edge at both ends of the fan, and moves to what is between.
+  // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has
+  // the face of this edge at both ends of the fan, and moves to the sides between them.
   Fan outer_arc(const Fan& outgoing, bool is_one_edge) const
   {
     Fan result;
@@ -381,8 +380,8 @@ private:
              m_idle_moves++ < greatest_number_of_idle_moves + m_mesh.number_of_edges()));
   }
 
-  // Replaces two segments, or a loop of one, by an arc around the vertex between them, which is on
-  // the left of the halfedges of the arc.
+  // Replaces two segments, or a loop of one, by an arc around the vertex between them. The vertex
+  // is on the left of the halfedges of the arc.
   void replace(Index s, Index t, const Fan& arc, bool is_left)
   {
     const Index path = m_segment[s].path;

@@ -17,7 +17,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// determines what a geodesic does at the boundary.
 enum class At_boundary
 {
-  stop, ///< it ends there
+  stop, ///< it ends at the boundary
   slide ///< it follows the boundary, to the side of the smaller angle, left at a right angle
 };
 

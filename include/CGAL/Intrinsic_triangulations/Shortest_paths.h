@@ -28,16 +28,16 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// computes exact shortest paths and distances from some points of a surface to all its points.
 ///
-/// Faces are unfolded along the views from the sources, from edge lengths alone; the windows of
-/// Chen and Han, with the pruning of Xin and Wang. Views start again behind vertices at which paths
-/// can bend: with an angle sum of more than \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All
-/// distances come from the lengths of straight lines, and are accurate to rounding for every face
-/// passed.
+/// Faces are unfolded along the views from the sources, from edge lengths alone. Views are the
+/// windows of Chen and Han \cgalCite{CH90}, with the pruning of Xin and Wang \cgalCite{XW09}.
+/// Views start again behind vertices at which paths can bend: with an angle sum of more than
+/// \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All distances come from the lengths of
+/// straight lines, and are accurate to rounding for every face passed.
 ///
 /// Add the sources, then call `run()`; distances and paths to any point follow without further
 /// search. Sources can be added later, and `run()` called again, which continues the search.
 ///
-/// No face, flat or without area, and no tie between paths is an error: of several shortest paths
+/// No face, flat or without area, and no tie between paths is an error. Of several shortest paths
 /// that are equal up to rounding any one is taken.
 ///
 /// \tparam Surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
@@ -80,9 +80,9 @@ public:
   /// \pre the coordinates of all ends are not negative and sum up to one
   std::size_t add_source(const Surface_curve<FT>& curve) { return add(curve); }
 
-  /// computes what distances and paths need. Complexity: \f$O(k)\f$ for \f$k\f$ views, of which
-  /// there are at most \f$O(n^2)\f$ between saddle vertices on embedded surfaces with \f$n\f$
-  /// faces, and some dozens for each face in practice.
+  /// computes the data for distances and paths. Complexity: \f$O(k)\f$ for \f$k\f$ views. There
+  /// are at most \f$O(n^2)\f$ views between saddle vertices on embedded surfaces with \f$n\f$
+  /// faces. In practice there are some dozens for each face.
   void run()
   {
     m_search.run();
@@ -117,8 +117,8 @@ public:
   /// After `run()`.
   /// @{
 
-  /// returns the shortest path from the nearest source to a vertex. There are no places if the
-  /// vertex is isolated.
+  /// returns the shortest path from the nearest source to a vertex. It has no points if the vertex
+  /// is isolated.
   Surface_path<FT> path(Vertex_index v) const
   {
     CGAL_precondition(m_is_run);
@@ -132,10 +132,10 @@ public:
 
   /// returns the shortest path from the nearest source to a point of a face.
   ///
-  /// The places come in the order from the source to `p`, both included. Where the path crosses an
-  /// edge, it leaves a face through the halfedge. From a vertex, the path goes on along the
-  /// halfedge, or through the face on its left. A vertex counts as hit if the path passes it within
-  /// rounding. There are no places if there is no path.
+  /// The points come in the order from the source to `p`, both included. If the path crosses an
+  /// edge, it leaves a face through the halfedge. From a vertex, the path continues along the
+  /// halfedge, or through the face on its left. A vertex counts as hit if the path passes it
+  /// within rounding. The result has no points if no path exists.
   ///
   /// Complexity: linear in the edges crossed, and in the views into the face of `p`.
   Surface_path<FT> path(const Face_location<FT>& p) const
@@ -194,9 +194,9 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// returns the shortest path from one point of a face to another (see `Shortest_paths`). There are
-/// no places if there is no path. The search stops at the distance of `target`. Complexity: linear
-/// for initialization, and as `Shortest_paths::run()` in the views up to that distance.
+/// returns the shortest path from one point of a face to another (see `Shortest_paths`). It has no
+/// points if no path exists. The search stops at the distance of `target`. Complexity: linear for
+/// initialization, and as `Shortest_paths::run()` in the views up to that distance.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param source, target points with coordinates that are not negative and sum up to one
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum

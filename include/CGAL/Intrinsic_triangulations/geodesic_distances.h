@@ -107,7 +107,7 @@ Positions<Length_of<Surface>> positions_of(const Surface& surface, const NamedPa
   return result;
 }
 
-// Returns the positions of vertices, unless lengths take their place.
+// Returns the positions of vertices, unless lengths replace them.
 template <typename Mesh, typename NamedParameters>
 Positions<double> positions_in(const Mesh& mesh, const NamedParameters& np)
 {
@@ -121,7 +121,8 @@ Positions<double> positions_in(const Mesh& mesh, const NamedParameters& np)
   return result;
 }
 
-// Raises what is below the distance in space, or not above zero away from the sources.
+// Raises values below the distance in space, and values away from the sources that are not
+// positive.
 template <typename Surface>
 void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& sources,
                      const Positions<Length_of<Surface>>& positions,
@@ -163,8 +164,8 @@ std::vector<Length_of<Surface>> heat_values(const Surface& surface,
   });
 }
 
-// Unless a time is given, heat flows for as long as it takes to reach everything: where some edges
-// are far shorter than others, the standard is too short.
+// Unless a time is given, heat flows as long as it takes to reach everything. If some edges are
+// far shorter than others, the standard time is too short.
 template <typename Surface, typename NamedParameters>
 Geodesic_distances<Length_of<Surface>>
 distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sources,
@@ -240,23 +241,23 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// computes the geodesic distance of every vertex to the nearest source: exactly if that is cheap,
 /// otherwise by heat, with an estimate of the error.
 ///
-/// Exact distances are accurate to rounding. They are computed by default as long as they are
-/// expected to take no more than \f$2^{23}\f$ windows, which is about two seconds: on a surface
-/// with \f$n\f$ vertices and \f$k\f$ sources they are expected to take
-/// \f$1.5 n \sqrt{n / k}\f$, so that heat begins at 31,000 vertices with one source. A search that
-/// takes four times as many is given up for heat. The method does not depend on the machine.
+/// Exact distances are accurate to rounding. They are computed by default if they are expected to
+/// take no more than \f$2^{23}\f$ windows, which is about two seconds. On a surface with \f$n\f$
+/// vertices and \f$k\f$ sources, \f$1.5 n \sqrt{n / k}\f$ are expected. So heat begins at 31,000
+/// vertices with one source. A search that takes four times as many is given up for heat. The
+/// method does not depend on the machine.
 ///
 /// Distances by heat are approximate, see `heat_distance()`. The estimate of their error compares
 /// them with exact distances at the vertices nearest to the sources, all that \f$2^{22}\f$ windows
-/// reach: on small surfaces, at all.
-/// Values below the distance in space, and values that are not above zero at other vertices than
-/// the sources, are raised and counted.
+/// reach. On small surfaces these are all vertices. Values below the distance in space, and values
+/// away from the sources that are not positive, are raised and counted.
 ///
 /// `Shortest_paths` and `Heat_distance` are for repeated use.
 ///
-/// \param surface a model of `IntrinsicSurface` with floating point lengths, on which heat flows as
-///   it is, an `Intrinsic_triangulation`, on which heat flows in the exact metric where lengths do
-///   not determine it (`with_resolved_areas()`), or a `Tufted_surface`, which has heat alone
+/// \param surface a model of `IntrinsicSurface` with floating-point lengths, an
+///   `Intrinsic_triangulation`, or a `Tufted_surface`, which has heat alone. With an
+///   `Intrinsic_triangulation`, heat flows in the exact metric if lengths do not determine it
+///   (`with_resolved_areas()`)
 /// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
 ///   of these, such as a `Surface_curve`, or `Distance_sources`
 /// \param np
@@ -320,9 +321,10 @@ Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sour
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the geodesic distance of every vertex of a mesh to the nearest source, as the function
-/// for surfaces: exactly on the mesh itself, or by heat on its intrinsic Delaunay triangulation.
-/// Vertices, edges and faces have the numbers of their order in the ranges of the mesh.
+/// computes the geodesic distance of every vertex of a mesh to the nearest source, like the
+/// function for surfaces. It is exact on the mesh itself, or by heat on its intrinsic Delaunay
+/// triangulation. Vertices, edges and faces have the indices of their order in the ranges of the
+/// mesh.
 /// \param mesh a model of `FaceListGraph` and `HalfedgeListGraph` with triangles
 /// \param sources as for a surface
 /// \param np as for a surface, and for `Intrinsic_triangulation`

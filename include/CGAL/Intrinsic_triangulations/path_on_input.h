@@ -40,14 +40,14 @@ Surface_point<typename Traits::FT> start_on_input(Halfedge_index h,
 /// follows a path along edges of \f$T_2\f$ over \f$T_1\f$.
 ///
 /// \param tri the triangulations
-/// \param halfedges the halfedges of \f$T_2\f$ along the path, each of which starts where the one
-///        before ends
-/// \returns its length and its places on \f$T_1\f$, from the source of the first halfedge to the
-///   target of the last one. Where it crosses an edge, it leaves a face through the halfedge;
-///   rounding never moves a crossing to a vertex. From a vertex of \f$T_1\f$ the path goes on along
-///   the halfedge, or through the face on its left. The sequence of crossed edges is exact.
+/// \param halfedges the halfedges of \f$T_2\f$ along the path; each starts where the one before
+///   ends
+/// \returns its length and its points on \f$T_1\f$, from the source of the first halfedge to the
+///   target of the last one. If it crosses an edge, it leaves a face through the halfedge;
+///   rounding never moves a crossing to a vertex. From a vertex of \f$T_1\f$ the path continues
+///   along the halfedge, or through the face on its left. The sequence of crossed edges is exact.
 ///
-/// Complexity: that of `trace_intrinsic_edge()` for each halfedge.
+/// Complexity: the complexity of `trace_intrinsic_edge()` for each halfedge.
 /// \throws Numerical_error if a layout has no positive finite length
 template <typename Traits>
 Surface_path<typename Traits::FT> path_on_input(const Intrinsic_triangulation<Traits>& tri,

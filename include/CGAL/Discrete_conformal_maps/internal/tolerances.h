@@ -13,22 +13,23 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // All tolerances of the package. None depends on the unit of length: they are angles, logarithms
-// of ratios of lengths, or relative to what is compared. Bounds of rounding errors, which are
-// derived from a formula, stand with that formula.
+// of ratios of lengths, or relative to compared numbers. Bounds of rounding errors that follow
+// from a formula are next to that formula.
 namespace tolerance {
 
 constexpr double unit = std::numeric_limits<double>::epsilon();
 
-// Angles, in radians. Rounding of a sum of angles leaves 1e-14 on good meshes: ten times that is
-// reached everywhere, a thousand times that is what more digits are taken for.
+// Angles, in radians. Rounding of a sum of angles leaves 1e-14 on good meshes. Ten times this
+// error is reached everywhere. A thousand times this error is the limit from which on more digits
+// are used.
 constexpr double gradient = 1e-13, curvature = 1e-11;
 // The minimum of the spherical energy in 32 digits: scale factors have an error of at most its
 // root where bounds are active.
 constexpr double extended_gradient = 1e-22;
-// By how much rounding of the lengths of the input, all of them in the worst way, may change its
-// angles before lengths of the exact surface are taken, with more digits.
+// The greatest change of an angle by rounding of the lengths of the input, all of them in the
+// worst way. Beyond it, lengths of the exact surface are used, with more digits.
 constexpr double known_input_angle = 1e-9;
-// A gradient with a greater rounding error says nothing: steps do not go there.
+// A gradient with a greater rounding error determines nothing: steps do not go to such a point.
 constexpr double known_angle = 1;
 // What a map is promised to have: curvatures and exterior angles as measured on the result.
 constexpr double promised_angle = 1e-10;
@@ -39,7 +40,7 @@ constexpr double promised_rounded_angle = 1e-8;
 // Lengths in the plane, relative, and the shapes of boundaries, relative to their sizes: what cross
 // ratios may have.
 constexpr double promised_length = 1e-8;
-// Lengths of rounded surfaces, relative, against those of the exact surface.
+// The relative error of lengths of rounded surfaces, against the exact surface.
 constexpr double promised_exact_length = 1e-9;
 // Positions on the unit sphere: some roundings.
 constexpr double inscribed = 1e-14;
@@ -57,7 +58,8 @@ constexpr double extended_gain = 1e-15;
 // lengths in the plane may have.
 constexpr double overlap = 1e-9;
 
-// Length cross ratios, relative: what is allowed, and what more digits are taken for.
+// Length cross ratios, relative: the allowed error, and the error from which on more digits are
+// used.
 constexpr double cross_ratio = 1e-8, good_cross_ratio = 1e-9;
 // Logarithmic scale factors at their bounds: lengths with the error that cross ratios may have.
 constexpr double bound = 1e-8;
@@ -89,34 +91,35 @@ constexpr double roundings_of_variable = 64, variable = roundings_of_variable * 
 // decided by less.
 constexpr double roundings_of_squares = 16;
 
-// Rounding of positions: the error of a distance of two points, in units of their coordinates, and
-// the size below which they may be one point.
+// Rounding of positions: the error of a distance of two points, in units of their coordinates.
+// Then the size below which they may be one point.
 constexpr double roundings_of_position = 8;
-// The greatest coordinate in the plane that is stored: squares have the range of `double`. And the
-// least distance of two positions, relative to their coordinates, that `Extended` tells with ten
-// digits.
+// The greatest coordinate in the plane that is stored: squares have the range of `double`. Then
+// the least distance of two positions, relative to their coordinates, that `Extended` resolves
+// with ten digits.
 constexpr double greatest_position = 0x1p480, least_known_distance = 0x1p-70;
 // The range of logarithmic scale factors up to which squares of lengths, and products of four of
 // them, have the range of `double`.
 constexpr double narrow_log_scales = 100;
 
-// The center of mass: a hundred roundings of the sum of masses; the distance below which Newton's
-// method converges quadratically, so that a step that gains little is rounding; and the curvature
-// that masses in two points lack along the line through both.
+// The center of mass. The first number is a hundred roundings of the sum of masses. The second is
+// the distance below which Newton's method converges quadratically, so that a step that gains
+// little is rounding. The third is the curvature that masses in two points lack along the line
+// through both.
 constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
-// The range of distances of which products have all digits of `Extended`.
+// The range of distances whose products have all digits of `Extended`.
 constexpr double least_distance = 1e-270;
 // By how much an energy may grow, relatively, while its minimizer still converges; less than that
 // its values do not resolve, and slopes decide.
 constexpr double growth = 1e-9;
 
-// Diagonal entries of a Laplacian that differ by more than this factor are not factorized by
-// subtracting; weights of cocircular faces are negative by no more than that.
+// If diagonal entries of a Laplacian differ by more than this factor, it is not factorized by
+// subtracting. Negative weights of cocircular faces are no greater than this.
 constexpr double stiffness = 1e-10, negative_weight = 1e-6;
-// Variables of a Laplacian that are tied to each other by that many times the weights to others can
-// move as one; not alone if they are not tied to others by more than a weight.
-// Vertices with a distance that is shorter in proportion to other edges have angles that scale
-// factors in `double` do not determine.
+// Variables of a Laplacian can move as one if they are tied to each other by that many times the
+// weights to others. They cannot move alone if they are not tied to others by more than a weight.
+// Consider vertices with a distance that is shorter in proportion to other edges. Scale factors in
+// `double` do not determine their angles.
 constexpr double near_vertices = 1e-8;
 constexpr double group_ratio = 30, weight_of_group = 100;
 // The number of steps that are taken with more digits, on the exact surface, and of moves of groups
@@ -127,8 +130,8 @@ constexpr double curvature_at_start = 1e-3;
 constexpr std::size_t steps_to_start = 300;
 // The least entry of a damped diagonal, relative to the greatest.
 constexpr double damping = 1e-10;
-// A diagonal is lifted against rounding in a factorization by a hundred units, then more and more;
-// a Laplacian that needs more than a thousandth is none.
+// A diagonal is lifted against rounding in a factorization by a hundred units, then more and more.
+// A matrix that needs more than a thousandth is no Laplacian.
 constexpr double greatest_lift = 1, greatest_Laplacian_lift = 1e-3;
 inline double next_lift(double lift) { return lift == 0 ? 1e-14 : 100 * lift; }
 

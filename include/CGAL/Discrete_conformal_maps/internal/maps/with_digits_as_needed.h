@@ -19,9 +19,10 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the
-// input, its errors are measured on the exact surface; if that is no success, returns the map with
-// lengths of the exact surface.
-// \throws Error as `find()` does in the end
+// input, its errors are measured on the exact surface. If this fails, returns the map with lengths
+// of the exact surface.
+//
+// \throws Error as the last call of `find()` does
 template <typename Find>
 auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                            const Find& find)

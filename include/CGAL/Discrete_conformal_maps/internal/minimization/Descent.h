@@ -25,14 +25,14 @@ struct Minimization_limits
 {
   double gradient_tolerance;
   std::size_t iterations;
-  // says of a point, and of the length of the step that has led there, whether that is enough
+  // decides whether a point, and the length of the step to it, are good enough
   std::function<bool(const Eigen::VectorXd&, double)> is_enough = nullptr;
   // how often a factorization is used again after a step of full length
   std::size_t corrections = 0;
 };
 
-// The way of an energy from point to point. The best one is always in the caller's hands.
-// `Variables` says where points may be, and how far a gradient is from that of a minimum there.
+// The sequence of points of an energy. The caller always has the best one. `Variables` determines
+// where points may be, and how far a gradient is from the gradient of a minimum.
 template <typename Energy, typename Variables = Free_variables>
 class Descent
 {
@@ -53,7 +53,7 @@ public:
     return std::nullopt;
   }
 
-  // Returns false if the gradient is not finite there.
+  // Returns false if the gradient at this point is not finite.
   bool move_to(const Eigen::VectorXd& point)
   {
     m_point = m_variables.feasible(point);
@@ -77,8 +77,8 @@ public:
     return is_better;
   }
 
-  // Makes the point the best one and the origin of the energy: steps from there have all digits of
-  // the variables of the energy, which may be more than those of `double`.
+  // Makes the point the best one and the origin of the energy. Steps from it have all digits of
+  // the variables of the energy, which may be more than `double` has.
   void move_origin()
   {
     m_energy.move_origin();

@@ -18,7 +18,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A model of `ConvexMinimizer` whose steps are those of an `Iteration<Energy, Visitor>`.
+// A model of `ConvexMinimizer` with the steps of an `Iteration<Energy, Visitor>`.
 template <template <typename, typename> class Iteration>
 class Iterative_minimizer
 {

@@ -133,7 +133,7 @@ private:
     return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
   }
 
-  // Damped steps, and those that do not make the gradient smaller, are not yet near the minimum.
+  // Damped steps, and steps that do not make the gradient smaller, are not yet near the minimum.
   bool is_enough() const
   {
     const Minimization_limits& limits = m_descent.limits();
@@ -141,8 +141,8 @@ private:
            m_descent.is_at_best() && limits.is_enough(m_descent.point(), m_last_length);
   }
 
-  // Whether some steps in a row were no more than rounding of each variable, or gained nothing from
-  // a gradient that is as small as `double` has it at best, although none was damped.
+  // Whether some steps in a row were no more than rounding of each variable, and none was damped.
+  // Steps also count if they gained nothing from a gradient that is as small as `double` permits.
   bool leads_nowhere()
   {
     const bool is_short =
@@ -156,8 +156,8 @@ private:
 
   double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
 
-  // For each entry of the gradient: the error of its computation and that of the rounding of the
-  // point.
+  // For each entry of the gradient: the error of its computation, and the error by the rounding of
+  // the point.
   Eigen::VectorXd rounding_error(const Eigen::SparseMatrix<double>& hessian)
   {
     const double unit = std::numeric_limits<double>::epsilon() / 2;
@@ -168,7 +168,8 @@ private:
     return error;
   }
 
-  // Returns whether the gradient is known there: far away, rounding can leave no digit of angles.
+  // Returns whether the gradient at this point is known: far away, rounding can leave no digit of
+  // angles.
   bool step(double t)
   {
     m_step = t;
@@ -210,8 +211,8 @@ private:
     m_descent.keep_if_best();
   }
 
-  // Goes on with the factorization of a full step while that makes the gradient much smaller: after
-  // k corrections, the error of a step is of order k + 2 (Shamanskii 1967).
+  // Continues with the factorization of a full step while that makes the gradient much smaller.
+  // After k corrections, the error of a step is of order k + 2 (Shamanskii 1967).
   void correct()
   {
     double before = m_base_norm;

@@ -27,19 +27,19 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Newton's method for an energy whose Hessian is a Laplacian, with steps in the digits of the
-// energy. Scale factors of vertices much closer to each other than to others are nearly equal: a
+// energy. Scale factors of vertices much closer to each other than to others are nearly equal. A
 // step in `double` that all of them take would change their differences by more than their
 // distances allow.
 //
-// A step that changes these differences by a few times what distances allow leaves angles of zero
-// or pi, which do not change any more until the scale factors have gone back exactly to where they
-// came from. So steps stay close to the path on which all entries of the gradient shrink in
-// proportion, from those of the start to zero: angles on it are between those of the start and
-// those that are prescribed.
+// A step may change these differences by a few times as much as distances allow. It leaves angles
+// of zero or pi. These do not change any more until the scale factors have gone back exactly to
+// their old values. So steps stay close to the path on which all entries of the gradient shrink in
+// proportion, from the start to zero. Angles on the path are between the angles of the start and
+// the prescribed ones.
 //
 // Variables may have lower bounds. At its bound, a variable may have a derivative that is greater
-// than that on the path, and is left out of the step then. Close to a bound, the slope can be like
-// a root, so that a derivative at the bound is known up to the root of a rounding error.
+// than on the path, and is then left out of the step. Close to a bound, the slope can be like a
+// root. Then a derivative at the bound is known up to the root of a rounding error.
 template <typename Energy>
 class Precise_newton_iteration
 {
@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  // The distance from the path, in parts of the greatest entry of the gradient there.
+  // The distance from the path, in parts of the greatest entry of the gradient on it.
   static constexpr double greatest_distance = 0.01;
   static constexpr int number_of_corrections = 10, number_of_trials = 10;
   // of the path, in one step
@@ -205,9 +205,9 @@ private:
     return true;
   }
 
-  // Shortens a step that goes so far beyond the minimum on its line that the slope is half of that
-  // before, again: where slopes are like a root, as of angles of needles that open, the next steps
-  // would go to and fro.
+  // Shortens a step that goes so far beyond the minimum on its line that the slope is half of the
+  // slope before, again. If slopes are like a root, as for angles of needles that open, the next
+  // steps would oscillate.
   void shorten_step(const std::vector<FT>& base, std::vector<FT> direction, const Vector& before,
                     double position)
   {
@@ -231,9 +231,10 @@ private:
     return result;
   }
 
-  // Moves groups of variables as one, and then their parts, until the entries of the gradient are
-  // those on the path. How a group moves hardly depends on differences within it. Within bounds,
-  // variables that are not tied strongly to others would move far, and steps of all are as good.
+  // Moves groups of variables as one, and then their parts, until the entries of the gradient
+  // equal the entries on the path. The movement of a group hardly depends on differences within
+  // it. Within bounds, variables that are not tied strongly to others would move far, and steps of
+  // all are as good.
   void relax(double position, double limit)
   {
     if(!m_gradient.allFinite())
@@ -288,7 +289,7 @@ private:
       u[v] = in_bounds(v, u[v] + x);
   }
 
-  // Variables some roundings from their bounds, or below them, are put there.
+  // Variables some roundings from their bounds, or below them, are put on the bounds.
   FT in_bounds(std::size_t v, const FT& u) const
   {
     if(!has_bounds())

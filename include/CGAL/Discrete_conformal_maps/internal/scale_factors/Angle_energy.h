@@ -25,10 +25,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// What the energies of scale factors have in common, whose derivatives are angle defects: a surface
-// that is scaled, the angles of its faces, and the Hessian, a cotan Laplacian. `Derived` has the
-// gradient, as `sum_angles()`, and says with `is_remaining()` which edges and faces belong to the
-// energy.
+// The common part of the energies of scale factors, whose derivatives are angle defects. It has a
+// surface that is scaled, the angles of its faces, and the Hessian, a cotan Laplacian. `Derived`
+// has the gradient, as `sum_angles()`. Its `is_remaining()` determines which edges and faces
+// belong to the energy.
 template <typename Derived, typename Surface, typename Triangle>
 class Angle_energy
 {
@@ -62,7 +62,7 @@ public:
     derived().sum_angles();
   }
 
-  // The variable is zero there: by default, at the present point.
+  // The variable is zero at this point: by default, at the present point.
   void set_origin(const std::vector<FT>& origin) { m_origin = origin; }
   void move_origin() { m_origin = m_scale_factor; }
 
@@ -98,7 +98,7 @@ public:
       v, [v](Vertex_index w) { return w == v; }, entries);
   }
 
-  // the same if the variables at all vertices for which `is_same()` holds are that of `v`: weights
+  // The result if all vertices for which `is_same()` holds share the variable of `v`: weights
   // between these do not count, however great they are
   template <typename Is_same, typename Entries>
   void collect_column(Vertex_index v, const Is_same& is_same, Entries& entries) const

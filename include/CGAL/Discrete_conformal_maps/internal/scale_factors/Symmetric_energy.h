@@ -26,10 +26,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Half of the energy of a double, as a function of the scale factors on the surface itself: those
-// of copies are equal. A model of `ConvexEnergy`. All faces at a vertex of the surface are there;
-// where the second copy is not deep enough for a point, it is made deeper. A surface without
-// boundary has its own energy.
+// Half of the energy of a double, as a function of the scale factors on the surface itself. Copies
+// have equal scale factors. A model of `ConvexEnergy`. All faces at a vertex of the surface exist.
+// If the second copy is not deep enough for a point, it is made deeper. A surface without boundary
+// has its own energy.
 template <typename Energy>
 class Symmetric_energy
 {
@@ -40,8 +40,8 @@ public:
   typedef Eigen::VectorXd Vector;
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  // `make(triangulation)` returns the energy of a doubled surface. `triangulation` is that of the
-  // problem, or it has been moved there and has no seams.
+  // `make(triangulation)` returns the energy of a doubled surface. `triangulation` is the
+  // triangulation of the problem. It may have been moved into the function, and then has no seams.
   template <typename Make>
   Symmetric_energy(Doubled_problem& problem, const Triangulation& triangulation, const Make& make)
     : m_problem(problem),
@@ -115,7 +115,7 @@ public:
 
   const FT& scale_factor(std::size_t v) const { return m_energy->scale_factors()[v]; }
 
-  // that of the double, as far as it is there
+  // the value of the double, as far as it exists
   const Energy& energy() const { return *m_energy; }
 
   FT value() const
@@ -128,9 +128,9 @@ public:
   const Vector& gradient() const { return m_gradient; }
   double gradient_error() const { return m_energy->gradient_error(); }
 
-  // The columns of vertices of the surface, with those of copies added to the rows, and half of it
-  // transposed: ties between faces across the boundary are not broken symmetrically, where entries
-  // vanish.
+  // The columns of vertices of the surface, with columns of copies added to the rows, and half of
+  // it transposed. Ties between faces across the boundary are not broken symmetrically, where
+  // entries vanish.
   const Matrix& Hessian() const
   {
     if(m_problem.has_no_copies())

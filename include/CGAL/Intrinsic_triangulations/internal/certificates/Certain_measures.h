@@ -29,8 +29,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits
-// as its rounded value needs.
+// Lengths, angles and corners of T2. Each is laid out again from the metric of T1 with as many
+// digits as its rounded value needs.
 template <typename Traits>
 class Certain_measures
 {
@@ -87,8 +87,8 @@ public:
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
-  // Returns the angle at the source of `h` in its face, between 0 and pi, up to about `error`:
-  // where it is near to one of them, rounding can make the corner clockwise.
+  // Returns the angle at the source of `h` in its face, between 0 and pi, up to about `error`. If
+  // it is near to 0 or pi, rounding can make the corner clockwise.
   double rounded_angle(Halfedge_index h, double error = certified_length_error()) const
   {
     const auto absolute_value = [](const std::complex<double>& corner) { return std::abs(corner); };
@@ -107,9 +107,9 @@ public:
     return angle;
   }
 
-  // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
-  // correct up to a small relative error. This is zero if no digits make sure that it is not, as
-  // where the face has no area.
+  // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j. Its imaginary part
+  // is correct up to a small relative error. It is zero if no digits prove that it is not, as for
+  // a face without area.
   std::complex<double> rounded_corner(Halfedge_index h) const
   {
     const auto imaginary_part = [](const std::complex<double>& corner) { return corner.imag(); };
@@ -205,8 +205,8 @@ protected:
 
 private:
   // Returns a halfedge of T1 as long as the edge of `h`, which is an edge of T1. With positions,
-  // all that join the same vertices are, and most edges keep their indices: outgoing halfedges,
-  // which memory would have to find, need not be asked.
+  // all that join the same vertices are, and most edges keep their indices. So outgoing halfedges,
+  // which memory would have to find, are not needed.
   Halfedge_index input_edge_as_long(Halfedge_index h) const
   {
     const Delta_complex& input = m_pair.input_mesh();

@@ -47,8 +47,8 @@ auto turn_over(const Fan& outgoing, const Development& development)
   return product;
 }
 
-// Decisions about T2, each derived anew from the metric of T1: in floating point with error bounds,
-// with more and more digits, and in the end exactly.
+// Decisions about T2, each derived again from the metric of T1. They use floating point with error
+// bounds, then more and more digits, and in the end exact numbers.
 template <typename Traits>
 class Exact_decisions : public Certain_measures<Traits>
 {
@@ -99,8 +99,8 @@ public:
     return by_lengths.is_certain(lengths) || (by_lengths(lengths) && is_exactly_Delaunay(h));
   }
 
-  // Returns this whatever the stored lengths are. An edge of which it is unknown counts as a tie,
-  // and certificates name it; exact traits do not allow that.
+  // Returns this for any stored lengths. An undecided edge counts as a tie, and certificates name
+  // it; exact traits do not allow that.
   bool is_exactly_Delaunay(Halfedge_index h, bool has_exact_squares = false)
   {
     try {
@@ -205,8 +205,8 @@ public:
     return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });
   }
 
-  // Returns whether the face of `h` is oriented as those of T1 in which it lies. It may have no
-  // area only where they have none.
+  // Returns whether the face of `h` has the orientation of the faces of T1 in which it lies. It
+  // may have no area only if they have none.
   bool is_oriented(Halfedge_index h)
   {
     const Sign sign = orientation(h);
@@ -224,9 +224,9 @@ public:
     return sign == POSITIVE || (sign == ZERO && passes_triangle(h, false));
   }
 
-  // Returns the sign of the place on the halfedge `h` where it crosses an edge of T1 as crossing
-  // `m`, minus `t`: from the heights of both ends of `h` over that edge. `h` is straight. If it
-  // runs along that edge, the sign is ZERO.
+  // Returns the sign of the position on the halfedge `h` where it crosses an edge of T1 as
+  // crossing `m`, minus `t`. It follows from the heights of both ends of `h` over that edge. `h`
+  // is straight. If it runs along that edge, the sign is ZERO.
   template <typename Lazy_number>
   Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_number& t)
   {
@@ -243,9 +243,9 @@ public:
 
   const Decision_count& count() const { return m_count; }
 
-  // Returns the sign `predicate(development)`, which is asked for with more and more digits. Roots
-  // of few numbers, as where many faces are coplanar, are faster than many digits. Where the input
-  // consists of numbers of type `double`, those in the end are of type `Exact`.
+  // Returns the sign `predicate(development)`, which is called with more and more digits. Roots of
+  // few numbers, as for many coplanar faces, are faster than many digits. If the input consists of
+  // numbers of type `double`, the last numbers are of type `Exact`.
   template <typename Exact = Exact_ring, typename Predicate>
   Sign decide(const Predicate& predicate)
   {
@@ -281,8 +281,8 @@ public:
   }
 
 private:
-  // Whether the squared length of the edge of `h` is known without roots: it is an edge of T1, or a
-  // straight line in space, between inserted vertices too.
+  // Whether the squared length of the edge of `h` is known without roots. It is an edge of T1, or
+  // a straight line in space, between inserted vertices too.
   bool has_exact_square(Halfedge_index h)
   {
     if(is_input_edge(h))
@@ -386,7 +386,7 @@ private:
            m_pair.coordinates().is_shared(m_mesh.edge(after));
   }
 
-  // 0 and 2 pi have the same sine as pi; there the cosines decide
+  // 0 and 2 pi have the same sine as pi; then the cosines decide
   template <typename Complex>
   static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
   {

@@ -32,11 +32,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips with decisions about the surface of T1. Each length has an error bound: that of a flipped
-// edge comes from its diamond as long as bounds allow, otherwise from its strip. Where the bounds
-// around an edge are known, it is decided exactly whether it is Delaunay: what is flipped then is
-// straight, if all edges were. Where strips get too long, a length is unknown up to an error, and
-// the stored lengths decide, until `find_lengths()` makes sure of them.
+// Flips with decisions about the surface of T1. Each length has an error bound. The bound of a
+// flipped edge comes from its diamond as long as bounds allow, otherwise from its strip. If the
+// bounds around an edge are known, it is decided exactly whether it is Delaunay. An edge that is
+// flipped then is straight, if all edges were. If strips get too long, a length is unknown up to
+// an error, and the stored lengths decide, until `find_lengths()` makes sure of them.
 template <typename Traits>
 class Exact_flipping
 {
@@ -162,8 +162,8 @@ public:
     return true;
   }
 
-  // Computes the lengths anew that make an edge seem not to be Delaunay: stored lengths do not
-  // deny what has been decided exactly. Each is computed once, so that this ends.
+  // Recomputes the lengths that make an edge seem not to be Delaunay: stored lengths do not deny
+  // exact decisions. Each is computed once, so that this ends.
   void sharpen_lengths()
   {
     m_is_sharp.assign(m_mesh.num_edges(), false);
@@ -179,7 +179,7 @@ public:
     }
   }
 
-  // Computes all lengths anew, with a relative error of at most `error`.
+  // Recomputes all lengths, with a relative error of at most `error`.
   void recompute_lengths(double error = certified_length_error())
   {
     const auto length = [&](Halfedge_index h) { return m_decisions.length(h, error); };
@@ -212,7 +212,7 @@ private:
     return Is_exact<Traits>::value ? certified_length_error() : flipping_length_error(is_limited());
   }
 
-  // that of lengths that are kept
+  // the error of lengths that are kept
   double kept_error() const { return is_limited() ? tolerance() : certified_length_error(); }
 
   // An edge with the least error is an edge of T1 or a straight line in space.
@@ -283,8 +283,8 @@ private:
   }
 
   // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are
-  // straight in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the
-  // surface. What could underflow is left out.
+  // straight in space, lie in one plane. Returns 0 otherwise. In a plane its ends are as far apart
+  // as on the surface. Products that could underflow are left out.
   double length_in_plane(Halfedge_index h, double flipped_length)
   {
     const auto& points = m_tri.input_metric().points;

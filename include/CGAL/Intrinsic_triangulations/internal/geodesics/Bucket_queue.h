@@ -14,7 +14,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Values ordered by keys up to the width of a bucket, for searches that need the order for speed
-// alone. They lie in memory one after the other, as they are read.
+// alone. They lie in memory in the order in which they are read.
 template <typename FT, typename Value>
 class Bucket_queue
 {

@@ -28,9 +28,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The points at which segments of a curve end. Segments that share an end lie side by side here: a
-// shortest path leaves the end of a segment with no less than a right angle to it, so that all of
-// them determine the directions in which paths from this point have to be looked for.
+// The points at which segments of a curve end. Segments that share an end lie side by side in this
+// list. A shortest path leaves the end of a segment with no less than a right angle to it. So all
+// of them determine the directions in which paths from this point can start.
 template <typename Surface>
 class Curve_ends
 {

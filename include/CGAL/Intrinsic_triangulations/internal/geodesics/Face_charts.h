@@ -22,8 +22,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// All that unfolding a face needs, in one place. Side 3f + s is side s of the face f, numbered as
-// its barycentric coordinates; border halfedges are not sides.
+// All data that unfolding a face needs, side by side in memory. Side 3f + s is side s of the face
+// f, numbered as its barycentric coordinates; border halfedges are not sides.
 template <typename FT>
 class Face_charts
 {
@@ -87,8 +87,8 @@ public:
     return sum > 0 ? FT(sum / FT(m_chart.size())) : FT(1);
   }
 
-  // Returns the position of the corner opposite to `o` in the frame of the side across, which leads
-  // from the target of `o`, the origin, along the x-axis.
+  // Returns the position of the corner opposite to `o` in the frame of the side across. This side
+  // leads from the target of `o`, the origin, along the x-axis.
   Vector apex_beyond(Index o) const
   {
     const FT &after = length(next(o)), &before = length(previous(o));
@@ -106,8 +106,9 @@ private:
   std::vector<Chart> m_chart;
 };
 
-// Returns a view in the frame of the side `edge`, left or right of the opposite corner, at `apex`,
-// beyond the side through which it looks. The frame on the right starts at that corner.
+// Returns a view in the frame of the side `edge`, left or right of the opposite corner. This
+// corner is at `apex`, beyond the side through which the view looks. The frame on the right starts
+// at that corner.
 template <typename FT>
 View<FT> in_next_frame(View<FT> view, typename View<FT>::Index edge, bool is_left,
                        const std::complex<FT>& apex, const Face_charts<FT>& charts)

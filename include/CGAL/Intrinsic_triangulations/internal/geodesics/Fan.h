@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // outgoing halfedges of a vertex, counterclockwise
 typedef boost::container::small_vector<Halfedge_index, 16> Fan;
 
-// Sets `result` to the outgoing halfedges from `out` counterclockwise to the opposite of `in`, on
-// the left of a path that goes on from `in` to `out`. Empty if the boundary is between them.
+// Sets `result` to the outgoing halfedges from `out` counterclockwise to the opposite of `in`.
+// They are on the left of a path from `in` to `out`. It is empty if the boundary is between them.
 template <typename P>
 void find_fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh, Fan& result)
 {
@@ -71,9 +71,9 @@ struct Uncertain_corner
   {}
 
   // Returns a bound for the error of the angle. A change of the opposite side changes the angle by
-  // this change over the height at that side times its foot, a change of another side by less. The
-  // bound is twice that, since the area may change, too; it is infinite if the triangle may be
-  // flat.
+  // this change over the height at that side times its foot. A change of another side changes it
+  // by less. The bound is twice that, since the area may change, too; it is infinite if the
+  // triangle may be flat.
   FT angle_error(const FT& quadrupled_area) const
   {
     const FT change = error * (a + b + c);
@@ -118,8 +118,8 @@ private:
   FT m_x = 1, m_y = 0, m_error = 0;
 };
 
-// Returns whether the angle of a fan is less than pi, as far as sines of parts of it leave no
-// doubt: without inverse tangents, on which the time of paths would depend.
+// Returns whether the angle of a fan is less than pi, as far as sines of parts of it decide. It
+// needs no inverse tangents, which would dominate the time of paths.
 template <typename Surface>
 Uncertain<bool> is_less_than_pi_by_sines(const Fan& outgoing_halfedges, const Surface& surface,
                                          const Length_of<Surface>& error)

@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Decisions about fans, and flips, by the stored lengths. What rounding leaves in doubt is not less
-// than pi.
+// Decisions about fans, and flips, by the stored lengths. An angle that rounding does not decide
+// is not less than pi.
 template <typename Traits>
 class Fan_flipping_by_lengths
 {

@@ -31,7 +31,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Walks from face to face along a straight line. The state is a point and a direction in the frame
-// of the halfedge `m_h`: all that is known of the line, and nothing that grows with its length.
+// of the halfedge `m_h`. Nothing in it grows with the length of the line.
 template <typename EdgeLengthMap, typename OutputIterator>
 class Geodesic_tracer
 {
@@ -158,9 +158,9 @@ private:
 
   // ---- Vertices ----
 
-  // Turns `phi` by whole turns to [-pi/2, 3 pi/2): on the boundary, the directions that point out
-  // of the surface are below 0 if they are nearer to the first outgoing halfedge, and above pi if
-  // to the last.
+  // Turns `phi` by whole turns to [-pi/2, 3 pi/2). On the boundary, directions that point out of
+  // the surface are below 0 if they are nearer to the first outgoing halfedge. They are above pi
+  // if they are nearer to the last.
   static FT wrapped(const FT& phi)
   {
     return phi < -pi<FT>() / 2      ? phi + 2 * pi<FT>()

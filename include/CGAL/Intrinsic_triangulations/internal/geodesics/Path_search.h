@@ -44,8 +44,9 @@ public:
   typedef Face_location<FT> Location;
   typedef Surface_point<FT> Place;
 
-  // The straight part at the end of a path to the point `location`, or to a vertex: through a view,
-  // in whose frame `end` is this point, or else along the halfedge `last`, or through its face.
+  // The straight part at the end of a path to the point `location`, or to a vertex. It leads
+  // through a view, in whose frame `end` is this point. Otherwise it leads along the halfedge
+  // `last`, or through its face.
   struct Last_part
   {
     FT length = std::numeric_limits<FT>::infinity(); // of the whole path
@@ -159,7 +160,7 @@ public:
     return part.origin == Views::null ? m_vertex.at(v.idx()) : m_views.origin(part.origin).number;
   }
 
-  // Adds the places of the path from its end `q` back to its source.
+  // Adds the positions of the path from its end `q` back to its source.
   void trace(Last_part part, const Location& q, std::vector<Place>& places) const
   {
     add(surface_point(q, m_mesh), places);
@@ -180,7 +181,7 @@ public:
     }
   }
 
-  // the place of a vertex with a halfedge that starts there
+  // the position of a vertex with a halfedge that starts at it
   Location at_vertex(Vertex_index v) const { return at_source(first_outgoing_halfedge(v, m_mesh)); }
 
   const Delta_complex& mesh() const { return m_mesh; }
@@ -311,8 +312,8 @@ protected:
     return m_views.charts().apex_beyond(m_views.charts().across(m_views.views()[view].edge));
   }
 
-  // Calls `visit(view, z)` for the view `i` and those from which it was handed on; `z` is the end
-  // of the line in its frame. Returns the first of them, and `z` in its frame.
+  // Calls `visit(view, z)` for the view `i` and the views from which it was passed on; `z` is the
+  // end of the line in its frame. Returns the first of them, and `z` in its frame.
   template <typename Visit>
   std::pair<View, Vector> root_of(Index i, Vector z, const Visit& visit) const
   {
@@ -353,8 +354,8 @@ protected:
     return s.source[opposite_corner] == 0 && s.target[opposite_corner] == 0;
   }
 
-  // Returns where a line to `z` starts that is seen in a view opened at a point or a segment: in
-  // the face through which it leaves.
+  // Returns the start of a line to `z` that is seen in a view opened at a point or a segment. It
+  // lies in the face through which the line leaves.
   Place start_of(const View& root, const Vector& z) const
   {
     const Origin& origin = m_views.origin(root.origin);
@@ -398,8 +399,8 @@ protected:
 
   Location point(Index origin) const { return m_views.origin(origin).source(); }
 
-  // Adds a place, a vertex only once. Between two vertices the path follows an edge, the shortest
-  // from one to the other.
+  // Adds a position, a vertex only once. Between two vertices the path follows an edge, the
+  // shortest from one to the other.
   void add(const Place& place, std::vector<Place>& places) const
   {
     if(places.empty() || !is_at_vertex(place) || !is_at_vertex(places.back())) {

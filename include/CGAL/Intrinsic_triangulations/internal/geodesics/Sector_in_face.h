@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Directions around a point that are in one face, from `begin` to `end`: angles on the surface,
-// counterclockwise, in which `start`, a direction in the face, is at `first`.
+// Directions around a point that are in one face, from `begin` to `end`. They are angles on the
+// surface, counterclockwise, with `start`, a direction in the face, at `first`.
 template <typename FT>
 struct Sector_in_face
 {
@@ -40,8 +40,8 @@ struct Sector_in_face
       end = (std::min)(end, FT(middle - right));
   }
 
-  // So that no gap is left between the rays from a point and the parallel ones beside them. What is
-  // no wider than rounding is left empty: the segments on both sides are one line.
+  // This leaves no gap between the rays from a point and the parallel ones beside them. A gap no
+  // wider than rounding is left empty: the segments on both sides are one line.
   void widen()
   {
     const bool is_empty = end - begin <= rounding_unit<FT>();

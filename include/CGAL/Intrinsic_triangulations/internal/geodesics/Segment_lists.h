@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Pieces of paths along edges. Of those that share an edge the order side by side is kept: from the
-// left of its first halfedge to the right.
+// Pieces of paths along edges. The order of pieces side by side on an edge is kept: from the left
+// of its first halfedge to the right.
 class Segment_lists
 {
 public:
@@ -91,7 +91,8 @@ public:
   }
 
   // Puts the segment, whose path is linked, on its edge, beside the others so that paths that come
-  // together and part do not cross; as far as that allows, on the right of those that never part.
+  // together and part do not cross. As far as that allows, it is on the right of paths that never
+  // part.
   template <typename P>
   void insert(Index s, const Surface_mesh<P>& mesh)
   {

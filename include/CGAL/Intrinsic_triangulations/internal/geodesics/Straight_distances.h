@@ -26,15 +26,15 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Bounds for distances in space from sources: no path on the surface is shorter. Faces need not be
-// flat in space, only vertices have positions; a segment counts as a ball around a corner of its
-// face in which it lies.
+// flat in space, since only vertices have positions. A segment counts as a ball that contains it,
+// around a corner of its face.
 template <typename FT>
 class Straight_distances
 {
 public:
   typedef std::array<FT, 3> Position;
 
-  // `positions` are those of the vertices.
+  // `positions` are the positions of the vertices.
   template <typename Surface>
   Straight_distances(const Surface& surface, const Distance_sources<Surface>& sources,
                      const std::vector<Position>& positions)

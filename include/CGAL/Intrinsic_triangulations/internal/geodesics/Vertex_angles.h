@@ -80,13 +80,13 @@ private:
   bool m_is_border;
 };
 
-// The directions in which paths can go on at a vertex: those that are at least half a turn away
-// from where they come from, on either side on which there is surface.
+// The directions in which paths can continue at a vertex. They are at least half a turn away from
+// the direction from which paths come, on either side with surface.
 template <typename FT>
 class Outgoing_sector
 {
 public:
-  // all of them if `is_whole`; `error` is that of the direction from which paths come
+  // all of them if `is_whole`; `error` is the error of the direction from which paths come
   Outgoing_sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back, const FT& error)
     : m_sum(angles.sum()),
       m_back(back),

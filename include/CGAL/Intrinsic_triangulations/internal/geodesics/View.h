@@ -19,9 +19,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What an origin sees through a part of an edge; the face of the side `edge`, whose frame this is,
-// is on the side of the origin. The rays from a vertex or a point start at its position; those from
-// the inside of a segment are parallel (Bommes and Kobbelt 2007).
+// The view of an origin through a part of an edge. The face of the side `edge`, whose frame this
+// is, is on the side of the origin. The rays from a vertex or a point start at its position. Rays
+// from the interior of a segment are parallel (Bommes and Kobbelt 2007).
 template <typename FT>
 struct View
 {
@@ -72,20 +72,20 @@ struct View
   // Returns the distance up to which errors in the frame are rounding.
   FT scale() const { return is_parallel ? CGAL::abs(before) : norm_of(position); }
 
-  // Returns the place on the side from 0 to `apex` where the ray through the point of the edge at
-  // `x` meets it, from 0 to 1: no products that are nearly equal are subtracted. Where all is on
-  // one line, the ray meets it in that point.
+  // Returns where the ray through the point of the edge at `x` meets the side from 0 to `apex`.
+  // The result is from 0 to 1. Products that are nearly equal are not subtracted. If all points
+  // are on one line, the ray meets it in that point.
   FT hit(const FT& x, const Vector& apex) const { return hit(position, x, apex); }
 
-  // Returns the place on the side from `apex` to the end of the edge, whose length is `l`.
+  // Returns the position on the side from `apex` to the end of the edge, whose length is `l`.
   FT hit_beyond(const FT& x, const Vector& apex, const FT& l) const
   {
     const Vector p(is_parallel ? FT(-position.real()) : FT(l - position.real()), position.imag());
     return 1 - hit(p, l - x, Vector(l - apex.real(), apex.imag()));
   }
 
-  // Cuts off where all paths are longer than those by one of the ends of the edge, whose length is
-  // `l`, and returns whether something is left.
+  // Cuts off the part in which all paths are longer than paths by one of the ends of the edge,
+  // whose length is `l`. Returns whether something is left.
   bool cut_off(const FT& to_source, const FT& to_target, const FT& l)
   {
     return is_parallel ? cut_off_parallel(to_source, to_target, l)
@@ -116,9 +116,9 @@ private:
     return other <= length - rest;
   }
 
-  // Returns up to which place, from `begin` to `end`, paths from `p` are longer by more than
-  // `slack` than those that have the length `before` at 0 and follow the edge: the difference
-  // decreases. A place beyond `end` stands for all.
+  // Compares paths from `p` with paths that have the length `before` at 0 and follow the edge.
+  // Returns up to which position, from `begin` to `end`, paths from `p` are longer by more than
+  // `slack`: the difference decreases. A position beyond `end` stands for all.
   static FT cut_off(const Vector& p, const FT& before, const FT& begin, const FT& end)
   {
     const auto is_longer = [&](const FT& x) { return norm_of(p - x) > before + x; };

@@ -33,10 +33,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Shortest paths from some points to everywhere: faces are unfolded along the views from the
-// sources, nearest first; what cannot contain a shortest path is cut off from a view (after Xin and
-// Wang). Shortest paths bend at vertices only, where the surface has more than half a turn on
-// either side: behind a bend there are new views.
+// Shortest paths from some points to everywhere. Faces are unfolded along the views from the
+// sources, nearest first. Parts of views that cannot contain a shortest path are cut off (after
+// Xin and Wang). Shortest paths bend at vertices only, if the surface has more than half a turn on
+// either side: behind a bend new views start.
 template <typename EdgeLengthMap>
 class View_propagation
 {
@@ -52,8 +52,9 @@ public:
   typedef internal::View<FT> View;
   typedef Segment_origin<FT> Origin;
 
-  // How the shortest path known so far comes to a vertex: through a view, or from the origin along
-  // the halfedge `last`, which ends there, or through a face, whose side `last` ends there.
+  // How the shortest path known so far reaches a vertex. It comes through a view, or from the
+  // origin along the halfedge `last`, which ends at the vertex. It may also come through a face
+  // whose side `last` ends at the vertex.
   struct Arrival
   {
     Index view = null;
@@ -86,7 +87,7 @@ public:
       m_bends.push(FT(0), v.idx());
   }
 
-  // Adds a point that is not a vertex, in one of its faces, or the inside of a segment, and returns
+  // Adds a point that is not a vertex, in one of its faces, or the interior of a segment. Returns
   // its number as an origin.
   Index add_source(const Origin& source)
   {
@@ -164,8 +165,8 @@ public:
   }
 
 private:
-  // Surfaces take up to a hundred views for each halfedge, few faces with edges of lengths in the
-  // proportion of 1 to ten million take twenty million. Rounding could make it more.
+  // Surfaces take up to a hundred views for each halfedge. Few faces with edges of lengths in the
+  // proportion of 1 to ten million take twenty million. Rounding could increase this.
   std::size_t greatest_number_of_views() const
   {
     const std::size_t bound = (std::size_t(1) << 25) + 1024 * m_charts.number_of_sides();
@@ -202,8 +203,8 @@ private:
 
   // ---- Vertices ----
 
-  // Takes the path if it is better than that known so far, and returns whether it is: of two paths
-  // that are equal up to rounding the straight one is better.
+  // Takes the path if it is better than the path known so far, and returns whether it is. Of two
+  // paths that are equal up to rounding the straight one is better.
   bool reach(Index v, const FT& length, const Arrival& arrival)
   {
     const FT tolerance = rounding_unit<FT>() * length;
@@ -262,7 +263,7 @@ private:
   }
 
   // Returns the error of the direction in which the path arrives at `v`; zero if it is no greater
-  // than that of angles. Directions are unknown where another vertex is as near as rounding: the
+  // than the error of angles. Directions are unknown if another vertex is as near as rounding: the
   // path may pass it on either side.
   FT direction_error(Vertex_index v) const
   {
@@ -408,8 +409,9 @@ private:
               view.hit_beyond(view.end, apex, l));
   }
 
-  // Returns whether all paths through a view that has been handed on over an edge of length `l`
-  // cross a line, from the corner at the far end of that edge, by which they are longer.
+  // Returns whether all paths through a view cross a line by which they are longer. The view has
+  // been passed on over an edge of length `l`. The line starts at the corner at the far end of
+  // that edge.
   bool is_behind_corner(const View& view, bool is_left, const FT& l) const
   {
     const Index o = is_left ? Charts::previous(view.edge) : Charts::next(view.edge);

@@ -24,9 +24,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid
-// out with the outgoing halfedge before the halfedge on the x-axis, or with halfedge(f) if the
-// source lies inside the face f.
+// The position of the source of a halfedge of T2 in the face of T1 into which it leads. This face
+// is laid out with the outgoing halfedge before the halfedge on the x-axis. If the source lies
+// inside the face f, halfedge(f) is on the x-axis.
 template <typename Traits>
 struct Start_in_input_face
 {
@@ -40,7 +40,7 @@ struct Start_in_input_face
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
 
-  // returns the coordinates of the point, that of the corner opposite to side `s` first
+  // returns the coordinates of the point, beginning with the corner opposite to side `s`
   typename Flat_face<FT>::Place place_beyond(std::size_t s) const
   {
     return {place[(s + 2) % 3], place[s], place[(s + 1) % 3]};
@@ -74,8 +74,9 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
   return std::arg(start.face.to_corner(first, start.place)) + strip.angle();
 }
 
-// Returns the angle on the surface from the outgoing halfedge of T1 before the halfedge `h` of T2,
-// or from halfedge(f) if the source lies inside the face f of T1, counterclockwise to `h`.
+// Returns the angle on the surface, counterclockwise to the halfedge `h` of T2. It starts from the
+// outgoing halfedge of T1 before `h`, or from halfedge(f) if the source lies inside the face f of
+// T1.
 template <typename Traits>
 typename Traits::FT angle_from_outgoing(Halfedge_index h, const Edge_course& course,
                                         const Intrinsic_triangulation<Traits>& tri,
@@ -89,8 +90,9 @@ typename Traits::FT angle_from_outgoing(Halfedge_index h, const Edge_course& cou
   return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
 }
 
-// Returns the angle of the outgoing halfedge of T1 before the halfedge `h` of T2, whose source is
-// an inserted vertex, in the frame of T1; that of halfedge(f) if it lies inside the face f.
+// Returns the angle of the outgoing halfedge of T1 before the halfedge `h` of T2, in the frame of
+// T1. The source of `h` is an inserted vertex. If it lies inside the face f, returns the angle of
+// halfedge(f).
 template <typename Traits>
 typename Traits::FT angle_of_inserted_outgoing(Halfedge_index h,
                                                const Intrinsic_triangulation<Traits>& tri)
