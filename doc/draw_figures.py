@@ -181,7 +181,8 @@ def three_way():
               ([(a, p), (d, p), (p, q), (a, q), (b, q), (c, q), (p, c)], ORANGE)]
     names = ["<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>1</tspan>, the input",
              "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>2</tspan>, Delaunay",
-             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>3</tspan>, ideal Delaunay", "their subdivision"]
+             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>3</tspan>, ideal Delaunay",
+             "their subdivision"]
     for k, name in enumerate(names):
         fig.frame(25 + 222 * k, 235, 112)
         fig.polygon(*corners, fill=PALE)
@@ -231,7 +232,8 @@ def peacock():
     fig.text(root, "∞", ORANGE, dx=18, dy=8, size=20)
     fig.text(-1.38j, "the surface: shortest geodesics from ∞ to all vertices", size=15, dy=0)
     fig.frame(660, 175, 120)
-    points = [-1.5 - .5j, -1 + .35j, -.7 - .7j, -.35 + .75j, 0 - .15j, .35 - .85j, .5 + .6j, .95 - .1j, 1.5 + .3j, 1.3 - .75j]
+    points = [-1.5 - .5j, -1 + .35j, -.7 - .7j, -.35 + .75j, 0 - .15j, .35 - .85j, .5 + .6j, .95 - .1j,
+              1.5 + .3j, 1.3 - .75j]
     hull = [0, 2, 5, 9, 8, 6, 3, 1]
     edges = [(0, 4), (2, 4), (1, 4), (3, 4), (6, 4), (7, 4), (5, 4), (7, 5), (7, 9), (7, 8), (7, 6)]
     fig.polygon(*(points[i] for i in hull), color=BLUE)
@@ -343,8 +345,10 @@ def tufted():
 def stages():
     """The stages of a decision that is exact."""
     fig = Figure("Intrinsic_triangulations/fig/stages.svg", "Stages of an exact decision", 900, 250)
-    boxes = [("stored lengths", "with error bounds:", "nearly all edges"), ("squared lengths", "of straight edges:", "ties, too"),
-             ("strips, rounded", "53, 102 or 512 bits", "with error bounds"), ("strips, exact", "sums of square roots:", "ties, too")]
+    boxes = [("stored lengths", "with error bounds:", "nearly all edges"),
+             ("squared lengths", "of straight edges:", "ties, too"),
+             ("strips, rounded", "53, 102 or 512 bits", "with error bounds"),
+             ("strips, exact", "sums of square roots:", "ties, too")]
     for k, (name, *words) in enumerate(boxes):
         x = 20 + 222 * k
         fig.polygon((x, -40), (x + 172, -40), (x + 172, -140), (x, -140), color=BLUE, width=2)

@@ -101,7 +101,7 @@ def viewer_transfer():
         points, _ = read_off(MESHES / "cow.off")
         file.writelines(f"{i} {math.sin(18 * p[0])}\n" for i, p in enumerate(points))
     page = run("transfer", "cow.off", "-o", "out.txt", "--data", "values.txt", "--min-angle", 25)
-    return [Tile(page, WIDTH, 420, "", "closer(1.05); legend('transferred_function', 'function');")]
+    return [Tile(page, WIDTH, 420, "", "closer(1, 0, -.04); legend('transferred_function', 'function');")]
 
 
 @figure(TRIANGULATIONS, 360)
@@ -155,7 +155,7 @@ def error(values, exact):
 def isolines():
     exact, heat, plain = distances(MESHES / "camel.off", 0)
     camera = "look([1, .2, .35], [0, 1, 0]);"
-    leg = "viewer.set({color: 'plain'}); " + camera + "closer(8, -.03, -.3);"
+    leg = "viewer.set({color: 'plain'}); " + camera + "closer(9, .77, -.53);"
     whole = f"scaled('distance', 0, {max(exact)}); show(); " + camera
     page = view("plain.ply")
     return [Tile(page, 345, 280, "the mesh", leg + "show('edges'); style('edges', 1, '#14202c');"),
@@ -275,13 +275,14 @@ def flatten():
 def viewer_uniformize():
     page = run("uniformize", "knot1.off", "-o", "out.ply")
     script = "viewer.set({squares: 96}); style('is_seam', 2);"
-    return [Tile(page, 250, 300, "", "only(0);" + script), Tile(page, 440, 300, "", "only(1); closer(1.5);" + script)]
+    return [Tile(page, 250, 300, "", "only(0);" + script),
+            Tile(page, 440, 300, "", "only(1); closer(1.5);" + script)]
 
 
 @figure(MAPS, 350)
 def viewer_hyperbolic():
     page = run("hyperbolic", "eight.off", "-o", "out.obj", "--tiles", 2)
-    return both(page, "viewer.set({squares: 32, shown: {is_seam: true}}); style('is_seam', 2.2); style('outlines', 1.2, '#566473');")
+    return both(page, "viewer.set({squares: 32, shown: {is_seam: true}}); style('is_seam', 2.2);")
 
 
 PLACES = 5531, 7866, 8290, 2738, 4542, 2568, 90  # of the bear: paws, ears, feet and belly
@@ -295,7 +296,7 @@ def sphere():
     script = "viewer.set({color: 'field distance'}); show();"
     numbers = " ".join(f"spot({v}, {i + 1});" for i, v in enumerate(PLACES))
     globe = (f"only(1); {script} const place = v => placeOf(viewer.views[0], v).toArray(); "
-             f"const front = place({belly}).map((x, k) => x + .6 * place({right_paw})[k]);")
+             f"const front = place({belly}).map((x, k) => x + .35 * place({right_paw})[k]);")
     return [Tile(page, 235, 235, "the surface", f"only(0); {script} look([0, .1, 1], [0, 1, 0]); {numbers}"),
             Tile(page, 220, 235, "its map to the sphere", f"{globe} look(front, place({left_ear})); {numbers}"),
             Tile(page, 220, 235, "the same from behind",

@@ -87,7 +87,8 @@ class Browser:
         self.directory.cleanup()
 
 
-# What a picture may say about a page: `viewer` is that of the page, and PICTURE the text of a picture.
+# What the script of a picture may use; `viewer` is that of the page. PARTS and PICTURE become WITHOUT_PANEL and
+# that script.
 SCRIPT = """<script>
 isDrawn = new Promise((resolve, reject) => addEventListener('intrinsic-view-ready', () => {
   try {
@@ -250,7 +251,8 @@ STYLE = """<style>
   .pane .caption { display: none; }
   .spot { position: absolute; transform: translate(-50%, -50%); width: 18px; height: 18px; text-align: center;
     font: bold 12px/18px "DejaVu Sans", sans-serif; color: #fff; background: #14202c; border-radius: 50%; }
-  .legend { position: absolute; bottom: 0; width: 100%; padding: 3px 0; background: #fff; text-align: center; color: #22303c;
+  .legend { position: absolute; bottom: 0; width: 100%; padding: 3px 0; background: #fff; text-align: center;
+    color: #22303c;
     font: 12.5px/16px "DejaVu Sans", sans-serif; }
   .legend b { display: inline-block; width: 22px; height: 4px; margin-bottom: 3px; }
   .legend i { display: inline-block; width: 110px; height: 10px; border: 1px solid #8795a3; }
@@ -278,10 +280,9 @@ class Tile:
             return self.source
         page = self.source.with_suffix(f".{number}.html")
         text = self.source.read_text(encoding="utf-8")
-        script = SCRIPT.replace("PICTURE", self.script)
-        if not self.is_whole:
-            script = script.replace("PARTS", WITHOUT_PANEL) + STYLE
-        page.write_text(text.replace("<body>", "<body>\n" + script.replace("PARTS", ""), 1), encoding="utf-8")
+        script = SCRIPT.replace("PARTS", "" if self.is_whole else WITHOUT_PANEL).replace("PICTURE", self.script)
+        script += "" if self.is_whole else STYLE
+        page.write_text(text.replace("<body>", "<body>\n" + script, 1), encoding="utf-8")
         picture = page.with_suffix(".png")
         picture.write_bytes(browser.picture(page, *self.size, True))
         return picture
