@@ -91,7 +91,7 @@ private:
   static constexpr int number_of_corrections = 10, number_of_trials = 10;
   // of the path, in one step
   static constexpr double least_part = 1e-7;
-  static constexpr double longest_step_within_bounds = 100;
+  static constexpr double longest_step_within_bounds = 100, longest_damped_step = 10;
   // of derivatives at bounds
   inline static const double bound_error = std::sqrt(tolerance::rounding_of_gradient<FT>());
 
@@ -161,7 +161,27 @@ private:
       }
     }
     move_to(base);
-    return Minimization_status::rounding_limit;
+    return has_bounds() && take_damped_step() ? Minimization_status::converged
+                                              : Minimization_status::rounding_limit;
+  }
+
+  // Moves each variable towards the minimum, by at most `longest_damped_step`, and starts the path
+  // again. From far away, no point of the path is within reach. Returns whether anything has moved.
+  bool take_damped_step()
+  {
+    const Vector wrong = excess(0);
+    const auto& hessian = m_energy.Hessian();
+    ++m_result.factorizations;
+    if(!m_elimination.factorize(
+         hessian, grounding(hessian, m_variables) + damping(hessian, wrong, longest_damped_step, 0),
+         movable(m_solver.order(hessian), 0)))
+      return false;
+    const std::vector<FT> base = m_energy.scale_factors(), direction = m_elimination.solve(-wrong);
+    move(base, direction);
+    shorten_step(base, direction, wrong, 0);
+    m_length = max_norm(change_from(base));
+    start_path();
+    return m_gradient.allFinite() && m_length > 0;
   }
 
   // Corrects the distance from a point of the path. Returns whether it is small now, or within its

@@ -98,7 +98,7 @@ private:
     Scalar diagonal(Eigen::Index j) const { return entries[j * rows + j]; }
     // the entries of column `j` below the diagonal in the triangle
     Column inside(Eigen::Index j) const { return {entries + j * rows + j + 1, columns - j - 1}; }
-    // those below the triangle
+    // entries below the triangle
     Column below(Eigen::Index j) const { return {entries + j * rows + columns, rows - columns}; }
   };
 
