@@ -28,7 +28,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -53,6 +56,10 @@ Values of --boundary:
   disk       the boundary of each component is mapped to a circle
 Rectangles and disks are for components with one boundary. They have no cones unless --cones is
 given, as handles require, and then only inside.
+
+Cones are placed one by one where scale factors are greatest. With --cones exchanged, they are then
+dropped and moved while a linear estimate stays within the bound: often fewer cones, for more time.
+--max-area-distortion X bounds areas, and is the same as --max-log-scale log(X)/2.
 
 A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
 follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,
@@ -133,8 +140,17 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
       "--exact: --solver cetm makes no triangulation Delaunay; leave out one of them");
   if(options.cones.empty())
     options.cones = is_shape(options.boundary) ? "none" : "greedy";
-  if(options.maximum_log_scale && options.cones != "greedy")
-    throw Program_error("--max-log-scale is for --cones greedy; leave out one of them");
+  const bool places = places_cones(options.cones);
+  if(options.maximum_log_scale && !places)
+    throw Program_error(
+      "--max-log-scale is for --cones greedy or exchanged; leave out one of them");
+  if(options.maximum_area_distortion && !places)
+    throw Program_error(
+      "--max-area-distortion is for --cones greedy or exchanged; leave out one of them");
+  if(options.maximum_area_distortion)
+    options.maximum_log_scale =
+      (std::min)(options.maximum_log_scale.value_or(std::numeric_limits<double>::infinity()),
+                 std::log(*options.maximum_area_distortion) / 2);
   return options;
 }
 
@@ -143,6 +159,13 @@ DCM::Layout layout_named(const std::string& name)
   return name == "spectral"      ? DCM::Layout::spectral
          : name == "incremental" ? DCM::Layout::incremental
                                  : DCM::Layout::least_squares;
+}
+
+DCM::Cones cones_named(const std::string& name)
+{
+  return name == "greedy"      ? DCM::Cones::greedy
+         : name == "exchanged" ? DCM::Cones::exchanged
+                               : DCM::Cones::none;
 }
 
 class Flatten_command
@@ -203,7 +226,7 @@ private:
     return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
                     .mollification(m_mollification)
                     .vertex_condition_map(conditions)
-                    .cones(m_options.cones == "greedy" ? DCM::Cones::greedy : DCM::Cones::none)
+                    .cones(cones_named(m_options.cones))
                     .maximum_log_scale(m_options.maximum_log_scale.value_or(5))
                     .layout(layout_named(m_options.layout))
                     .flipping(flipping)
@@ -337,12 +360,15 @@ namespace {
 void add_flattening_targets(CLI::App& command, Flatten_options& options)
 {
   command.add_option("--cones", options.cones,
-                     "greedy, none, or a file of angle defects; greedy by default, but none for a "
-                     "rectangle or a disk");
+                     "greedy, exchanged, none, or a file of angle defects; greedy by default, but "
+                     "none for a rectangle or a disk");
   add_number(command, "--max-log-scale", options.maximum_log_scale,
-             "Place greedy cones until the absolute values of all logarithmic scale factors are at "
-             "most this; 5 by default",
+             "Place cones until the absolute values of all logarithmic scale factors are at most "
+             "this; 5 by default",
              positive_number());
+  add_number(command, "--max-area-distortion", options.maximum_area_distortion,
+             "Place cones until areas grow and shrink at most by this factor everywhere inside",
+             number_above_one());
   command
     .add_option("--boundary", options.boundary,
                 "free, straight, scale, curvature, rectangle or disk, see below")

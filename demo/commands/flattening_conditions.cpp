@@ -67,6 +67,8 @@ void set_boundary(Conditions& conditions, const Flatten_options& options, const 
 
 bool is_shape(const std::string& boundary) { return boundary == "rectangle" || boundary == "disk"; }
 
+bool places_cones(const std::string& cones) { return cones == "greedy" || cones == "exchanged"; }
+
 void check_boundary(const Flatten_options& options)
 {
   const std::string& what = options.boundary;
@@ -85,7 +87,7 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
   if(boundary != "free" && !is_shape(boundary) && CGAL::is_closed(mesh))
     throw Program_error("--boundary " + boundary + ": the mesh has no boundary; leave it out");
   Conditions result(mesh.number_of_vertices());
-  if(options.cones != "greedy" && options.cones != "none")
+  if(!places_cones(options.cones) && options.cones != "none")
     set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,
                   "inside the surface");
   set_boundary(result, options, mesh);

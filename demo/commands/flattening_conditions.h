@@ -16,8 +16,8 @@
 
 struct Flatten_options : Texture_options
 {
-  std::string cones; // "greedy", "none" or a file; empty for what suits the boundary
-  std::optional<double> maximum_log_scale; // for greedy cones
+  std::string cones; // "greedy", "exchanged", "none" or a file; empty for what suits the boundary
+  std::optional<double> maximum_log_scale, maximum_area_distortion; // for cones that are placed
   std::string boundary = "free";
   std::string boundary_values;          // the file of "scale" and "curvature"
   std::string solver = "newton";        // or "ceres" or "cetm"
@@ -39,6 +39,9 @@ Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
 // Whether the word after --boundary names a shape, which the library finds the angles for.
 bool is_shape(const std::string& boundary);
+
+// Whether the word after --cones asks for cones to be placed.
+bool places_cones(const std::string& cones);
 
 // Throws Program_error if --boundary and --boundary-values make no sense.
 void check_boundary(const Flatten_options& options);

@@ -66,6 +66,12 @@ inline CLI::Validator positive_number()
                                      (std::numeric_limits<double>::max)(), "a number above 0");
 }
 
+inline CLI::Validator number_above_one()
+{
+  return Number_range_details::range(1 + std::numeric_limits<double>::epsilon(),
+                                     (std::numeric_limits<double>::max)(), "a number above 1");
+}
+
 inline CLI::Validator nonnegative_number()
 {
   return Number_range_details::range(0., (std::numeric_limits<double>::max)(),

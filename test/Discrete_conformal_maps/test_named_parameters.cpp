@@ -4,6 +4,7 @@
 
 // Sequences of named parameters of this package, of Intrinsic_triangulations, and of CGAL.
 
+#include "../Intrinsic_triangulations/refined_meshes.h"
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
@@ -11,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -80,6 +83,52 @@ TEST(Named_parameters, cones_are_placed_as_is_said)
   }
   expect_cones(DCM::flatten(mesh, np::maximum_log_scale(bound)), true);
   expect_cones(DCM::flatten(mesh, np::vertex_condition_map(map)), false);
+}
+
+// Areas around vertices change by the square of the factor of lengths; the stricter bound counts.
+TEST(Named_parameters, cones_bound_the_distortion_of_areas)
+{
+  const Mesh mesh = random_sphere(60, 3);
+  const auto cones = [&](const auto& parameters) { return DCM::flatten(mesh, parameters).cones(); };
+  for(const double distortion : {1.5, 20., 1e4}) {
+    const Planar_conformal_map map =
+      DCM::flatten(mesh, np::maximum_area_distortion(distortion).cones(DCM::Cones::greedy));
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    for(Vertex_index v : mesh.vertices())
+      EXPECT_LE(std::max(std::exp(2 * map.log_scale(v)), std::exp(-2 * map.log_scale(v))),
+                distortion * (1 + 1e-9));
+    const double log_scale = std::log(distortion) / 2;
+    EXPECT_EQ(cones(np::maximum_log_scale(log_scale)), map.cones());
+    EXPECT_EQ(cones(np::maximum_log_scale(2 * log_scale).maximum_area_distortion(distortion)),
+              map.cones());
+    EXPECT_EQ(cones(np::maximum_log_scale(log_scale).maximum_area_distortion(2 * distortion)),
+              map.cones());
+  }
+  for(const double wrong : {1., 0.5, -1., std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(DCM::flatten(mesh, np::maximum_area_distortion(wrong)), IT::Invalid_input);
+}
+
+// Exchanged cones keep the bound, and the promises of the map. On a round sphere fewer are enough.
+TEST(Named_parameters, cones_are_exchanged_within_the_bound)
+{
+  std::size_t greedy = 0, exchanged = 0;
+  for(const Mesh& mesh : {unit_sphere(16), random_sphere(200, 1), random_sphere(200, 2),
+                          punctured(random_sphere(100, 6), {0}), plate_with_holes(2)})
+    for(const double bound : {0.7, 1., 1.4}) {
+      const auto with = [&](DCM::Cones cones) {
+        return DCM::flatten(mesh, np::maximum_log_scale(bound).cones(cones));
+      };
+      const Planar_conformal_map map = with(DCM::Cones::exchanged);
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
+      for(Vertex_index v : mesh.vertices())
+        if(!mesh.is_border(v))
+          EXPECT_LE(std::abs(map.log_scale(v)), bound + 1e-9);
+      for(Vertex_index v : map.cones())
+        EXPECT_EQ(map.log_scale(v), 0);
+      exchanged += map.cones().size();
+      greedy += with(DCM::Cones::greedy).cones().size();
+    }
+  EXPECT_LT(exchanged, greedy);
 }
 
 // A visitor with functions that are not constant, whose copies count together.

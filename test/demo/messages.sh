@@ -193,7 +193,8 @@ calls <<'TABLE'
 2 | nothing.txt: has no points | transfer flat.mesh.off --points nothing.txt -o a.txt
 2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
-2 | --max-log-scale is for --cones greedy | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
+2 | --max-log-scale is for --cones greedy or exchanged | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
+2 | --max-area-distortion is for --cones greedy or exchanged | flatten flat.mesh.off -o a.obj --max-area-distortion 4 --boundary disk
 2 | --boundary: 'round' is none of free, straight, scale, curvature, rectangle and disk | flatten flat.mesh.off -o a.obj --boundary round
 2 | --boundary scale needs a file of values: add --boundary-values | flatten flat.mesh.off -o a.obj --boundary scale
 2 | needs a file of values: add --boundary-values | flatten --boundary curvature flat.mesh.off -o a.obj
@@ -209,6 +210,7 @@ calls <<'TABLE'
 2 | --error: 'nan' is not a number from 0 upwards | simplify flat.mesh.off -o a.ply --error nan
 2 | --ratio: '2' is not a number from 1e-09 to 1 | simplify flat.mesh.off -o a.ply --ratio 2
 2 | --max-log-scale: '0' is not a number above 0 | flatten flat.mesh.off -o a.obj --max-log-scale 0
+2 | --max-area-distortion: '1' is not a number above 1 | flatten flat.mesh.off -o a.obj --max-area-distortion 1
 2 | --vertices: '-3' is not an integer from 1 upwards | simplify flat.mesh.off -o a.ply --vertices -3
 2 | --vertices: '1.5' is not an integer from 1 upwards | simplify flat.mesh.off -o a.ply --vertices 1.5
 2 | --max-insertions: '-1' is not an integer from 0 upwards | refine flat.mesh.off -o a.ply --max-insertions -1

@@ -44,13 +44,20 @@ namespace CGAL::Discrete_conformal_maps {
 ///                           becomes no cone}
 ///     \cgalParamType{`Cones`}
 ///     \cgalParamDefault{`Cones::automatic`: yes if there is no `vertex_condition_map`, or a
-///                       `maximum_log_scale`}
+///                       `maximum_log_scale` or `maximum_area_distortion`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
 ///     \cgalParamDescription{the greatest absolute value of logarithmic scale factors inside. Cones
 ///       are placed until all are within this bound}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_area_distortion}
+///     \cgalParamDescription{the same bound as a ratio of areas: the factor by which areas around
+///       vertices inside may grow or shrink. A logarithmic scale factor \f$u\f$ changes areas by
+///       \f$e^{2u}\f$. With `maximum_log_scale`, the stricter bound counts}
+///     \cgalParamType{`double`, greater than 1}
+///     \cgalParamDefault{no bound beside `maximum_log_scale`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_radius_map}
 ///     \cgalParamDescription{the radii of circles around the vertices; the map is a decorated
@@ -109,7 +116,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a prescription
 ///   is impossible. The error names the element, and for curvatures the excess. It is also thrown
-///   if circles meet, with their vertices, or if exact decisions are requested with circles
+///   if circles meet, with their vertices, or if exact decisions are requested with circles.
+///   Another reason is a `maximum_area_distortion` that is not greater than 1
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from

@@ -40,6 +40,11 @@ template <typename Number>
 auto maximum_log_scale(const Number& value);
 
 /// \ingroup PkgDiscreteConformalMapsFlat
+/// names the factor by which areas may change, beyond which cones are placed.
+template <typename Number>
+auto maximum_area_distortion(const Number& value);
+
+/// \ingroup PkgDiscreteConformalMapsFlat
 /// names a model of `ConvexMinimizer`.
 template <typename Minimizer>
 auto minimizer(const Minimizer& value);

@@ -15,6 +15,7 @@
 CGAL_named_parameter(vertex_condition_map)
 CGAL_named_parameter(cones)
 CGAL_named_parameter(maximum_log_scale)
+CGAL_named_parameter(maximum_area_distortion)
 CGAL_named_parameter(minimizer)
 CGAL_named_parameter(flipping)
 CGAL_named_parameter(initial_log_scale_map)

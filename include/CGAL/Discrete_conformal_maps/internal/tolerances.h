@@ -85,6 +85,10 @@ constexpr std::size_t corrections = 3;
 // The same for a start, which needs few digits, and how far, as logarithms of lengths, its
 // factorization is used.
 constexpr double contraction_at_start = 0.5, step_at_start = 1;
+// The greatest numbers of exchanges of cones, of cones that one exchange tries to replace, and of
+// cones that are exchanged. A move must reduce the greatest scale factor by this factor.
+constexpr std::size_t exchanges_of_cones = 100, replaced_cones = 16, exchanged_cones = 200;
+constexpr double gain_of_move = 0.99;
 // Some roundings of one variable: steps, or distances from a bound, that are no more are none.
 constexpr double roundings_of_variable = 64, variable = roundings_of_variable * unit;
 // The greatest rounding error of squared lengths and quotients of them, in units: ties are not

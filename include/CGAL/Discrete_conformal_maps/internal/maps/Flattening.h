@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Cones.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_choice.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -57,14 +57,15 @@ public:
   // by the vertices of the input
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
-  // Cones are placed for a finite `bound` of scale factors, at the first call before the others.
+  // Cones are placed for a finite bound of scale factors, at the first call before the others.
   template <typename Minimizer>
-  void find_scale_factors(const Minimizer& minimizer, double bound)
+  void find_scale_factors(const Minimizer& minimizer, const Cone_choice& choice)
   {
+    const double bound = choice.maximum_log_scale;
     m_visitor.start(Flattening_stage::cones);
     const bool is_bounded = bound < std::numeric_limits<double>::infinity();
     if(is_bounded && !std::exchange(m_has_placed_cones, true))
-      m_scale.place_cones(bound);
+      m_scale.place_cones(choice);
     m_problem.check();
     m_visitor.start(Flattening_stage::optimize);
     do
@@ -371,22 +372,6 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
   return result;
 }
 
-// Returns the bound of scale factors beyond which cones are placed; infinity for no cones.
-// `is_free` says whether nothing is prescribed.
-template <typename NamedParameters>
-double bound_without_cones(bool is_free, const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
-  constexpr bool has_bound =
-    !is_default_parameter<NamedParameters, internal_np::maximum_log_scale_t>::value;
-  const Cones cones = choose_parameter(get_parameter(np, internal_np::cones), Cones::automatic);
-  if(cones == Cones::greedy || (cones == Cones::automatic && (is_free || has_bound)))
-    return double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), 5.));
-  return std::numeric_limits<double>::infinity();
-}
-
 // Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
 // `is_free` says whether nothing is prescribed.
 template <typename NamedParameters, typename Shape>
@@ -414,7 +399,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
       own_shape.solve(problem, flattening, [&] {
         flattening.find_scale_factors(
           choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
-          bound_without_cones(is_free, np));
+          cone_choice(is_free, np));
       });
     });
     if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,

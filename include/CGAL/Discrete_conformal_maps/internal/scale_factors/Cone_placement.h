@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -47,6 +48,26 @@ public:
   void add_first(std::size_t v) { m_first[m_components[v]] = index(v); }
 
   const Vector& estimate() const { return m_estimate; }
+
+  // Places these cones instead of those before, of which the first one in each component with a
+  // first cone is that; `defect` is as for `estimate()`.
+  void restart(const std::vector<std::size_t>& cones, const Vector& defect)
+  {
+    std::vector<char> needs_first;
+    for(Eigen::Index& first : m_first)
+      needs_first.push_back(std::exchange(first, -1) >= 0);
+    m_columns.clear();
+    for(std::size_t v : cones)
+      if(std::exchange(needs_first[m_components[v]], 0))
+        add_first(v);
+    estimate(defect);
+    for(std::size_t v : cones)
+      if(m_first[m_components[v]] != index(v))
+        add(v);
+  }
+
+  // Returns solutions that are zero at fixed vertices.
+  Vector solve_with_fixed(const Vector& right_side) { return m_solver.solve(right_side); }
 
   // Takes `u` for the estimate, which is zero at all cones.
   void set_estimate(const Vector& u) { m_estimate = u; }

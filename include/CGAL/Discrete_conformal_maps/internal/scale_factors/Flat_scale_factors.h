@@ -8,6 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_choice.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_exchange.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -42,16 +45,17 @@ public:
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
   // Places cones until a linear estimate of the scale factors lies within a bound.
-  void place_cones(double bound)
+  void place_cones(const Cone_choice& choice)
   {
     if(m_problem.has_needles())
-      place_cones<More_extended>(bound);
+      place_cones<More_extended>(choice);
     else
-      place_cones<double>(bound);
+      place_cones<double>(choice);
   }
   template <typename FT>
-  void place_cones(double bound)
+  void place_cones(const Cone_choice& choice)
   {
+    const double bound = choice.maximum_log_scale;
     auto energy = symmetric_energy<FT, Flat_triangle<FT>>(m_problem, m_problem.triangulation());
     energy.evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
     Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
@@ -64,6 +68,8 @@ public:
       placement.add(v);
       add_cone(v);
     }
+    if(choice.is_exchanged)
+      exchange_cones(placement, balanced(energy.gradient()), bound);
     if constexpr(std::is_same_v<FT, double>)
       start_from_estimate(energy, placement, bound);
   }
@@ -207,6 +213,51 @@ private:
       return m_problem.is_fixed()[v];
     }
     return true;
+  }
+
+  // Drops and moves the cones that have been placed.
+  void exchange_cones(Cone_placement& placement, const Vector& defect, double bound)
+  {
+    std::vector<std::vector<Eigen::Index>> cones(m_problem.components().size());
+    for(Vertex_index v : std::exchange(m_cones, {})) {
+      cones[m_problem.components()[v.idx()]].push_back(Eigen::Index(v.idx()));
+      m_problem.set_condition(v, Vertex_condition::curvature(0));
+    }
+    std::vector<std::size_t> result;
+    for(std::size_t c = 0; c < cones.size(); ++c)
+      if(!cones[c].empty()) {
+        if(cones[c].size() <= tolerance::exchanged_cones)
+          cones[c] =
+            Cone_exchange(exchangeable(c, placement, defect), cones[c]).cones_within(bound);
+        result.insert(result.end(), cones[c].begin(), cones[c].end());
+      }
+    for(std::size_t v : result)
+      add_cone(v);
+    placement.restart(result, defect);
+  }
+
+  // a component without cones
+  Cone_exchange::Component exchangeable(std::size_t c, Cone_placement& placement,
+                                        const Vector& defect) const
+  {
+    Cone_exchange::Component result;
+    Vector own = Vector::Zero(defect.size());
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_problem.components()[v] == c) {
+        own[Eigen::Index(v)] = defect[Eigen::Index(v)];
+        if(m_may_be_cone[v])
+          result.candidates.push_back(Eigen::Index(v));
+      }
+    result.without_cones = placement.solve_with_fixed(-own);
+    result.column = [&placement, size = defect.size()](Eigen::Index v) {
+      return placement.solve_with_fixed(Vector::Unit(size, v));
+    };
+    const std::size_t fixed = m_problem.number_of_fixed()[c],
+                      needed = Doubled_problem::needed_cones(m_problem.curvature_excess()[c]);
+    if(fixed == 0)
+      result.total_curvature = own.sum();
+    result.least_number_of_cones = needed - (std::min)(needed, fixed);
+    return result;
   }
 
   void add_cone(std::size_t v, Cone_placement& placement)
