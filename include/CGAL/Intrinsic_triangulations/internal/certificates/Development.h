@@ -307,6 +307,16 @@ private:
   Corners& m_corners;
 };
 
+// Returns a complex number whose argument is the sum of the angles between the outgoing halfedges.
+template <typename Fan, typename Layout>
+auto turn_over(const Fan& outgoing, const Layout& layout)
+{
+  auto product = layout.angle(outgoing[0]);
+  for(std::size_t i = 1; i + 1 < outgoing.size(); ++i)
+    product = product * layout.angle(outgoing[i]);
+  return product;
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DEVELOPMENT_H

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_measures.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
@@ -36,16 +37,6 @@ struct Decision_count
 {
   std::size_t floating_point = 0, multiprecision = 0, exact = 0;
 };
-
-// Returns a complex number whose argument is the sum of the angles between the outgoing halfedges.
-template <typename Fan, typename Development>
-auto turn_over(const Fan& outgoing, const Development& development)
-{
-  auto product = development.angle(outgoing[0]);
-  for(std::size_t i = 1; i + 1 < outgoing.size(); ++i)
-    product = product * development.angle(outgoing[i]);
-  return product;
-}
 
 // Decisions about T2, each derived again from the metric of T1. They use floating point with error
 // bounds, then more and more digits, and in the end exact numbers.
