@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The number of cones for bounds of the distortion of areas, placed greedily and exchanged: cones,
-// steps of the minimization, the greatest distortion of an area, the area-weighted root mean square
-// of logarithmic scale factors, and seconds of CPU time. Arguments are names of meshes.
+// Prints the number of greedy and exchanged cones for bounds of the distortion of areas. Columns are
+// steps of the minimization, the greatest distortion of an area, the root mean square of logarithmic
+// scale factors (weighted by area), and seconds of CPU time. Arguments are names of meshes.
 
 #include "stages.h"
 

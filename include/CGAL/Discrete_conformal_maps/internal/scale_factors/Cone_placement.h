@@ -49,8 +49,8 @@ public:
 
   const Vector& estimate() const { return m_estimate; }
 
-  // Places these cones instead of those before, of which the first one in each component with a
-  // first cone is that; `defect` is as for `estimate()`.
+  // Replaces all cones. The first one in each component with a first cone takes its role. `defect`
+  // is as for `estimate()`.
   void restart(const std::vector<std::size_t>& cones, const Vector& defect)
   {
     std::vector<char> needs_first;
