@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints the number of greedy and exchanged cones for bounds of the distortion of areas. Columns are
-// steps of the minimization, the greatest distortion of an area, the root mean square of logarithmic
-// scale factors (weighted by area), and seconds of CPU time. Arguments are names of meshes.
+// Prints the number of greedy and exchanged cones for bounds of the distortion of areas. Columns
+// are steps of the minimization, the greatest distortion of an area, the root mean square of
+// logarithmic scale factors (weighted by area), and seconds of CPU time. Arguments are names of
+// meshes.
 
 #include "stages.h"
 
