@@ -271,6 +271,19 @@ def _conditions(
     return has_log_scale, prescribed
 
 
+def _bound_of_scales(max_log_scale: Any, max_area_distortion: Any) -> float:
+    """Return the stricter bound of absolute logarithmic scale factors."""
+    if max_log_scale is None and max_area_distortion is None:
+        return 5.0
+    bounds = []
+    if max_log_scale is not None:
+        bounds.append(number(max_log_scale, "max_log_scale", np.nextafter(0, 1)))
+    if max_area_distortion is not None:
+        factor = number(max_area_distortion, "max_area_distortion", np.nextafter(1, 2))
+        bounds.append(float(np.log(factor)) / 2)
+    return min(bounds)
+
+
 def flatten(
     V: Any,
     F: ArrayLike | None = None,
@@ -279,6 +292,7 @@ def flatten(
     boundary: str = "free",
     boundary_values: Any = None,
     max_log_scale: float | None = None,
+    max_area_distortion: float | None = None,
     layout: str = "least-squares",
     keep_triangulation: bool = False,
     exact: bool = False,
@@ -294,9 +308,10 @@ def flatten(
     ----------
     V, F, lengths, mollify
         As of `laplacian()`.
-    cones : "greedy", "none", mapping or (n,) floats
+    cones : "greedy", "exchanged", "none", mapping or (n,) floats
         "greedy" places cones inside until scale factors are within `max_log_scale`; the default,
-        except for disks and rectangles. A mapping from vertices to angle defects, or an array with
+        except for disks and rectangles. "exchanged" drops and moves greedy cones, which often
+        leaves fewer, in more time. A mapping from vertices to angle defects, or an array with
         the defect of each vertex, in radians, prescribes them.
     boundary : str
         "free" does not scale the boundary; "straight" makes all exterior angles zero; "scale" and
@@ -306,6 +321,9 @@ def flatten(
         Of "scale" and "curvature": values at vertices on the boundary.
     max_log_scale : float
         The bound of absolute logarithmic scale factors for greedy cones; 5 if not given.
+    max_area_distortion : float
+        The same bound as the factor, above 1, by which areas may grow or shrink. If both are
+        given, the stricter bound counts.
     layout : "least-squares", "spectral" or "incremental"
         How the flat faces are laid out.
     keep_triangulation : bool
@@ -346,11 +364,12 @@ def flatten(
     if (boundary_values is not None) != (boundary in ("scale", "curvature")):
         raise InputError("boundary_values are for the boundaries 'scale' and 'curvature'")
     if cones is None:
-        cones = "greedy" if max_log_scale is not None or boundary not in _SHAPES else "none"
-    if isinstance(cones, str) and cones not in ("greedy", "none"):
-        raise InputError(f"cones is {cones!r}; it must be 'greedy', 'none' or have values")
-    bound = 5.0 if max_log_scale is None else number(
-        max_log_scale, "max_log_scale", np.nextafter(0, 1))
+        has_bound = max_log_scale is not None or max_area_distortion is not None
+        cones = "greedy" if has_bound or boundary not in _SHAPES else "none"
+    if isinstance(cones, str) and cones not in ("greedy", "exchanged", "none"):
+        raise InputError(
+            f"cones is {cones!r}; it must be 'greedy', 'exchanged', 'none' or have values")
+    bound = _bound_of_scales(max_log_scale, max_area_distortion)
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
     kind, values = _conditions(on, cones, boundary, boundary_values)

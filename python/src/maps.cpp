@@ -53,6 +53,13 @@ struct Flattening_options
   double maximum_log_scale = 5, mollification = 0;
 };
 
+DCM::Cones cones_named(const std::string& name)
+{
+  return name == "greedy"      ? DCM::Cones::greedy
+         : name == "exchanged" ? DCM::Cones::exchanged
+                               : DCM::Cones::none;
+}
+
 DCM::Layout layout_named(const std::string& name)
 {
   return name == "spectral"      ? DCM::Layout::spectral
@@ -100,7 +107,7 @@ std::unique_ptr<Bound_planar_map> flattened(const Shared_surface& surface,
       *surface, options.boundary,
       DCM::parameters::mollification(options.mollification)
         .vertex_condition_map(condition)
-        .cones(options.cones == "greedy" ? DCM::Cones::greedy : DCM::Cones::none)
+        .cones(cones_named(options.cones))
         .maximum_log_scale(options.maximum_log_scale)
         .layout(layout_named(options.layout))
         .flipping(options.keeps_triangulation ? DCM::Flipping::none : DCM::Flipping::to_Delaunay)

@@ -121,6 +121,12 @@ class Flat(unittest.TestCase):
             self.assertGreater(signed_areas(m.subdivision.uv).min(), 0)
         few = intrinsic.flatten(*support.meshes()["folded_sphere"], max_log_scale=1)
         self.assertLessEqual(abs(few.log_scale).max(), 1)
+        for cones in ("greedy", "exchanged"):
+            even = intrinsic.flatten(*support.meshes()["folded_sphere"], cones=cones,
+                                     max_log_scale=5, max_area_distortion=np.exp(2))
+            self.assertLessEqual(abs(even.log_scale).max(), 1)
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.flatten(V, F, max_area_distortion=1)
 
     def test_lengths_alone(self):
         V, F = support.meshes()["bumpy_grid"]
