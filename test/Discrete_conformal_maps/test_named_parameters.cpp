@@ -121,8 +121,9 @@ TEST(Named_parameters, cones_are_exchanged_within_the_bound)
       const Planar_conformal_map map = with(DCM::Cones::exchanged);
       EXPECT_EQ(map.status(), DCM::Map_status::success);
       for(Vertex_index v : mesh.vertices())
-        if(!mesh.is_border(v))
+        if(!mesh.is_border(v)) {
           EXPECT_LE(std::abs(map.log_scale(v)), bound + 1e-9);
+        }
       for(Vertex_index v : map.cones())
         EXPECT_EQ(map.log_scale(v), 0);
       exchanged += map.cones().size();
