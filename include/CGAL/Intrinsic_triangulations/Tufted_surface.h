@@ -153,6 +153,14 @@ Eigen::SparseMatrix<FT> divergence_matrix(const Tufted_surface<FT>& surface)
   return internal::share_of(divergence_matrix(internal::view_of(surface)), surface);
 }
 
+#ifndef DOXYGEN_RUNNING
+template <typename FT>
+FT share_of_operators(const Tufted_surface<FT>& surface)
+{
+  return surface.share();
+}
+#endif
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_SURFACE_H

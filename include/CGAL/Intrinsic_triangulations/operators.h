@@ -249,6 +249,15 @@ auto divergence_matrix(const Surface& surface)
                                             collect);
 }
 
+#ifndef DOXYGEN_RUNNING
+// Returns the factor of the operators of a surface.
+template <typename Surface>
+Length_of<Surface> share_of_operators(const Surface& /* surface */)
+{
+  return Length_of<Surface>(1);
+}
+#endif
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_H

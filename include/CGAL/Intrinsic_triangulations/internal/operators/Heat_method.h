@@ -67,7 +67,8 @@ public:
       length = CGAL::sqrt(length);
     for(Face_index f : surface.mesh().faces())
       if(const Face_metric<FT> metric(f, surface); has_gradients(metric, f))
-        m_faces.emplace_back(metric, surface.mesh().halfedge(f), surface.mesh());
+        m_faces.emplace_back(metric, surface.mesh().halfedge(f), surface.mesh(),
+                             share_of_operators(surface));
   }
 
   // of vertices
@@ -151,17 +152,18 @@ private:
   }
 
   // A face with an area. `side[k]` is the gradient of the hat function of `corner[k]`, times the
-  // doubled area.
+  // doubled area and the factor of the operators.
   struct Face
   {
     std::array<Eigen::Index, 3> corner;
     std::array<std::array<FT, 2>, 3> side;
 
-    Face(const Face_metric<FT>& metric, Halfedge_index h, const Delta_complex& mesh)
+    Face(const Face_metric<FT>& metric, Halfedge_index h, const Delta_complex& mesh,
+         const FT& share)
       : corner{index(mesh.target(mesh.next(h))), index(mesh.source(h)), index(mesh.target(h))}
     {
       for(std::size_t k = 0; k < 3; ++k)
-        side[k] = {metric.turned_side(k)[0], metric.turned_side(k)[1]};
+        side[k] = {share * metric.turned_side(k)[0], share * metric.turned_side(k)[1]};
     }
 
     // The direction of the gradient of the heat; zero if the gradient is. Numbers are scaled, since
