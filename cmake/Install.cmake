@@ -9,19 +9,17 @@ set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/${PROJECT_NAME}")
 
 configure_package_config_file(cmake/Config.cmake.in "${PROJECT_NAME}Config.cmake"
   INSTALL_DESTINATION "${package_dir}" NO_SET_AND_CHECK_MACRO)
-if(NOT TARGET Intrinsic_triangulations_compiled)
-  set(architecture ARCH_INDEPENDENT)
-endif()
+# The headers suit all architectures; the file above asks for the one of the compiled library.
 write_basic_package_version_file("${PROJECT_NAME}ConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion ${architecture})
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 
-install(DIRECTORY include/ DESTINATION include)
-install(TARGETS Intrinsic_triangulations EXPORT targets)
-install(EXPORT targets NAMESPACE ${PROJECT_NAME}::
+install(DIRECTORY include/ DESTINATION include COMPONENT headers)
+install(TARGETS Intrinsic_triangulations EXPORT targets COMPONENT headers)
+install(EXPORT targets NAMESPACE ${PROJECT_NAME}:: COMPONENT headers
   FILE "${PROJECT_NAME}Targets.cmake" DESTINATION "${package_dir}")
 if(TARGET Intrinsic_triangulations_compiled)
-  install(TARGETS Intrinsic_triangulations_compiled EXPORT compiled_targets)
-  install(EXPORT compiled_targets NAMESPACE ${PROJECT_NAME}::
+  install(TARGETS Intrinsic_triangulations_compiled EXPORT compiled_targets COMPONENT compiled)
+  install(EXPORT compiled_targets NAMESPACE ${PROJECT_NAME}:: COMPONENT compiled
     FILE "${PROJECT_NAME}CompiledTargets.cmake" DESTINATION "${package_dir}")
 endif()
 install(FILES
@@ -30,4 +28,4 @@ install(FILES
   cmake/CHOLMOD.cmake
   cmake/Ceres.cmake
   cmake/TBB.cmake
-  DESTINATION "${package_dir}")
+  DESTINATION "${package_dir}" COMPONENT headers)

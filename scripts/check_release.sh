@@ -3,12 +3,15 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# check_release.sh RELEASE [COMMAND]: runs COMMAND, ./test.sh by default, on what is committed, as a user
-# of a bare Debian system of that release would. Needs root and debootstrap. The system is made anew
-# unless build/systems/RELEASE is there.
+# check_release.sh RELEASE [COMMAND [FILE...]]: runs COMMAND, ./test.sh by default, on what is committed,
+# as a user of a bare Debian system of that release would. FILEs are copied beside the sources. Needs root
+# and debootstrap. The system is made anew unless build/systems/RELEASE is there.
+#
+# The packages of `cmake --build build --target package` are tried in a bare system by
+#   scripts/check_release.sh bookworm test/packages/install.sh build/packages/*.deb
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-release=${1:?usage: check_release.sh RELEASE [COMMAND]}
+release=${1:?usage: check_release.sh RELEASE [COMMAND [FILE...]]}
 command=${2:-./test.sh}
 system=$PWD/build/systems/$release
 
@@ -20,6 +23,7 @@ fi
 cp /etc/resolv.conf "$system/etc"
 mkdir -p "$system/root/source"
 git archive HEAD | tar -x -C "$system/root/source"
+[[ $# -le 2 ]] || cp "${@:3}" "$system/root/source"
 
 trap 'umount -R "$system/dev" "$system/sys" "$system/proc"' EXIT
 mount -t proc proc "$system/proc"
