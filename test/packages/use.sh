@@ -5,7 +5,6 @@
 # Functions that use installed packages, for the other scripts of this directory.
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-! command -v ninja >/dev/null || export CMAKE_GENERATOR=Ninja
 
 fail()
 {
@@ -23,6 +22,7 @@ use_headers()
 {
   local prefix=$1 build=$2 target=consumer_of_compiled
   [[ -f $prefix/lib/libCGAL_intrinsic_triangulations.a ]] || target=consumer
+  ! command -v ninja >/dev/null || export CMAKE_GENERATOR=Ninja
   mkdir -p "$build"
   { cmake -S "$source_dir/test/consumer" -B "$build" -DCMAKE_PREFIX_PATH="$prefix" &&
     cmake --build "$build" --target $target; } >"$build/log" 2>&1 ||
