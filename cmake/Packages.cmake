@@ -31,8 +31,9 @@ set(debian_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file(packaging/debian/copyright.in "${debian_dir}/copyright" @ONLY)
 configure_file(packaging/debian/changelog.in "${debian_dir}/changelog.Debian" @ONLY)
+configure_file(packaging/debian/intrinsic.1.in "${debian_dir}/intrinsic.1" @ONLY)
 configure_file(CHANGES.md "${debian_dir}/changelog" COPYONLY)
-foreach(name IN ITEMS changelog changelog.Debian)
+foreach(name IN ITEMS changelog changelog.Debian intrinsic.1)
   execute_process(COMMAND gzip -9nc "${debian_dir}/${name}" OUTPUT_FILE "${debian_dir}/${name}.gz")
 endforeach()
 
@@ -71,11 +72,13 @@ headers. It shortens the compilation of applications. Results do not change."
 endif()
 if(TARGET intrinsic)
   add_debian_package(program intrinsic
-    "intrinsic triangulations of surface meshes (program)
+    "program for intrinsic triangulations of surface meshes
 A command-line program for surface meshes: intrinsic Delaunay triangulations,
 geodesic distances and paths, matrices for solvers, conformal maps, and
 simplification."
     SECTION math SHLIBDEPS ON RECOMMENDS libopenblas0-serial)
+  install(FILES "${debian_dir}/intrinsic.1.gz"
+    DESTINATION share/man/man1 COMPONENT program EXCLUDE_FROM_ALL)
 endif()
 if(Debian_Python)
   add_debian_package(python3 python3-intrinsic
