@@ -16,7 +16,7 @@ packages=(
   libsuitesparse-dev libopenblas0-serial libtbb-dev libcli11-dev nlohmann-json3-dev libcairo2-dev)
 # Chromium is for the tests of pages.
 test_packages=(
-  clang clang-format ccache doxygen libjs-mathjax libceres-dev libgtest-dev libopenmesh-dev
+  clang clang-format ccache dpkg-dev file doxygen libjs-mathjax libceres-dev libgtest-dev libopenmesh-dev
   pybind11-dev python3-dev python3-meshio python3-scipy mypy chromium fonts-dejavu-core)
 data_archive=/usr/share/doc/libcgal-dev/data.tar.gz
 data_dir=build/cgal_data
