@@ -9,7 +9,7 @@ set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/${PROJECT_NAME}")
 
 configure_package_config_file(cmake/Config.cmake.in "${PROJECT_NAME}Config.cmake"
   INSTALL_DESTINATION "${package_dir}" NO_SET_AND_CHECK_MACRO)
-# The headers suit all architectures; the file above asks for the one of the compiled library.
+# The headers suit all architectures. Config.cmake.in checks the architecture of the compiled library.
 write_basic_package_version_file("${PROJECT_NAME}ConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 
