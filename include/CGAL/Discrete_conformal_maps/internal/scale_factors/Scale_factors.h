@@ -320,9 +320,8 @@ private:
     auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
     run(energy, minimizer, visitor);
     minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
-    auto& u = std::get<std::vector<Extended>>(m_precise);
-    shift_to_zero(m_problem, u);
-    note_rounded(u);
+    if(const auto u = std::get_if<std::vector<Extended>>(&m_precise)) // null if needles failed
+      note_rounded(shift_to_zero(m_problem, *u));
   }
 
   template <typename FT>

@@ -17,9 +17,10 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Makes the greatest logarithmic scale factor of each component zero where none is prescribed, so
-// that no scaled length is too great for `double`.
+// that no scaled length is too great for `double`. Returns all scale factors.
 template <typename FT>
-void shift_to_zero(const Prescribed_curvatures& problem, std::vector<FT>& log_scale)
+const std::vector<FT>& shift_to_zero(const Prescribed_curvatures& problem,
+                                     std::vector<FT>& log_scale)
 {
   const auto& component = problem.components();
   const std::vector<std::size_t> fixed = problem.number_of_fixed();
@@ -29,6 +30,7 @@ void shift_to_zero(const Prescribed_curvatures& problem, std::vector<FT>& log_sc
   for(std::size_t v = 0; v < problem.size(); ++v)
     if(const std::size_t c = component[v]; fixed[c] == 0)
       log_scale[v] -= greatest[c];
+  return log_scale;
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal
