@@ -64,13 +64,13 @@ public:
       m_groups = Variable_groups(energy.Hessian(), is_fixed).groups();
   }
 
-  // Takes steps until no entry of the gradient is above `tolerance`, or above its rounding error.
+  // Takes steps until no entry of the gradient is above `tolerance`, or twice its rounding error.
   template <typename Visitor>
   Minimization_result run(double tolerance, std::size_t maximum_number_of_steps, Visitor& visitor)
   {
     start_path();
     Minimization_status status = Minimization_status::converged;
-    while(m_norm > (std::max)(tolerance, m_energy.gradient_error()) &&
+    while(m_norm > (std::max)(tolerance, 2 * m_energy.gradient_error()) &&
           status == Minimization_status::converged)
       if(m_result.iterations == maximum_number_of_steps ||
          m_moves > tolerance::moves_with_more_digits)
@@ -184,13 +184,12 @@ private:
     return m_gradient.allFinite() && m_length > 0;
   }
 
-  // Corrects the distance from a point of the path. Returns whether it is small now, or within its
-  // rounding error; not if it is NaN.
+  // Corrects the distance from a point of the path. Returns whether it is small now; not if it is
+  // NaN.
   bool has_reached(double position)
   {
     const double limit =
-      (std::max)(greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start),
-                 m_energy.gradient_error());
+      greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start);
     double before = 8 * limit; // a step that is good needs no more than a correction
     for(int i = 0; i <= number_of_corrections; ++i) {
       double now = max_norm(excess(position));
