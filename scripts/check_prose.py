@@ -4,11 +4,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Checks sentences of the manuals, of README.md and the like, of comments of headers, and of messages.
-A sentence has at most 25 words, no pronoun in place of a noun ("that of"), and words of the field only. Prints file:line of each violation, and exits with 1 if there is any.
-
-Without arguments all files are checked, except those that scripts/prose_pending.txt lists: their
-sentences are still to be rewritten. With --pending these are checked instead; with --count, a line for
-each of them has its number of violations. Files that are named as arguments are always checked."""
+A sentence has at most 25 words, no pronoun in place of a noun ("that of"), and words of the field only.
+Prints file:line of each violation, and exits with 1 if there is any. Without arguments all files are
+checked."""
 
 import argparse
 import re
@@ -16,7 +14,6 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PENDING = ROOT / "scripts" / "prose_pending.txt"
 MOST_WORDS = 25
 
 TEXTS = ["doc/**/*.txt", "README.md", "CHANGES.md", "CONTRIBUTING.md"]
@@ -293,42 +290,21 @@ def files(patterns):
                 yield path
 
 
-def pending():
-    if not PENDING.exists():
-        return []
-    lines = (line.split("#")[0].strip() for line in PENDING.read_text().split("\n"))
-    return [ROOT / line for line in lines if line]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="*", type=Path)
-    parser.add_argument("--pending", action="store_true", help="check the files that are still to be rewritten")
-    parser.add_argument("--count", action="store_true", help="print numbers of violations only")
     arguments = parser.parse_args()
 
-    left_out = pending()
-    missing = [path for path in left_out if not path.exists()]
-    for path in missing:
-        print(f"{PENDING.relative_to(ROOT)}: {path.relative_to(ROOT)} does not exist")
-    chosen = [path.resolve() for path in arguments.files]
-    if not chosen:
-        chosen = [path for path in files(TEXTS + HEADERS + SOURCES) if (path in left_out) == arguments.pending]
+    chosen = [path.resolve() for path in arguments.files] or list(files(TEXTS + HEADERS + SOURCES))
     total = 0
     for path in chosen:
         found = sorted(violations(path))
         total += len(found)
-        name = path.relative_to(ROOT)
-        if arguments.count:
-            print(f"{len(found):5} {name}")
-        else:
-            for line, message in found:
-                print(f"{name}:{line}: {message}")
-        if arguments.pending and not found:
-            print(f"{name} has no violations: remove it from {PENDING.relative_to(ROOT)}")
+        for line, message in found:
+            print(f"{path.relative_to(ROOT)}:{line}: {message}")
     if total:
         print(f"check_prose: {total} violations in {len(chosen)} files", file=sys.stderr)
-    return 1 if total or missing else 0
+    return 1 if total else 0
 
 
 if __name__ == "__main__":

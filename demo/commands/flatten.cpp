@@ -28,8 +28,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -147,10 +145,6 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
   if(options.maximum_area_distortion && !places)
     throw Program_error(
       "--max-area-distortion is for --cones greedy or exchanged; leave out one of them");
-  if(options.maximum_area_distortion)
-    options.maximum_log_scale =
-      (std::min)(options.maximum_log_scale.value_or(std::numeric_limits<double>::infinity()),
-                 std::log(*options.maximum_area_distortion) / 2);
   return options;
 }
 
@@ -223,11 +217,14 @@ private:
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
       m_options.solver == "cetm" ? DCM::Flipping::none : DCM::Flipping::to_Delaunay;
+    const double no_bound = std::numeric_limits<double>::infinity();
     return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
                     .mollification(m_mollification)
                     .vertex_condition_map(conditions)
                     .cones(cones_named(m_options.cones))
-                    .maximum_log_scale(m_options.maximum_log_scale.value_or(5))
+                    .maximum_log_scale(m_options.maximum_log_scale.value_or(
+                      m_options.maximum_area_distortion ? no_bound : 5))
+                    .maximum_area_distortion(m_options.maximum_area_distortion.value_or(no_bound))
                     .layout(layout_named(m_options.layout))
                     .flipping(flipping)
                     .exact_decisions(m_run.options().is_exact)

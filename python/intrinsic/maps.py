@@ -271,19 +271,6 @@ def _conditions(
     return has_log_scale, prescribed
 
 
-def _bound_of_scales(max_log_scale: Any, max_area_distortion: Any) -> float:
-    """Return the stricter bound of absolute logarithmic scale factors."""
-    if max_log_scale is None and max_area_distortion is None:
-        return 5.0
-    bounds = []
-    if max_log_scale is not None:
-        bounds.append(number(max_log_scale, "max_log_scale", np.nextafter(0, 1)))
-    if max_area_distortion is not None:
-        factor = number(max_area_distortion, "max_area_distortion", np.nextafter(1, 2))
-        bounds.append(float(np.log(factor)) / 2)
-    return min(bounds)
-
-
 def flatten(
     V: Any,
     F: ArrayLike | None = None,
@@ -369,15 +356,21 @@ def flatten(
     if isinstance(cones, str) and cones not in ("greedy", "exchanged", "none"):
         raise InputError(
             f"cones is {cones!r}; it must be 'greedy', 'exchanged', 'none' or have values")
-    bound = _bound_of_scales(max_log_scale, max_area_distortion)
+    log_scale = area_distortion = np.inf
+    if max_log_scale is not None:
+        log_scale = number(max_log_scale, "max_log_scale", np.nextafter(0, 1))
+    if max_area_distortion is not None:
+        area_distortion = number(max_area_distortion, "max_area_distortion", np.nextafter(1, 2))
+    elif max_log_scale is None:
+        log_scale = 5.0
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
     kind, values = _conditions(on, cones, boundary, boundary_values)
 
     def compute(slack: float) -> FlatMap:
-        core = _core.flatten(on, cones if isinstance(cones, str) else "none", bound, boundary,
-                             layout, bool(keep_triangulation), bool(exact), slack, kind, values,
-                             progress)
+        core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,
+                             area_distortion, boundary, layout, bool(keep_triangulation),
+                             bool(exact), slack, kind, values, progress)
         return _checked(FlatMap(on, core))
 
     result = attempt(mollify, compute)

@@ -50,7 +50,7 @@ struct Flattening_options
 {
   std::string cones = "none", boundary = "free", layout = "least-squares";
   bool keeps_triangulation = false, is_exact = false;
-  double maximum_log_scale = 5, mollification = 0;
+  double maximum_log_scale, maximum_area_distortion, mollification;
 };
 
 DCM::Cones cones_named(const std::string& name)
@@ -109,6 +109,7 @@ std::unique_ptr<Bound_planar_map> flattened(const Shared_surface& surface,
         .vertex_condition_map(condition)
         .cones(cones_named(options.cones))
         .maximum_log_scale(options.maximum_log_scale)
+        .maximum_area_distortion(options.maximum_area_distortion)
         .layout(layout_named(options.layout))
         .flipping(options.keeps_triangulation ? DCM::Flipping::none : DCM::Flipping::to_Delaunay)
         .exact_decisions(options.is_exact)
@@ -370,12 +371,13 @@ void bind_maps(py::module_& module)
     .def("subdivision", &flat_subdivision<DCM::Hyperbolic_conformal_map>);
   module.def("flatten",
              [](const Shared_surface& surface, const std::string& cones, double maximum_log_scale,
-                const std::string& boundary, const std::string& layout, bool keeps_triangulation,
-                bool is_exact, double mollification, const Index_array& has_log_scale,
-                const Number_array& values, const py::object& progress) {
+                double maximum_area_distortion, const std::string& boundary,
+                const std::string& layout, bool keeps_triangulation, bool is_exact,
+                double mollification, const Index_array& has_log_scale, const Number_array& values,
+                const py::object& progress) {
                return flattened(surface,
                                 {cones, boundary, layout, keeps_triangulation, is_exact,
-                                 maximum_log_scale, mollification},
+                                 maximum_log_scale, maximum_area_distortion, mollification},
                                 has_log_scale, values, progress);
              });
   module.def("to_sphere", &mapped_to_sphere);

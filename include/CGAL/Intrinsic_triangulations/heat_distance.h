@@ -34,13 +34,13 @@ namespace CGAL::Intrinsic_triangulations {
 /// one set of sources after the other; the two matrices are factorized once.
 ///
 /// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is
-/// zero at every vertex that is a source: it is the function with this property whose gradient
-/// comes closest to the direction away from the sources. Without the condition, the function with
-/// that gradient takes different values at different sources, by many edge lengths if these fill a
-/// region, so that subtracting a constant does not suffice; for one source it does.
+/// zero at every vertex that is a source. Of the functions with this property, its gradient comes
+/// closest to the direction away from the sources. Without this condition, a function with such a
+/// gradient takes different values at different sources. They differ by many edge lengths if the
+/// sources fill a region. For one source, subtracting a constant suffices.
 ///
-/// Distances are approximate: on a Delaunay triangulation with evenly spread vertices their errors
-/// are one to three percent on average; on others errors can be large. Since the time step
+/// Distances are approximate. On a Delaunay triangulation with evenly spread vertices their errors
+/// are one to three percent on average. On others errors can be large. Since the time step
 /// decreases with the edge lengths, refinement reduces the error only up to a limit, unless the
 /// `time_step_factor` is increased too.
 ///
@@ -82,12 +82,12 @@ public:
   {}
 
   /// computes the distance of every vertex to the nearest source. It is exactly zero at the sources
-  /// and infinite on a component without a source; elsewhere it can be below zero by an error of
+  /// and infinite on a component without a source. Elsewhere it can be below zero by an error of
   /// the method. Complexity: linear in the size of the factorizations; if a component has more than
   /// one source, another sparse Cholesky factorization.
   /// \param sources a range of vertices
-  /// \throws Underflow_error if the heat is below the range of `FT` somewhere: with `double` that
-  ///         takes some 1400 mean edge lengths (and less with a factor below one)
+  /// \throws Underflow_error if the heat is below the range of `FT` somewhere. With `double` this
+  ///         takes about 1400 mean edge lengths, and less with a factor below one
   template <typename VertexRange>
   Vector distances(const VertexRange& sources) const
   {
@@ -99,10 +99,10 @@ public:
   Vector distances(Vertex_index source) const { return distances(std::array{source}); }
 
   /// computes the distance of every vertex to the nearest of some vertices, points and curves on
-  /// the surface. At the ends of an edge and the corners of a face in which there are sources, it
-  /// is the distance within the edge or face. A curve counts as many sources. Complexity: linear
-  /// in the size of the factorizations; if a component has more than one source, another sparse
-  /// Cholesky factorization.
+  /// the surface. At the ends of an edge with sources, it is the distance within the edge. At the
+  /// corners of a face with sources, it is the distance within the face. A curve counts as many
+  /// sources. Complexity: linear in the size of the factorizations; if a component has more than
+  /// one source, another sparse Cholesky factorization.
   template <typename Surface>
   Vector distances(const Distance_sources<Surface>& sources) const
   {

@@ -42,15 +42,15 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// The distance is negative on the left of the curve and positive on its right: negative inside a
 /// loop that runs counterclockwise around a region. The normals of the curve flow over the surface
-/// like heat; the distance is the function whose gradient comes closest to their directions, less
+/// like heat. The distance is the function whose gradient comes closest to their directions, minus
 /// its mean over the curve. A curve with gaps, or a part of a boundary curve, is completed in this
-/// way. Beyond the end of a curve, or if a closed curve does not separate the surface, no signed
-/// distance exists, and the result is only smooth there.
+/// way. Beyond the end of a curve no signed distance exists, nor if a closed curve does not
+/// separate the surface. Then the result is only smooth.
 ///
 /// Distances are approximate. Heat that flows for a longer time rounds off the level sets of curves
-/// whose curvature varies, by an error of the first order in the edge lengths; for a shorter time
-/// the result depends on the directions of edges, by a small error that does not vanish with the
-/// edge lengths: hence the default is greater than that of `Heat_distance`. Distances are zero on
+/// whose curvature varies. This error is of the first order in the edge lengths. With a shorter
+/// time, the result depends on the directions of edges. This error is small, but does not vanish
+/// with the edge lengths. So the default is greater than for `Heat_distance`. Distances are zero on
 /// the curve only up to these errors. Errors are smaller on Delaunay triangulations.
 ///
 /// The object refers to the surface, which must not change as long as it is used.
@@ -143,7 +143,7 @@ private:
     return field;
   }
 
-  // What is less has lost digits.
+  // A lesser norm has lost digits.
   static FT least_norm()
   {
     return (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();

@@ -49,7 +49,7 @@ public:
   typedef FT_ FT;
   /// the type of vector fields: a tangent vector for each vertex, by its index.
   typedef Eigen::Matrix<std::complex<FT>, Eigen::Dynamic, 1> Vector_field;
-  /// a vertex and a tangent vector there.
+  /// a vertex and a tangent vector at it.
   typedef std::pair<Vertex_index, std::complex<FT>> Source;
 
   /// prepares for transport on a surface. Complexity: two sparse Cholesky factorizations.
@@ -82,10 +82,10 @@ public:
   /// returns the frames of the tangent spaces.
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
-  /// transports vectors to all vertices. The direction at a vertex is that of the nearby sources,
-  /// the length an average of theirs: with one source, its length. A vector is zero on a component
-  /// without a source, and where vectors from several sides cancel exactly. Complexity: linear in
-  /// the size of the factorizations.
+  /// transports vectors to all vertices. At a vertex, the direction agrees with the directions of
+  /// nearby sources. The length is an average of their lengths; with one source, its length. A
+  /// vector is zero on a component without a source, and where vectors from several sides cancel
+  /// exactly. Complexity: linear in the size of the factorizations.
   /// \param sources a range of `Source`, not two at one vertex
   /// \pre their vectors are finite
   /// \throws Underflow_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)
@@ -113,8 +113,8 @@ public:
 private:
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  // Directions come from the heat of the vectors, lengths from the heat of their lengths over that
-  // of the sources.
+  // Directions come from the heat of the vectors, lengths from the heat of their lengths over the
+  // heat of the sources.
   Vector_field spread(const Vector_field& vectors, const Vector& is_source) const
   {
     const Vector heat = m_flow.spread_everywhere(is_source);

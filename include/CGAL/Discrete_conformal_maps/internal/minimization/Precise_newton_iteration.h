@@ -170,15 +170,10 @@ private:
   bool take_damped_step()
   {
     const Vector wrong = excess(0);
-    const auto& hessian = m_energy.Hessian();
-    ++m_result.factorizations;
-    if(!m_elimination.factorize(
-         hessian, grounding(hessian, m_variables) + damping(hessian, wrong, longest_damped_step, 0),
-         movable(m_solver.order(hessian), 0)))
+    if(!factorize(0, damping(m_energy.Hessian(), wrong, longest_damped_step, 0)))
       return false;
-    const std::vector<FT> base = m_energy.scale_factors(), direction = m_elimination.solve(-wrong);
-    move(base, direction);
-    shorten_step(base, direction, wrong, 0);
+    const std::vector<FT> base = m_energy.scale_factors();
+    search_line(base, m_elimination.solve(-wrong), wrong, 0);
     m_length = max_norm(change_from(base));
     start_path();
     return m_gradient.allFinite() && m_length > 0;
@@ -218,18 +213,17 @@ private:
                           direction = m_elimination.solve(position * m_start - m_gradient);
     if(is_too_long(direction))
       return false;
-    const Vector before = m_gradient - position * m_start;
-    move(base, direction);
-    shorten_step(base, direction, before, position);
+    search_line(base, direction, m_gradient - position * m_start, position);
     return true;
   }
 
-  // Shortens a step that goes so far beyond the minimum on its line that the slope is half of the
-  // slope before, again. If slopes are like a root, as for angles of needles that open, the next
-  // steps would oscillate.
-  void shorten_step(const std::vector<FT>& base, std::vector<FT> direction, const Vector& before,
-                    double position)
+  // Takes a step, from the gradient `before`. Shortens it again while it goes so far beyond the
+  // minimum on its line that the slope is half of the slope before. If slopes are like a root, as
+  // for angles of needles that open, the next steps would oscillate.
+  void search_line(const std::vector<FT>& base, std::vector<FT> direction, const Vector& before,
+                   double position)
   {
+    move(base, direction);
     for(int trial = 0; trial < number_of_trials; ++trial) {
       const Vector change = change_from(base);
       const double slope = before.dot(change), now = (m_gradient - position * m_start).dot(change);
@@ -335,10 +329,15 @@ private:
   // Prepares for steps to this position of the path.
   bool factorize(double position)
   {
+    return factorize(position, Vector::Zero(Eigen::Index(m_energy.size())));
+  }
+  // with this added to the diagonal
+  bool factorize(double position, const Vector& lift)
+  {
     const auto& hessian = m_energy.Hessian();
     ++m_result.factorizations;
     return m_gradient.allFinite() && hessian.coeffs().allFinite() &&
-           m_elimination.factorize(hessian, grounding(hessian, m_variables),
+           m_elimination.factorize(hessian, grounding(hessian, m_variables) + lift,
                                    movable(m_solver.order(hessian), position));
   }
 

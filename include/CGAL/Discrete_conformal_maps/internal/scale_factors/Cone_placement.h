@@ -21,14 +21,14 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Greedy cones. The scale factors that make the surface flat are estimated by one linear system; a
-// cone is placed where they are greatest, and the estimate is zero there from then on. For a new
-// cone the system is not factorized again: it takes one column of the inverse, from which what
-// former cones take away is subtracted. `Laplacian` is the Hessian of the energy at some scale
+// Greedy cones. One linear system estimates the scale factors that make the surface flat. A cone is
+// placed at the vertex with the greatest estimate, which is zero at this vertex from then on. A new
+// cone needs no new factorization. It takes one column of the inverse, from which the shares of
+// former cones are subtracted. `Laplacian` is the Hessian of the energy at some scale
 // factors, and the estimate is good near them.
 //
 // The Laplacian does not see constants on a component without fixed vertices. One vertex is held
-// there, and all that sums to zero has a solution. The first cone takes the rest.
+// on it, and every right-hand side that sums to zero has a solution. The first cone takes the rest.
 class Cone_placement
 {
   typedef Eigen::VectorXd Vector;
@@ -82,7 +82,7 @@ public:
         m_estimate[index(w)] -= at_first;
   }
 
-  // the vertex of component `c` with the greatest estimate, of those that are candidates
+  // the vertex of component `c` with the greatest estimate, among the candidates
   std::size_t worst(std::size_t c, const std::vector<char>& is_candidate) const
   {
     std::size_t result = 0;

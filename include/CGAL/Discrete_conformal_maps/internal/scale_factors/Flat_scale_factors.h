@@ -36,7 +36,7 @@ public:
       m_problem(problem),
       m_may_be_cone(problem.size(), 1)
   {
-    // what is prescribed on the boundary, or other than zero, stays
+    // prescriptions on the boundary, or other than zero, stay
     const Vector target = problem.target_defect();
     for(std::size_t v = 0; v < problem.size(); ++v)
       m_may_be_cone[v] = !problem.is_on_boundary(vertex(v)) && target[Eigen::Index(v)] == 0;
@@ -75,23 +75,24 @@ public:
   }
 
   // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Returns
-  // whether it has. A cone at a vertex with near ones would move so far from these, in proportion,
-  // that nothing would be left of their angles: with needles, all scale factors start from zero.
+  // whether it has. With needles, all scale factors start from zero. Otherwise, a cone beside near
+  // vertices would move so far from them, in proportion, that their angles would be lost.
   bool add_cone_if_beyond(double bound)
   {
     const std::size_t v = vertex_beyond(bound, values());
     if(v == none)
       return false;
-    if(m_problem.flipping() == Flipping::none || is_extended() || is_wide() ||
-       m_problem.has_needles() || !start_with_cone(v, bound))
+    if(m_problem.has_needles()) {
       add_cone(v);
-    if(m_problem.has_needles())
       start_from(std::vector<double>(m_problem.size(), 0));
+    } else if(m_problem.flipping() == Flipping::none || is_extended() || is_wide() ||
+              !start_with_cone(v, bound))
+      add_cone(v);
     return true;
   }
 
-  // `minimizer`, but it ends where the scale factors of the minimum, which is not as far away as
-  // half of Newton's last step, are certainly out of bounds: there a cone can be added.
+  // `minimizer`, but it ends when the scale factors of the minimum are certainly out of bounds, so
+  // that a cone can be added. The minimum is not as far away as half of Newton's last step.
   auto ending_beyond(double bound, const Newton_minimizer& minimizer) const
   {
     return minimizer
@@ -115,8 +116,8 @@ private:
   }
 
   // The vertex whose scale factor is farthest from zero, if that is out of bounds and it can be a
-  // cone. Where none are prescribed, zero may come to be anywhere between the least and the
-  // greatest: then it is the distance from the farther of both.
+  // cone. If none are prescribed, zero may end up anywhere between the least and the
+  // greatest. Then the distance from the farther of both counts.
   std::size_t vertex_beyond(double bound, const Vector& scale) const
   {
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
@@ -169,7 +170,9 @@ private:
   Vector free_gradient(const Energy& energy) const
   {
     Vector result = energy.gradient();
-    Free_variables(domain(), m_problem.size()).set_fixed_to_zero(result);
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_problem.is_fixed()[v])
+        result[Eigen::Index(v)] = 0;
     return result;
   }
   Vector gradient_at(const Vector& u, Energy& energy) const
@@ -178,8 +181,8 @@ private:
     return free_gradient(energy);
   }
 
-  // The estimate is the first step of Newton's method from scale factors of zero, where the energy
-  // is: if its slope lets the minimizer take it, it need not be computed again.
+  // The estimate is the first step of Newton's method from scale factors of zero, at which the
+  // energy is. If its slope lets the minimizer take it, it need not be computed again.
   void start_from_estimate(Energy& energy, Cone_placement& placement, double bound)
   {
     if(m_problem.flipping() == Flipping::none || !values().isZero(0) || has_prescribed_scale())
@@ -192,8 +195,8 @@ private:
   }
 
   // Makes a cone of `v`, and starts from scale factors with the same curvatures elsewhere, to first
-  // order, if their gradient is less than without a change elsewhere. Returns false if rounding
-  // prevents that.
+  // order. Leaves the others unchanged if their gradient is less then. Returns false if rounding
+  // prevents the cone.
   bool start_with_cone(std::size_t v, double bound)
   {
     auto energy =
@@ -271,7 +274,7 @@ private:
 
   // Starts from scale factors near `u`, where the energy is, with a smaller gradient. While lengths
   // change little, so does the Laplacian, on a smooth surface not at all: the factorization of the
-  // placement finds them. Cones that are certainly needed are placed on the way.
+  // placement finds them. Cones that are certainly needed are placed meanwhile.
   void start_near(Vector u, Energy& energy, Cone_placement& placement, double bound)
   {
     const Free_variables variables(domain(), m_problem.size());

@@ -60,7 +60,7 @@ enum class Exactness
 };
 
 // Flips to Delaunay by exact decisions, and returns the number of flips. Unless `decides_ties`, an
-// edge counts as a tie if 1024 digits do not distinguish it from a tie.
+// edge counts as a tie if 1024 binary digits do not distinguish it from a tie.
 template <typename Visitor>
 std::size_t flip_exactly(Intrinsic_triangulations::Intrinsic_triangulation<>& t, bool decides_ties,
                          Visitor& visitor)
