@@ -102,6 +102,9 @@ def shortest_path(
 def geodesic_through(
     on: Triangulation, vertices: Integers, is_loop: bool
 ) -> tuple[float, Integers, Floats, bool]: ...
+def geodesics_between(
+    on: Triangulation, pairs: Integers
+) -> list[tuple[float, Integers, Floats, bool]]: ...
 def transported(
     on: Triangulation, vertices: Integers, vectors: Complexes, time_step_factor: float
 ) -> Complexes: ...

@@ -378,6 +378,43 @@ def geodesic(
     return _path(T, *found)
 
 
+def geodesics(
+    V: Any, F: ArrayLike | None = None, pairs: Any = None, *,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+) -> list[Path]:
+    """Return a geodesic between each of many pairs of vertices, by flips.
+
+    Each is the geodesic that the shortest path along edges becomes. It is as long as `path()` or
+    longer, and takes less time.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    pairs : (k, 2) integers
+        The first and the last vertex of each path.
+
+    Returns
+    -------
+    list of Path
+        Complete, unless they touch themselves. The length of a path is infinite, and it has no
+        points, if there is none.
+
+    Examples
+    --------
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.cube()
+    >>> [round(p.length ** 2, 12) for p in intrinsic.geodesics(V, F, [[0, 1], [0, 7]])]
+    [1.0, 5.0]
+    """
+    T = _input_of(V, F, lengths, mollify)
+    with T._lock:
+        ends = integers(np.asarray(pairs), (None, 2), "pairs",
+                        T._core.number_of_input_vertices(), "vertices")
+        found = _core.geodesics_between(T._core, ends)
+    return [_path(T, *result) for result in found]
+
+
 def signed_distance(
     V: Any, F: ArrayLike | None = None, curve: Any = None, *,
     time_step_factor: float | None = None, lengths: ArrayLike | None = None,

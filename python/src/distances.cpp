@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
+#include <CGAL/Intrinsic_triangulations/Flipped_paths.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
@@ -266,8 +267,26 @@ py::tuple geodesic_through(const Bound_triangulation& self, const Index_array& v
     is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
     path = IT::path_on_input(triangulation, paths.halfedges(0));
   });
-  const py::tuple arrays = path_arrays(path, self.triangulation().input_mesh());
-  return py::make_tuple(arrays[0], arrays[1], arrays[2], is_geodesic);
+  return path_arrays(path, self.triangulation().input_mesh()) + py::make_tuple(is_geodesic);
+}
+
+// Shortens the paths along edges of the input between pairs of vertices by flips.
+py::list geodesics_between(const Bound_triangulation& self, const Index_array& pairs)
+{
+  std::vector<std::pair<IT::Vertex_index, IT::Vertex_index>> ends;
+  const auto paths = released([&] {
+    for(py::ssize_t i = 0; i + 1 < pairs.size(); i += 2)
+      ends.emplace_back(checked_vertex(pairs.data()[i], self.triangulation()),
+                        checked_vertex(pairs.data()[i + 1], self.triangulation()));
+    Triangulation triangulation = self.triangulation();
+    triangulation.reset_to_input();
+    return IT::flipped_paths(triangulation, ends);
+  });
+  py::list result;
+  for(const auto& path : paths)
+    result.append(path_arrays(path.path, self.triangulation().input_mesh()) +
+                  py::make_tuple(path.status == IT::Shortening_status::geodesic));
+  return result;
 }
 
 // ---- Signed distances ----
@@ -379,6 +398,7 @@ void bind_distances(py::module_& module)
   module.def("distances", &distances);
   module.def("shortest_path", &shortest_path);
   module.def("geodesic_through", &geodesic_through);
+  module.def("geodesics_between", &geodesics_between);
   module.def("signed_distances", &signed_distances);
   module.def("transported", &transported);
   module.def("logarithms", &logarithms);

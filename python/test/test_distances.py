@@ -142,6 +142,23 @@ class Geodesics(unittest.TestCase):
         self.assertAlmostEqual(p.length, np.linalg.norm(flat[start] - flat[end]), 12)
         np.testing.assert_allclose(p.points[[0, -1]], flat[[start, end]], atol=1e-12)
 
+    def test_pairs(self):
+        flat, faces = support.turned(*intrinsic.shapes.grid(6, 6))
+        pairs = np.array([[3, 44], [44, 3], [0, 48], [7, 7]])
+        for (v, w), p in zip(pairs, intrinsic.geodesics(flat, faces, pairs)):
+            self.assertTrue(p.is_complete)
+            self.assertAlmostEqual(p.length, np.linalg.norm(flat[v] - flat[w]), 12)
+            if v != w:
+                np.testing.assert_allclose(p.points[[0, -1]], flat[[v, w]], atol=1e-12)
+        self.assertEqual(intrinsic.geodesics(flat, faces, np.empty((0, 2), int)), [])
+
+    def test_pairs_of_components(self):
+        V, F = intrinsic.shapes.grid(2, 2)
+        both = np.concatenate([V, V + [9, 0, 0]]), np.concatenate([F, F + len(V)])
+        near, far = intrinsic.geodesics(*both, [[0, 8], [0, 9]])
+        self.assertAlmostEqual(near.length, np.linalg.norm(V[8] - V[0]), 12)
+        self.assertEqual((far.length, len(far.faces)), (np.inf, 0))
+
     def test_loops(self):
         V, F = intrinsic.shapes.torus(40, 20, radius=2, tube=1)
         meridian = intrinsic.geodesic(V, F, [0, 5, 10, 15], loop=True)
