@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <limits>
 #include <random>
@@ -51,8 +50,7 @@ std::vector<double> random_radii(const Mesh& mesh)
   return result;
 }
 
-// Returns the time with circles.
-double benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const std::string& name, const Mesh& mesh)
 {
   const std::vector<double> radii = random_radii(mesh);
   const auto radius = boost::make_function_property_map<Mesh::Vertex_index>(
@@ -61,17 +59,24 @@ double benchmark(const std::string& name, const Mesh& mesh)
   const double before = seconds([&] { without = DCM::flatten(mesh); });
   const double after =
     seconds([&] { with = DCM::flatten(mesh, DCM::parameters::vertex_radius_map(radius)); });
-  std::printf("%-16s%8u%6zu%6zu%9.3f%9.3f%7.2f%10.1e%10s", name.c_str(), mesh.number_of_vertices(),
-              without.minimization().iterations, with.minimization().iterations, before, after,
-              after / before, with.max_curvature_error(), to_string(with.status()));
+  std::vector<std::string> cells{name, Table::text(mesh.number_of_vertices()),
+                                 Table::text(without.minimization().iterations),
+                                 Table::text(before),
+                                 Table::text(with.minimization().iterations),
+                                 Table::text(after),
+                                 Table::text(after / before),
+                                 "",
+                                 "",
+                                 ""};
   try {
     DCM::Circle_packing packing;
     const double packed = seconds([&] { packing = DCM::pack_circles(mesh); });
-    std::printf("%9.3f%6zu%10.1e", packed, packing.minimization().iterations,
-                packing.max_tangency_error());
+    cells[7] = Table::text(packing.minimization().iterations);
+    cells[8] = Table::text(packed);
+    cells[9] = Table::text(packing.max_tangency_error());
   } catch(const IT::Invalid_input&) { // neither a sphere nor a disk
   }
-  return after;
+  Table::print(cells);
 }
 
 int main(int argc, char** argv)
@@ -80,9 +85,10 @@ int main(int argc, char** argv)
   if(arguments.empty())
     for(const char* name : {"cow", "camel", "dino", "elephant", "bunny00", "armadillo"})
       arguments.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("Factorization: %s\n%-16s%8s%6s%6s%9s%9s%7s%10s%10s%9s%6s%10s\n", factorization,
-              "mesh", "vertices", "steps", "with", "seconds", "with", "ratio", "curvature",
-              "status", "packing", "steps", "tangency");
+  const Table table({"mesh", "vertices", "steps", "seconds", "with circles: steps", "seconds",
+                     "ratio", "packing: steps", "seconds", "error"});
   for(const std::string& argument : arguments)
-    benchmark_file(argument, benchmark);
+    benchmark_file(argument, [](const std::string& name, const Mesh& mesh, const Growth&) {
+      benchmark(name, mesh);
+    });
 }

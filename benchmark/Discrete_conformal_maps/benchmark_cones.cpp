@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Prints the number of greedy and exchanged cones for bounds of the distortion of areas. Columns
-// are steps of the minimization, the greatest distortion of an area, the root mean square of
-// logarithmic scale factors (weighted by area), and seconds of CPU time. Arguments are names of
+// are steps of the minimization and the greatest distortion of an area. Arguments are names of
 // meshes.
 
 #include "stages.h"
@@ -14,9 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,40 +26,23 @@ double greatest_distortion(const DCM::Planar_conformal_map& map, const Mesh& mes
   return std::exp(2 * result);
 }
 
-double root_mean_square(const DCM::Planar_conformal_map& map, const Mesh& mesh)
+void append(std::vector<std::string>& cells, const Mesh& mesh, double distortion, DCM::Cones cones)
 {
-  double sum = 0, total = 0;
-  for(Mesh::Face_index f : mesh.faces()) {
-    std::vector<Mesh::Vertex_index> corners;
-    for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      corners.push_back(v);
-    const double area = std::sqrt(
-      CGAL::squared_area(mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2])));
-    for(Mesh::Vertex_index v : corners)
-      sum += area / 3 * map.log_scale(v) * map.log_scale(v);
-    total += area;
-  }
-  return std::sqrt(sum / total);
-}
-
-void benchmark(const std::string& name, const Mesh& mesh, double distortion, DCM::Cones cones)
-{
-  Stopwatch watch;
-  const DCM::Planar_conformal_map map = DCM::flatten(
-    mesh,
-    DCM::parameters::maximum_area_distortion(distortion).cones(cones).visitor(std::ref(watch)));
-  watch.stop();
-  std::printf("%-20s%10.0f  %-10s%6zu%6zu%10.1f%8.3f%9.3f\n", name.c_str(), distortion,
-              cones == DCM::Cones::greedy ? "greedy" : "exchanged", map.cones().size(),
-              map.minimization().iterations, greatest_distortion(map, mesh),
-              root_mean_square(map, mesh), watch.total());
+  const DCM::Planar_conformal_map map =
+    DCM::flatten(mesh, DCM::parameters::maximum_area_distortion(distortion).cones(cones));
+  cells.push_back(Table::text(map.cones().size()));
+  cells.push_back(Table::text(map.minimization().iterations));
+  cells.push_back(Table::text(greatest_distortion(map, mesh)));
 }
 
 void benchmark(const std::string& name, const Mesh& mesh)
 {
-  for(const double distortion : {22026., 100., 16., 4.})
+  for(const int distortion : {22026, 100, 16, 4}) {
+    std::vector<std::string> cells{name, Table::text(distortion)};
     for(const DCM::Cones cones : {DCM::Cones::greedy, DCM::Cones::exchanged})
-      benchmark(name, mesh, distortion, cones);
+      append(cells, mesh, distortion, cones);
+    Table::print(cells);
+  }
 }
 
 } // namespace
@@ -74,9 +53,10 @@ int main(int argc, char** argv)
   if(arguments.empty())
     for(const char* name : {"elephant", "bull", "cow", "triceratops", "fandisk", "camel"})
       arguments.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("%-20s%10s  %-10s%6s%6s%10s%8s%9s\n", "mesh", "bound", "cones", "cones", "steps",
-              "greatest", "rms", "seconds");
+  const Table table(
+    {"mesh", "D", "greedy cones", "steps", "greatest", "exchanged cones", "steps", "greatest"});
   for(const std::string& argument : arguments)
-    benchmark_file(argument,
-                   [](const std::string& name, const Mesh& mesh) { return benchmark(name, mesh); });
+    benchmark_file(argument, [](const std::string& name, const Mesh& mesh, const Growth&) {
+      benchmark(name, mesh);
+    });
 }

@@ -9,12 +9,12 @@
 
 #include "../../test/Discrete_conformal_maps/hard_cones.h"
 #include "../Intrinsic_triangulations/measure.h"
+#include "../Table.h"
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -99,17 +99,15 @@ void run_hard_cones(unsigned int seed, std::map<std::string, Scores>& table)
   flatten(mesh, fixed_with(conditions), scores.fixed);
 }
 
-void print(const std::string& name, const Scores& s)
+void print(const Table& table, const std::string& name, const Scores& s)
 {
   using Status = DCM::Map_status;
-  std::printf("%-26s%7zu", name.c_str(), s.problems);
-  for(const Score& score : {s.with_flips, s.fixed})
-    std::printf("%9.1f %%%9.1f",
-                100 * double(score.ended_with(Status::success)) / double(s.problems),
-                score.milliseconds / double(s.problems));
-  std::printf("%11zu%9zu%9zu%9zu\n", s.fixed.ended_with(Status::triangle_inequality),
-              s.fixed.ended_with(Status::no_minimum), s.fixed.ended_with(Status::not_converged),
-              s.fixed.refused);
+  const auto each = [&](const Score& score) { return score.milliseconds / double(s.problems); };
+  table.row(name, s.problems, s.with_flips.ended_with(Status::success), each(s.with_flips),
+            s.fixed.ended_with(Status::success), each(s.fixed),
+            s.fixed.ended_with(Status::triangle_inequality),
+            s.fixed.ended_with(Status::no_minimum), s.fixed.ended_with(Status::not_converged),
+            s.fixed.refused);
 }
 
 int main(int argc, char** argv)
@@ -122,11 +120,8 @@ int main(int argc, char** argv)
     run_near_degenerate(seed, table);
   for(unsigned int seed = 0; seed < argument(2, 150); ++seed)
     run_hard_cones(seed, table);
-  std::printf("%-26s%7s%20s%20s%38s\n", "", "", "with flips", "fixed triangulation",
-              "failures in a fixed triangulation");
-  std::printf("%-26s%7s%11s%9s%11s%9s%11s%9s%9s%9s\n", "", "number", "success", "ms", "success",
-              "ms", "triangle", "no", "not con-", "refused");
-  std::printf("%84s%9s%9s\n", "inequality", "minimum", "verged");
+  const Table out({"problem", "maps", "found with flips", "ms for each", "found in a fixed triangulation",
+                   "ms for each", "triangle inequality", "no minimum", "not converged", "refused"});
   for(const auto& [name, scores] : table)
-    print(name, scores);
+    print(out, name, scores);
 }

@@ -12,43 +12,35 @@
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
 
-void print_head()
-{
-  std::printf("Factorization: %s\n%-28s%8s%6s", factorization, "mesh", "vertices", "steps");
-  print_stage_names();
-  std::printf("%10s%8s\n", "curvature", "growth");
-}
-
 template <typename Map>
-void print(const std::string& name, const Mesh& mesh, const Map& map, const Stopwatch& watch)
+void print(const std::string& metric, const Mesh& mesh, const Map& map, const Stopwatch& watch,
+           const std::string& growth)
 {
-  std::printf("%-28s%8u%6zu", name.c_str(), mesh.number_of_vertices(),
-              map.minimization().iterations);
-  print(watch);
-  std::printf("%10.1e", map.max_curvature_error());
+  std::vector<std::string> cells{metric, Table::text(mesh.number_of_vertices()),
+                                 Table::text(map.minimization().iterations)};
+  append(cells, watch);
+  cells.push_back(growth);
+  Table::print(cells);
 }
 
-// Returns the time of the hyperbolic metric.
-double benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const std::string&, const Mesh& mesh, Growth& growth)
 {
   reset_peak_memory();
   Stopwatch flat_watch;
   const auto flat = DCM::flatten(mesh, CGAL::parameters::visitor(std::ref(flat_watch)));
   flat_watch.stop();
-  print(name + ", flat", mesh, flat, flat_watch);
-  end_line();
+  print("flat", mesh, flat, flat_watch, "");
   reset_peak_memory();
   Stopwatch watch;
   const auto map = DCM::uniformize_hyperbolic(mesh, CGAL::parameters::visitor(std::ref(watch)));
   watch.stop();
-  print(name + ", hyperbolic", mesh, map, watch);
-  return watch.total();
+  print("hyperbolic", mesh, map, watch,
+        growth.since_last(watch.total(), mesh.number_of_vertices()));
 }
 
 int main(int argc, char** argv)
@@ -56,7 +48,7 @@ int main(int argc, char** argv)
   std::vector<std::string> arguments(argv + 1, argv + argc);
   if(arguments.empty())
     arguments = {"200000"};
-  print_head();
+  const Table table(with_stages({"metric", "vertices", "steps"}, {"growth"}));
   for(const std::string& argument : arguments)
     if(const int largest = std::atoi(argument.c_str()); largest > 0)
       benchmark_growth(

@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What each way to lay flat faces out costs, in seconds of CPU time, and what it leaves: the
-// greatest error of length cross ratios, and triangles of T_3 that are turned over or have no area.
+// greatest error of length cross ratios, and triangles of T_3 that are reversed or have no area.
 // Arguments are names of meshes.
+
+#include "../Table.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
@@ -14,9 +16,9 @@
 
 #include <complex>
 #include <cstddef>
-#include <cstdio>
 #include <ctime>
 #include <functional>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -48,20 +50,20 @@ void benchmark(const std::string& file)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
-    std::printf("%s: cannot be read\n", file.c_str());
+    std::cerr << file << " cannot be read\n";
     return;
   }
-  std::printf("%-20s%9u", file.substr(file.find_last_of('/') + 1).c_str(),
-              mesh.number_of_vertices());
+  std::vector<std::string> cells{name_of(file), Table::text(mesh.number_of_vertices())};
   for(const DCM::Layout layout :
       {DCM::Layout::least_squares, DCM::Layout::spectral, DCM::Layout::incremental}) {
     Layout_clock clock;
     const auto map = DCM::flatten(mesh, DCM::parameters::layout(layout).visitor(std::ref(clock)));
-    std::printf("%10.3f%10.1e%8zu", double(std::clock() - clock.since) / CLOCKS_PER_SEC,
-                DCM::max_cross_ratio_error(map), collapsed(map));
+    const double seconds = double(std::clock() - clock.since) / CLOCKS_PER_SEC;
+    cells.push_back(Table::text(seconds));
+    cells.push_back(Table::text(DCM::max_cross_ratio_error(map)));
+    cells.push_back(Table::text(collapsed(map)));
   }
-  std::printf("\n");
-  std::fflush(stdout);
+  Table::print(cells);
 }
 
 int main(int argc, char** argv)
@@ -70,11 +72,8 @@ int main(int argc, char** argv)
   if(files.empty())
     for(const char* name : {"cow", "camel", "nefertiti", "fandisk", "bunny00", "armadillo"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("%29s%28s%28s%28s\n%-20s%9s", "", "least squares", "spectral", "incremental", "mesh",
-              "vertices");
-  for(int i = 0; i < 3; ++i)
-    std::printf("%10s%10s%8s", "seconds", "ratios", "bad");
-  std::printf("\n");
+  const Table table({"mesh", "vertices", "least squares: s", "error", "reversed", "spectral: s",
+                     "error", "reversed", "incremental: s", "error", "reversed"});
   for(const std::string& file : files)
     benchmark(file);
 }

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -36,25 +35,18 @@ Run flatten(const Mesh& mesh, const Minimizer& minimizer)
   return {std::move(map), watch.seconds[2]};
 }
 
-void print(const Run& run)
-{
-  const DCM::Minimization_result& result = run.map.minimization();
-  std::printf("%8zu%8zu%8zu%9.3f", result.iterations, result.evaluations, result.factorizations,
-              run.seconds);
-}
-
-double benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const Table& table, const std::string& name, const Mesh& mesh)
 {
   const Run newton = flatten(mesh, DCM::Newton_minimizer());
   const Run ceres = flatten(mesh, DCM::Ceres_minimizer());
   double difference = 0;
   for(Mesh::Vertex_index v : mesh.vertices())
     difference = (std::max)(difference, std::abs(newton.map.log_scale(v) - ceres.map.log_scale(v)));
-  std::printf("%-16s%8u", name.c_str(), mesh.number_of_vertices());
-  print(newton);
-  print(ceres);
-  std::printf("%10.1e", difference);
-  return newton.seconds;
+  const DCM::Minimization_result &first = newton.map.minimization(),
+                                 &second = ceres.map.minimization();
+  table.row(name, mesh.number_of_vertices(), first.iterations, first.factorizations, newton.seconds,
+            second.iterations, second.evaluations, second.factorizations, ceres.seconds,
+            difference);
 }
 
 } // namespace
@@ -65,13 +57,13 @@ int main(int argc, char** argv)
   if(arguments.empty())
     for(const char* name : {"cow", "elephant", "bull", "camel", "armadillo"})
       arguments.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("%-24s%33s%33s\n%-16s%8s", "", "Newton", "Ceres", "mesh", "vertices");
-  for(int i = 0; i < 2; ++i)
-    std::printf("%8s%8s%8s%9s", "steps", "eval.", "factor.", "seconds");
-  std::printf("%10s\n", "differ.");
+  const Table table({"mesh", "vertices", "Newton: steps", "factorizations", "seconds",
+                     "Ceres: steps", "evaluations", "factorizations", "seconds", "difference"});
   for(const std::string& argument : arguments)
     if(const int vertices = std::atoi(argument.c_str()); vertices > 0)
-      benchmark("sphere", Sphere(unsigned(vertices)).mesh());
+      benchmark(table, "sphere", Sphere(unsigned(vertices)).mesh());
     else
-      benchmark_file(argument, benchmark);
+      benchmark_file(argument, [&](const std::string& name, const Mesh& mesh, const Growth&) {
+        benchmark(table, name, mesh);
+      });
 }

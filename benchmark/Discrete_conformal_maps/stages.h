@@ -7,6 +7,7 @@
 
 // What the stages of a map cost.
 
+#include "../Table.h"
 #include "surfaces.h"
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
@@ -20,16 +21,16 @@
 #include <fstream>
 #include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <malloc.h>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
-inline constexpr const char* factorization = "CHOLMOD";
 inline constexpr const char* largest_surface = "1000000";
 #else
-inline constexpr const char* factorization = "Eigen";
 inline constexpr const char* largest_surface = "100000";
 #endif
 
@@ -37,7 +38,7 @@ inline constexpr const char* largest_surface = "100000";
 
 // The first stage is before those of `flatten()`: the intrinsic Delaunay triangulation.
 inline constexpr std::array<const char*, 6> stage_names{"Delaunay", "cones", "optimize",
-                                                        "layout",   "trace", "subdiv"};
+                                                        "layout",   "trace", "subdivide"};
 
 // Seconds of CPU time.
 struct Stopwatch : DCM::Default_flattening_visitor
@@ -84,52 +85,65 @@ inline double peak_memory()
 
 // ---- Table ----
 
-inline void print_stage_names()
+// Returns headings: some, stages, total and memory, others.
+inline std::vector<std::string> with_stages(std::vector<std::string> headings,
+                                            const std::vector<std::string>& others)
 {
-  for(const char* name : stage_names)
-    std::printf("%13s", name);
-  std::printf("%9s%7s", "total", "MB");
+  headings.insert(headings.end(), stage_names.begin(), stage_names.end());
+  headings.insert(headings.end(), {"total", "MB"});
+  headings.insert(headings.end(), others.begin(), others.end());
+  return headings;
 }
 
-inline void print(const Stopwatch& watch)
+// Appends seconds and percent of each stage, the total and the memory.
+inline void append(std::vector<std::string>& cells, const Stopwatch& watch)
 {
   for(const double seconds : watch.seconds)
-    std::printf("%8.3f %3.0f%%", seconds, 100 * seconds / watch.total());
-  std::printf("%9.3f%7.0f", watch.total(), peak_memory());
+    cells.push_back(seconds > 0 ? Table::text(seconds) + " (" +
+                                    std::to_string(std::lround(100 * seconds / watch.total())) +
+                                    " %)"
+                                : "");
+  cells.push_back(Table::text(watch.total()));
+  cells.push_back(Table::text(std::lround(peak_memory())));
 }
 
-inline void end_line()
+// The exponent with which the time grows with the size.
+class Growth
 {
-  std::printf("\n");
-  std::fflush(stdout);
-}
+public:
+  // Returns the exponent since the last call, or nothing at the first one.
+  std::string since_last(double time, std::size_t size)
+  {
+    const double last_time = std::exchange(m_time, time),
+                 last_size = std::exchange(m_size, double(size));
+    return last_time > 0
+             ? Table::text(std::log(time / last_time) / std::log(double(size) / last_size))
+             : "";
+  }
 
-// Ever larger surfaces; `benchmark` prints a line and returns the time.
+private:
+  double m_time = 0, m_size = 0;
+};
+
+// Ever larger surfaces; `benchmark` prints a row.
 template <typename Make, typename Benchmark>
 void benchmark_growth(const char* name, unsigned largest, const Make& make,
                       const Benchmark& benchmark)
 {
-  double last_time = 0, last_size = 0;
-  for(unsigned n = largest / 64; n <= largest; n *= 4) {
-    const Mesh mesh = make(n);
-    const double time = benchmark(name, mesh), size = mesh.number_of_vertices();
-    if(last_time > 0)
-      std::printf("%8.2f", std::log(time / last_time) / std::log(size / last_size));
-    end_line();
-    last_time = time;
-    last_size = size;
-  }
+  Growth growth;
+  for(unsigned n = largest / 64; n <= largest; n *= 4)
+    benchmark(name, make(n), growth);
 }
 
 template <typename Benchmark>
 void benchmark_file(const std::string& file, const Benchmark& benchmark)
 {
   Mesh mesh;
+  Growth growth;
   if(CGAL::IO::read_polygon_mesh(file, mesh))
-    benchmark(file.substr(file.find_last_of('/') + 1), mesh);
+    benchmark(name_of(file), mesh, growth);
   else
-    std::printf("%s: cannot be read", file.c_str());
-  end_line();
+    std::fprintf(stderr, "%s cannot be read\n", file.c_str());
 }
 
 #endif // DISCRETE_CONFORMAL_MAPS_BENCHMARK_STAGES_H

@@ -4,8 +4,8 @@
 
 // Surfaces simplified to a hundredth of their vertices, and then refined to angles of 25 degrees:
 // the least angles, faces below the bound that a small-angle vertex excuses and others, how far
-// points of the refined surface are away after having been to the input and back, the common
-// subdivision, and errors of a Poisson equation (see Poisson_comparison.h) and of distances from a
+// points of the refined surface are away after having been to the input and back, and errors of a
+// Poisson equation (see Poisson_comparison.h) and of distances from a
 // vertex, without and with refinement. Of the meshes on the command line, or of all of CGAL's that
 // are surfaces.
 
@@ -87,15 +87,6 @@ double distance_error(const IS::Surface_map& map, const Eigen::SparseMatrix<doub
   return 100 * error / sum;
 }
 
-std::string subdivision_of(const IS::Surface_map& map)
-{
-  try {
-    return std::to_string(IS::Surface_subdivision<>(map).mesh().number_of_vertices());
-  } catch(const IT::Numerical_error&) {
-    return "none";
-  }
-}
-
 struct Errors
 {
   double poisson, distance;
@@ -107,7 +98,7 @@ Errors errors(const IS::Surface_map& map, const Poisson_comparison& comparison)
   return {100 * comparison.error(map.coarse(), p), distance_error(map, p)};
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const Table& table, const std::string& name, const Mesh& mesh)
 {
   IS::Evolving_surface surface(mesh);
   const IS::Surface_level fine(surface);
@@ -121,23 +112,20 @@ void benchmark(const std::string& name, const Mesh& mesh)
   const IS::Surface_map to_coarse(surface, fine, coarse), to_refined(surface, fine, refined);
   const Poisson_comparison comparison(mesh);
   const Errors before = errors(to_coarse, comparison), after = errors(to_refined, comparison);
-  std::printf("%-30s%9u%8u%8u%7.1f%7.1f%6zu%6zu%10.1e%9s%9.3f%9.3f%8.2f%8.2f\n", name.c_str(),
-              mesh.number_of_vertices(), coarse.mesh().number_of_vertices(),
-              refined.mesh().number_of_vertices(), least_angle(coarse), least_angle(refined),
-              excused, result.remaining.size() - excused, error_there_and_back(to_refined),
-              subdivision_of(to_refined).c_str(), before.poisson, after.poisson, before.distance,
-              after.distance);
-  std::fflush(stdout);
+  table.row(name, mesh.number_of_vertices(), coarse.mesh().number_of_vertices(),
+            refined.mesh().number_of_vertices(), least_angle(coarse), least_angle(refined), excused,
+            result.remaining.size() - excused, error_there_and_back(to_refined), before.poisson,
+            after.poisson, before.distance, after.distance);
 }
 
-void benchmark_file(const std::string& path)
+void benchmark_file(const Table& table, const std::string& path)
 {
   try {
     const Mesh mesh = read_surface(path);
     if(mesh.number_of_vertices() > 0)
-      benchmark(name_of(path), mesh);
+      benchmark(table, name_of(path), mesh);
   } catch(const std::exception& e) {
-    std::printf("%-30s %s\n", name_of(path).c_str(), e.what());
+    std::fprintf(stderr, "%s: %s\n", path.c_str(), e.what());
   }
 }
 
@@ -155,9 +143,9 @@ std::vector<std::string> data_files()
 
 int main(int argc, char* argv[])
 {
-  std::printf("%-30s%9s%8s%8s%14s%12s%10s%9s%18s%16s\n", "mesh", "vertices", "coarse", "refined",
-              "angle", "excused,not", "there+back", "subdiv.", "Poisson %", "distances %");
+  const Table table({"mesh", "vertices", "coarse", "refined", "angle", "refined", "excused", "not",
+                     "round trip", "Poisson", "refined", "distances", "refined"});
   for(const std::string& path :
       argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : data_files())
-    benchmark_file(path);
+    benchmark_file(table, path);
 }

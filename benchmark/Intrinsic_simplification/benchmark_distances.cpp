@@ -83,42 +83,40 @@ double quadric_error(const Mesh& mesh, std::size_t vertices, const Truth& truth)
     samples);
 }
 
-void benchmark_heat(const Truth& truth)
+void benchmark_heat(const Table& table, const std::string& name, const Truth& truth)
 {
+  const auto vertices = truth.fine().mesh().number_of_vertices();
   Samples samples;
   const IT::Heat_distance<> heat(truth.fine());
   const double error = truth.error([&](IT::Vertex_index v) { return heat.distances(v); }, samples);
-  std::printf("%10s%10.2f%10.1f%10.2f\n", "heat", samples.median(),
-              truth.milliseconds() / samples.median(), error);
+  table.row(name, vertices, "heat method", truth.milliseconds() / samples.median(), error, "");
 }
 
-void benchmark_level(const Mesh& mesh, const IS::Surface_map& map, const Truth& truth)
+void benchmark_level(const Table& table, const std::string& name, const Mesh& mesh,
+                     const IS::Surface_map& map, const Truth& truth)
 {
   const Matrix p = IS::prolongation_matrix(map);
   Samples samples;
   const double error = truth.error(
     [&](IT::Vertex_index v) { return IS::prolonged_distances_from(v, map, p); }, samples);
   const std::size_t vertices = map.coarse().mesh().number_of_vertices();
-  std::printf("%10zu%10.2f%10.1f%10.2f%10.2f\n", vertices, samples.median(),
-              truth.milliseconds() / samples.median(), error, quadric_error(mesh, vertices, truth));
+  table.row(name, mesh.number_of_vertices(), vertices, truth.milliseconds() / samples.median(),
+            error, quadric_error(mesh, vertices, truth));
 }
 
 // Error against speed-up.
-void benchmark_sources(const std::string& name, const Mesh& mesh)
+void benchmark_sources(const Table& table, const std::string& name, const Mesh& mesh)
 {
   IS::Evolving_surface surface(mesh);
   const IS::Surface_level fine(surface);
   const Truth truth(fine);
-  std::printf("%s, %u vertices, one source\n%10s%10s%10s%10s%10s\n%10s%10.2f\n", name.c_str(),
-              mesh.number_of_vertices(), "coarse", "ms", "speed-up", "error %", "quadrics %",
-              "exact", truth.milliseconds());
-  benchmark_heat(truth);
+  benchmark_heat(table, name, truth);
   IS::Transport_cost cost = IS::default_cost(surface);
   for(const std::size_t part : {5U, 20U, 50U, 200U}) {
     IS::simplify(surface, cost,
                  IS::parameters::number_of_vertices(mesh.number_of_vertices() / part));
     const IS::Surface_level coarse(surface);
-    benchmark_level(mesh, IS::Surface_map(surface, fine, coarse), truth);
+    benchmark_level(table, name, mesh, IS::Surface_map(surface, fine, coarse), truth);
   }
 }
 
@@ -132,14 +130,13 @@ IS::Prolonged_distances all_pairs(const Mesh& mesh, std::size_t vertices)
 }
 
 // With simplification; what exact distances of all pairs take is extrapolated.
-void benchmark_all_pairs(const std::string& name, const Mesh& mesh)
+void benchmark_all_pairs(const Table& table, const std::string& name, const Mesh& mesh)
 {
+  if(mesh.number_of_vertices() > 10000) // eight bytes for each pair
+    return;
   const IS::Surface_level fine{IS::Evolving_surface(mesh)};
   const Truth truth(fine);
   const double exact = truth.milliseconds() * mesh.number_of_vertices();
-  std::printf("%s, %u vertices, all pairs\n%10s%10s%10s%10s\n%10s%10.1f\n", name.c_str(),
-              mesh.number_of_vertices(), "coarse", "seconds", "speed-up", "error %", "exact",
-              exact / 1000);
   for(const std::size_t part : {5U, 20U, 50U}) {
     Samples samples, row;
     const auto distances =
@@ -148,16 +145,20 @@ void benchmark_all_pairs(const std::string& name, const Mesh& mesh)
     product.time([&] { return distances.matrix().sum(); });
     const double error = truth.error([&](IT::Vertex_index v) { return distances.from(v); }, row);
     const double all = samples.median() + product.median();
-    std::printf("%10zu%10.2f%10.1f%10.2f\n", mesh.number_of_vertices() / part, all / 1000,
-                exact / all, error);
+    table.row(name, mesh.number_of_vertices(), mesh.number_of_vertices() / part, all / 1000,
+              exact / all, error);
   }
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+// Calls `benchmark(table, name, mesh)` for each file.
+template <typename Benchmark>
+void benchmark_files(const std::vector<std::string>& files, const Table& table,
+                     const Benchmark& benchmark)
 {
-  benchmark_sources(name, mesh);
-  if(mesh.number_of_vertices() <= 10000) // eight bytes for each pair
-    benchmark_all_pairs(name, mesh);
+  for(const std::string& file : files)
+    benchmark_file(file, [&](const std::string& name, const Mesh& mesh) {
+      benchmark(table, name, mesh);
+    });
 }
 
 } // namespace
@@ -165,10 +166,14 @@ void benchmark(const std::string& name, const Mesh& mesh)
 int main(int argc, char* argv[])
 {
   keep_memory();
-  if(argc > 1)
-    for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path, benchmark);
-  else
+  std::vector<std::string> files(argv + 1, argv + argc);
+  if(files.empty())
     for(const char* name : {"fandisk", "bull", "armadillo", "refined_elephant"})
-      benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
+      files.push_back(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+  benchmark_files(
+    files, Table({"mesh", "vertices", "coarse", "speed-up", "error (%)", "quadrics (%)"}),
+    benchmark_sources);
+  benchmark_files(files,
+                  Table({"mesh", "vertices", "coarse", "seconds", "speed-up", "error (%)"}),
+                  benchmark_all_pairs);
 }

@@ -171,10 +171,12 @@ Distortion extrinsic_distortion(const Mesh& fine, const Mesh& coarse)
 
 // ---- Table ----
 
-void print(double area_before, double area_after, const Distortion& d)
+void append(std::vector<std::string>& cells, double area_before, double area_after,
+            const Distortion& d)
 {
-  std::printf("%12.3f%10.4f%12.4f", 100 * (area_after / area_before - 1), d.scaling / d.area,
-              d.anisotropy / d.area);
+  for(const double x :
+      {100 * (area_after / area_before - 1), d.scaling / d.area, d.anisotropy / d.area})
+    cells.push_back(Table::text(x));
 }
 
 void benchmark(const std::string& name, const Mesh& mesh, std::size_t number_of_vertices)
@@ -186,12 +188,13 @@ void benchmark(const std::string& name, const Mesh& mesh, std::size_t number_of_
   const Distortion ours = intrinsic_distortion(IS::Surface_map(surface, fine, coarse));
   const Mesh quadrics = collapsed(mesh, number_of_vertices);
   const Distortion theirs = extrinsic_distortion(mesh, quadrics);
-  std::printf("%-16s%9u%8zu", name.c_str(), mesh.number_of_vertices(), number_of_vertices);
-  print(area(fine), CGAL::Polygon_mesh_processing::area(quadrics), theirs);
-  std::printf("%8.1f", 100 * theirs.lost / (theirs.lost + theirs.area));
-  print(area(fine), area(coarse), ours);
-  std::printf("%10.1e\n", std::abs(ours.image / area(coarse) - 1));
-  std::fflush(stdout);
+  std::vector<std::string> cells{name, Table::text(mesh.number_of_vertices()),
+                                 Table::text(number_of_vertices)};
+  append(cells, area(fine), CGAL::Polygon_mesh_processing::area(quadrics), theirs);
+  cells.push_back(Table::text(100 * theirs.lost / (theirs.lost + theirs.area)));
+  append(cells, area(fine), area(coarse), ours);
+  cells.push_back(Table::text(std::abs(ours.image / area(coarse) - 1)));
+  Table::print(cells);
 }
 
 // sheets that are bent along parallel lines, or along the rays of a cone
@@ -215,10 +218,8 @@ Mesh folded_cone(unsigned n)
 
 int main(int argc, char* argv[])
 {
-  std::printf("%-16s%9s%8s%42s%44s\n", "", "", "", "quadrics", "intrinsic");
-  std::printf("%-16s%9s%8s%12s%10s%12s%8s%12s%10s%12s%10s\n", "mesh", "vertices", "coarse",
-              "area (%)", "scaling", "anisotropy", "lost", "area (%)", "scaling", "anisotropy",
-              "check");
+  const Table table({"mesh", "vertices", "coarse", "quadrics: area (%)", "scaling", "anisotropy",
+                     "lost (%)", "intrinsic: area (%)", "scaling", "anisotropy", "check"});
   for(const std::size_t coarse : {2000U, 200U}) {
     for(int i = 1; i < argc; ++i)
       benchmark(name_of(argv[i]), read_surface(argv[i]), coarse);

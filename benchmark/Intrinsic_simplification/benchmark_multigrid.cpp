@@ -65,7 +65,7 @@ std::pair<Vector, double> solve_directly(const Problem& problem, Seconds& second
   return {x, 12. * double(factorization->matrixL().nestedExpression().nonZeros())};
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const Table& table, const std::string& name, const Mesh& mesh)
 {
   IS::Evolving_surface surface(mesh);
   const Problem problem(IS::Surface_level(surface), mesh);
@@ -78,12 +78,11 @@ void benchmark(const std::string& name, const Mesh& mesh)
   const IS::Multigrid_result result =
     multigrid.solve.time([&] { return solver->solve(problem.right_side); });
   const auto [exact, bytes] = solve_directly(problem, direct);
-  std::printf("%-22s%9u%8zu%12.2f%9.3f%9.3f%7zu%11.1e%9.1f |%9.3f%9.3f%9.1f\n", name.c_str(),
-              mesh.number_of_vertices(), prolongations.size(), hierarchy.median() / 1000,
-              multigrid.prepare.median() / 1000, multigrid.solve.median() / 1000, result.iterations,
-              problem.energy(result.solution - exact) / problem.energy(exact),
-              12e-6 * double(solver->number_of_entries()), direct.prepare.median() / 1000,
-              direct.solve.median() / 1000, 1e-6 * bytes);
+  table.row(name, mesh.number_of_vertices(), hierarchy.median() / 1000,
+            multigrid.prepare.median() / 1000, multigrid.solve.median() / 1000, result.iterations,
+            problem.energy(result.solution - exact) / problem.energy(exact),
+            12e-6 * double(solver->number_of_entries()), direct.prepare.median() / 1000,
+            direct.solve.median() / 1000, 1e-6 * bytes);
 }
 
 } // namespace
@@ -91,17 +90,19 @@ void benchmark(const std::string& name, const Mesh& mesh)
 int main(int argc, char* argv[])
 {
   keep_memory();
-  std::printf("%-22s%9s%8s%12s%9s%9s%7s%11s%9s |%9s%9s%9s\n", "mesh", "vertices", "levels",
-              "hierarchy", "prepare", "solve", "steps", "difference", "MB", "prepare", "solve",
-              "MB");
+  const Table table({"mesh", "vertices", "hierarchy (s)", "prepare (s)", "solve (s)", "steps",
+                     "difference", "MB", "LDLT: prepare (s)", "solve (s)", "MB"});
+  const auto benchmark_mesh = [&](const std::string& name, const Mesh& mesh) {
+    benchmark(table, name, mesh);
+  };
   if(argc > 1) {
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path, benchmark);
+      benchmark_file(path, benchmark_mesh);
     return 0;
   }
   for(const char* name : {"elephant", "camel", "armadillo", "bunny00", "refined_elephant"})
-    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
-  benchmark("hills", hills(300));
+    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark_mesh);
+  benchmark(table, "hills", hills(300));
   for(unsigned n : {64U, 128U, 256U, 500U})
-    benchmark("bumpy torus", bumpy_torus(n));
+    benchmark(table, "bumpy torus", bumpy_torus(n));
 }

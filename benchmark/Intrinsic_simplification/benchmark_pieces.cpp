@@ -15,21 +15,15 @@
 #include <CGAL/Intrinsic_simplification/projective_pieces.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
-#include <cstdio>
 #include <iterator>
 #include <string>
 #include <vector>
 
 namespace IS = CGAL::Intrinsic_simplification;
 
-void benchmark(const std::string& path)
+void benchmark(const std::string& name, const Mesh& mesh)
 {
-  const Mesh mesh = read_surface(path);
-  if(mesh.number_of_vertices() == 0) {
-    std::printf("%s: no triangle mesh\n", path.c_str());
-    return;
-  }
-  std::printf("%-20s%10u", name_of(path).c_str(), mesh.number_of_faces());
+  std::vector<std::string> cells{name, Table::text(mesh.number_of_faces())};
   IS::Evolving_surface surface(mesh);
   const IS::Surface_level fine(surface);
   for(const std::size_t part : {10U, 100U}) {
@@ -39,10 +33,10 @@ void benchmark(const std::string& path)
     std::vector<IS::Projective_piece> pieces;
     Samples seconds;
     seconds.time([&] { return IS::projective_pieces(map, std::back_inserter(pieces)); });
-    std::printf("%12.1f%10.2f", double(pieces.size()) / mesh.number_of_faces(),
-                seconds.median() / 1000);
+    cells.push_back(Table::text(double(pieces.size()) / mesh.number_of_faces()));
+    cells.push_back(Table::text(seconds.median() / 1000));
   }
-  std::printf("\n");
+  Table::print(cells);
 }
 
 int main(int argc, char* argv[])
@@ -51,8 +45,7 @@ int main(int argc, char* argv[])
   if(files.empty())
     for(const char* name : {"elephant", "camel", "armadillo", "bunny00"})
       files.push_back(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
-  std::printf("%-20s%10s%12s%10s%12s%10s\n", "mesh", "faces", "at 10 %", "seconds", "at 1 %",
-              "seconds");
+  const Table table({"mesh", "faces", "pieces per face at 10 %", "seconds", "at 1 %", "seconds"});
   for(const std::string& file : files)
-    benchmark(file);
+    benchmark_file(file, benchmark);
 }

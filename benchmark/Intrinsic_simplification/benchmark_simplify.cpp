@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -43,36 +42,36 @@ Costs costs(const Mesh& mesh, std::size_t vertices)
   return result;
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const Table& table, const std::string& name, const Mesh& mesh)
 {
   const Costs c = costs(mesh, mesh.number_of_vertices() / 100);
-  std::printf("%-20s%10u%10.0f%12.2f%12.2f%12.2f%12.0f\n", name.c_str(), mesh.number_of_vertices(),
-              c.removed, 1000 * c.simplify.median() / c.removed, c.operations / c.removed,
-              1000 * c.map.median() / c.removed, c.bytes / c.removed);
+  table.row(name, mesh.number_of_vertices(), 1000 * c.simplify.median() / c.removed,
+            1000 * c.map.median() / c.removed, c.operations / c.removed, c.bytes / c.removed);
 }
 
 void benchmark_resolutions(const Mesh& mesh)
 {
-  std::printf("\n%-20s%10s%12s%12s\n", "mesh", "vertices", "s simplify", "s map");
+  const Table table({"coarse vertices", "simplify (s)", "map (s)"}, 0);
   for(const std::size_t part : {2U, 10U, 100U, 1000U, 10000U}) {
     const Costs c = costs(mesh, mesh.number_of_vertices() / part);
-    std::printf("%-20s%10zu%12.2f%12.2f\n", "bumpy torus", mesh.number_of_vertices() / part,
-                c.simplify.median() / 1000, c.map.median() / 1000);
+    table.row(mesh.number_of_vertices() / part, c.simplify.median() / 1000, c.map.median() / 1000);
   }
 }
 
 int main(int argc, char* argv[])
 {
   keep_memory();
-  std::printf("%-20s%10s%10s%12s%12s%12s%12s\n", "mesh", "vertices", "removed", "us each",
-              "operations", "us map", "log bytes");
-  if(argc > 1)
-    for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path, benchmark);
-  else
+  std::vector<std::string> files(argv + 1, argv + argc);
+  if(files.empty())
     for(const char* name : {"elephant", "camel", "armadillo", "turbine", "refined_elephant"})
-      benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
+      files.push_back(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+  const Table table({"mesh", "vertices", "simplify (&micro;s)", "map (&micro;s)", "operations",
+                     "bytes"});
+  for(const std::string& file : files)
+    benchmark_file(file, [&](const std::string& name, const Mesh& mesh) {
+      benchmark(table, name, mesh);
+    });
   for(unsigned n : {64U, 128U, 256U, 500U})
-    benchmark("bumpy torus", bumpy_torus(n));
+    benchmark(table, "bumpy torus", bumpy_torus(n));
   benchmark_resolutions(bumpy_torus(500));
 }

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -66,7 +65,33 @@ Errors quadric_errors(const Mesh& mesh, const Poisson_comparison& comparison)
   return result;
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+// Geometric means of the columns.
+class Means
+{
+public:
+  void add(const std::vector<double>& errors)
+  {
+    m_logarithms.resize(errors.size());
+    for(std::size_t k = 0; k < errors.size(); ++k)
+      m_logarithms[k] += std::log(errors[k]);
+    ++m_size;
+  }
+
+  // Returns the means, divided by one of them.
+  std::vector<std::string> ratios_to(std::size_t unit) const
+  {
+    std::vector<std::string> result;
+    for(const double sum : m_logarithms)
+      result.push_back(Table::text(std::exp((sum - m_logarithms[unit]) / double(m_size))));
+    return result;
+  }
+
+private:
+  std::vector<double> m_logarithms;
+  std::size_t m_size = 0;
+};
+
+void benchmark(const std::string& name, const Mesh& mesh, Means& means)
 {
   const Poisson_comparison comparison(mesh);
   std::vector<Errors> columns{quadric_errors(mesh, comparison)};
@@ -75,11 +100,15 @@ void benchmark(const std::string& name, const Mesh& mesh)
       mesh, [&](const IS::Evolving_surface& s) { return cost_with(weight, s); }, comparison));
   columns.push_back(intrinsic_errors(mesh, IS::default_cost, comparison));
   for(std::size_t n = 0; n < parts.size(); ++n) {
-    std::printf("%-22s%9u%9zu", name.c_str(), mesh.number_of_vertices(),
-                mesh.number_of_vertices() / parts[n]);
-    for(const Errors& errors : columns)
-      std::printf("%10.5f", errors[n]);
-    std::printf("\n");
+    std::vector<double> row;
+    std::vector<std::string> cells{name, Table::text(mesh.number_of_vertices()),
+                                   Table::text(mesh.number_of_vertices() / parts[n])};
+    for(const Errors& errors : columns) {
+      row.push_back(errors[n]);
+      cells.push_back(Table::text(errors[n]));
+    }
+    means.add(row);
+    Table::print(cells);
   }
 }
 
@@ -87,19 +116,24 @@ void benchmark(const std::string& name, const Mesh& mesh)
 
 int main(int argc, char* argv[])
 {
-  std::printf("%-22s%9s%9s%10s", "mesh", "vertices", "coarse", "quadrics");
-  for(double weight : weights)
-    weight < 0 ? std::printf("%10s", "area only") : std::printf("%10g", weight);
-  std::printf("%10s\n", "default");
-  if(argc > 1) {
-    for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path, benchmark);
+  const Table table({"mesh", "vertices", "coarse", "quadrics", "0", "0.3", "1", "2", "5",
+                     "area only", "default"});
+  Means means;
+  const auto benchmark_mesh = [&](const std::string& name, const Mesh& mesh) {
+    benchmark(name, mesh, means);
+  };
+  for(int i = 1; i < argc; ++i)
+    benchmark_file(argv[i], benchmark_mesh);
+  if(argc > 1)
     return 0;
-  }
   for(const char* name : {"elephant", "camel", "armadillo", "bunny00", "fandisk_large",
                           "ChineseDragon-10kv", "turbine", "lion", "lion-head"})
-    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
-  benchmark("capsule", capsule(160));
-  benchmark("bumpy torus", bumpy_torus(80));
-  benchmark("hills", hills(150));
+    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark_mesh);
+  benchmark_mesh("capsule", capsule(160));
+  benchmark_mesh("bumpy torus", bumpy_torus(80));
+  benchmark_mesh("hills", hills(150));
+  const Table summary({"meshes", "quadrics", "0", "0.3", "1", "2", "5", "area only", "default"});
+  std::vector<std::string> cells = means.ratios_to(3); // the weight 1
+  cells.insert(cells.begin(), "geometric mean");
+  Table::print(cells);
 }

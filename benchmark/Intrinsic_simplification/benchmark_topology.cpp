@@ -16,7 +16,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 namespace IS = CGAL::Intrinsic_simplification;
@@ -24,7 +23,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-void benchmark(const Mesh& mesh, double part)
+void benchmark(const Table& table, const Mesh& mesh, double part)
 {
   const auto box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double length = part * std::hypot(box.x_span(), std::hypot(box.y_span(), box.z_span()));
@@ -35,11 +34,9 @@ void benchmark(const Mesh& mesh, double part)
   samples.time(
     [&] { return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length); });
   const IT::Topological_type after = IT::topological_type(surface.mesh());
-  std::printf("| %.3f | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part, before.genus, after.genus,
-              before.boundary_loops, after.boundary_loops,
-              surface.filled_area() / CGAL::Polygon_mesh_processing::area(mesh),
-              samples.median() / 1000);
-  std::fflush(stdout);
+  table.row(part, before.genus, after.genus, before.boundary_loops, after.boundary_loops,
+            surface.filled_area() / CGAL::Polygon_mesh_processing::area(mesh),
+            samples.median() / 1000);
 }
 
 } // namespace
@@ -51,7 +48,9 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return 1;
-  std::printf("| part | genus | after | loops | after | filled | s |\n");
+  const Table table({"bound", "genus", "after", "boundary loops", "after", "area of disks",
+                     "seconds"},
+                    0);
   for(int i = 2; i < argc; ++i)
-    benchmark(mesh, std::atof(argv[i]));
+    benchmark(table, mesh, std::atof(argv[i]));
 }

@@ -7,6 +7,8 @@
 
 // Surfaces to be simplified: generated ones, and those in files.
 
+#include "../Table.h"
+
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -136,15 +138,13 @@ inline Mesh read_surface(const std::string& path)
   return mesh;
 }
 
-inline std::string name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
-
 // calls `benchmark(name, mesh)`
 template <typename Benchmark>
 void benchmark_file(const std::string& path, const Benchmark& benchmark)
 {
   const Mesh mesh = read_surface(path);
   if(mesh.number_of_vertices() == 0)
-    std::printf("%s: no triangle mesh\n", path.c_str());
+    std::fprintf(stderr, "%s is no triangle mesh\n", path.c_str());
   else
     benchmark(name_of(path), mesh);
 }

@@ -7,6 +7,7 @@
 // The two take turns; medians are printed. malloc keeps its memory for both, so that the system's
 // clearing of new pages is not part of the figures.
 
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
@@ -15,11 +16,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cstdio>
+#include <iostream>
 #include <string>
 #include <vector>
-
-#include <malloc.h>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
@@ -30,21 +29,19 @@ typedef IT::Common_subdivision<IT::Euclidean_geometry_traits<>, Kernel::Point_3>
 
 constexpr int repetitions = 15;
 
-void benchmark(const std::string& file)
+void benchmark(const Table& table, const std::string& file)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
-    std::printf("%s: cannot be read\n", file.c_str());
+    std::cerr << file << " cannot be read\n";
     return;
   }
   Samples build, flip, trace, subdivide, heat;
-  std::size_t flips = 0, bytes = 0;
+  std::size_t flips = 0;
   for(int i = 0; i < repetitions; ++i) {
     {
-      const std::size_t before = bytes_in_use();
       IT::Intrinsic_triangulation<> tri =
         build.time([&] { return IT::Intrinsic_triangulation<>(mesh); });
-      bytes = bytes_in_use() - before;
       flips = flip.time([&] { return IT::make_Delaunay(tri); });
       const IT::Correspondence<> correspondence =
         trace.time([&] { return IT::Correspondence<>(tri); });
@@ -52,11 +49,9 @@ void benchmark(const std::string& file)
     }
     heat.time([&] { return Heat_triangulation(mesh); });
   }
-  const std::string name = file.substr(file.find_last_of('/') + 1);
-  std::printf("%-24s%9u%9zu%9.2f%9.2f%9.2f%8.2f%9.2f%9.2f%8zu\n", name.c_str(),
-              mesh.number_of_vertices(), flips, build.median(), flip.median(), heat.median(),
-              heat.median() / (build.median() + flip.median()), trace.median(), subdivide.median(),
-              bytes / mesh.number_of_edges());
+  const double ours = build.median() + flip.median();
+  table.row(name_of(file), mesh.number_of_vertices(), flips, ours, heat.median(),
+            heat.median() / ours, trace.median() + subdivide.median());
 }
 
 int main(int argc, char** argv)
@@ -67,9 +62,8 @@ int main(int argc, char** argv)
     for(const char* name :
         {"armadillo", "camel", "turbine", "ChineseDragon-10kv", "refined_elephant"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("milliseconds, medians of %d\n", repetitions);
-  std::printf("%-24s%9s%9s%9s%9s%9s%8s%9s%9s%8s\n", "mesh", "vertices", "flips", "build", "flip",
-              "heat", "ratio", "trace", "subdiv.", "B/edge");
+  const Table table({"mesh", "vertices", "flips", "construction and flips (ms)", "CGAL (ms)",
+                     "ratio", "correspondence and subdivision (ms)"});
   for(const std::string& file : files)
-    benchmark(file);
+    benchmark(table, file);
 }

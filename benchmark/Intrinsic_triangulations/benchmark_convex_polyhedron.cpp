@@ -8,6 +8,7 @@
 // triangulation of the same surface.
 
 #include "../../test/Intrinsic_triangulations/more_generators.h"
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
 using namespace Test_surfaces;
 
@@ -45,8 +45,8 @@ double greatest_error(const IT::Convex_polyhedron& p, const Mesh& hull)
 
 int main()
 {
-  std::printf("| vertices | height | steps | seconds | times Delaunay | error | convex |\n"
-              "| -------: | -----: | ----: | ------: | -------------: | ----: | ------ |\n");
+  const Table table({"convex", "vertices", "height", "steps", "seconds",
+                     "times a Delaunay triangulation", "error"});
   for(const double height : {1., 0.1, 0.01})
     for(const std::size_t n : {100, 500, 2000}) {
       const Mesh hull = flattened_hull(n, height);
@@ -60,9 +60,7 @@ int main()
           Triangulation copy(t.mesh(), surface);
           return IT::make_Delaunay(copy);
         });
-      std::printf("| %zu | %g | %zu | %.2f | %.0f | %.1e | %s |\n", n, height, p.newton_steps(),
-                  path.least() / 1000, path.least() / Delaunay.least(), greatest_error(p, hull),
-                  p.certificate().is_convex() ? "yes" : "no");
-      std::fflush(stdout);
+      table.row(p.certificate().is_convex() ? "yes" : "no", n, height, p.newton_steps(),
+                path.least() / 1000, path.least() / Delaunay.least(), greatest_error(p, hull));
     }
 }

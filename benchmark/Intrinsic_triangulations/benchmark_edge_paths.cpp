@@ -7,7 +7,10 @@
 // back, and the longest one.
 // Usage: benchmark_edge_paths [--paths N] [--peer PROGRAM] [mesh...]
 // PROGRAM gets a mesh, and pairs of vertices on standard input. After a line of headings, it prints
-// for each pair the milliseconds of the search and of shortening, and the length.
+// for each pair the milliseconds of the search and of shortening, and the length. Its figures are on
+// standard error.
+
+#include "../Table.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -27,7 +30,6 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <iostream>
 #include <random>
 #include <string>
@@ -48,6 +50,12 @@ struct Result
 {
   std::size_t paths = 0, geodesic = 0, longer = 0, flips = 0;
   double search = 0, seconds = 0, slowest = 0, length = 0;
+
+  void operator+=(const Result& r)
+  {
+    paths += r.paths, geodesic += r.geodesic, longer += r.longer, flips += r.flips;
+    search += r.search, seconds += r.seconds, slowest = (std::max)(slowest, r.slowest);
+  }
 };
 
 void shorten(const Halfedges& start, bool is_loop, IT::Edge_paths<Triangulation::Traits>& paths,
@@ -138,21 +146,20 @@ double milliseconds_per_path(double seconds, const Result& r)
   return 1e3 * seconds / static_cast<double>((std::max)(r.paths, std::size_t(1)));
 }
 
-void print(const Result& r)
+void print(const Table& table, const std::string& name, const char* kind, const Result& r)
 {
-  std::cout << std::setw(8) << r.paths << std::setw(10) << r.geodesic << std::setw(8) << r.longer
-            << std::setw(10) << r.flips / (std::max)(r.paths, std::size_t(1)) << std::setw(10)
-            << milliseconds_per_path(r.search, r) << std::setw(10)
-            << milliseconds_per_path(r.seconds, r) << std::setw(10) << 1e3 * r.slowest;
+  if(r.paths > 0)
+    table.row(name, kind, r.paths, r.geodesic, r.longer, r.flips / r.paths,
+              milliseconds_per_path(r.search, r), milliseconds_per_path(r.seconds, r),
+              1e3 * r.slowest);
 }
 
 void print_peer(const Result& peer, const Result& ours)
 {
-  std::cout << "\n"
-            << std::setw(28) << "peer" << std::setw(17) << peer.paths << std::setw(38)
-            << milliseconds_per_path(peer.search, peer) << std::setw(10)
-            << milliseconds_per_path(peer.seconds, peer) << std::setw(10) << 1e3 * peer.slowest
-            << "  lengths differ by " << std::abs(peer.length - ours.length) / ours.length;
+  std::cerr << "peer: " << peer.paths << " paths, " << milliseconds_per_path(peer.search, peer)
+            << " and " << milliseconds_per_path(peer.seconds, peer) << " ms, at most "
+            << 1e3 * peer.slowest << "; lengths differ by "
+            << std::abs(peer.length - ours.length) / ours.length << '\n';
 }
 
 Result homology_loops(const Triangulation& input)
@@ -165,26 +172,33 @@ Result homology_loops(const Triangulation& input)
   return result;
 }
 
-void measure(const std::string& file, int n, const std::string& peer)
+struct Results
+{
+  std::size_t meshes = 0;
+  Result paths, loops;
+};
+
+void measure(const Table& table, const std::string& file, int n, const std::string& peer,
+             Results& all)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) ||
      mesh.number_of_faces() == 0)
     return;
-  std::cout << std::setw(28) << std::filesystem::path(file).stem().string() << std::setw(9)
-            << mesh.number_of_faces() << std::flush;
   try {
     const Triangulation input(mesh);
     const Pairs pairs = random_pairs(input.mesh(), n);
-    const Result paths = shortened_paths(input, pairs);
-    print(paths);
-    print(homology_loops(input));
+    const Result paths = shortened_paths(input, pairs), loops = homology_loops(input);
+    print(table, name_of(file), "paths", paths);
+    print(table, name_of(file), "loops", loops);
+    ++all.meshes;
+    all.paths += paths;
+    all.loops += loops;
     if(!peer.empty())
       print_peer(peer_paths(peer, file, pairs), paths);
   } catch(const std::exception& error) {
-    std::cout << "  " << error.what();
+    std::cerr << file << ": " << error.what() << '\n';
   }
-  std::cout << std::endl;
 }
 
 } // namespace
@@ -207,12 +221,13 @@ int main(int argc, char* argv[])
         files.push_back(file.path().string());
     std::sort(files.begin(), files.end());
   }
-  std::cout << std::setprecision(3) << std::setw(28) << "mesh" << std::setw(9) << "faces";
-  for(const char* kind : {"paths", "loops"})
-    std::cout << std::setw(8) << kind << std::setw(10) << "geodesic" << std::setw(8) << "longer"
-              << std::setw(10) << "flips" << std::setw(10) << "search" << std::setw(10) << "[ms]"
-              << std::setw(10) << "slowest";
-  std::cout << std::endl;
+  const Table table({"mesh", "curves", "number", "geodesics", "longer than the start",
+                     "flips for each", "search (ms)", "shortening (ms)", "at most (ms)"},
+                    2);
+  Results all;
   for(const std::string& file : files)
-    measure(file, n, peer);
+    measure(table, file, n, peer, all);
+  const std::string name = "all " + std::to_string(all.meshes) + " meshes";
+  print(table, name, "paths", all.paths);
+  print(table, name, "loops", all.loops);
 }

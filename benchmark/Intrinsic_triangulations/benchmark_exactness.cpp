@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What exactness costs: construction and flips in `double` and with exact decisions, which take
-// turns, and the certificate of the former; with the decisions of the certificate by stage. On
-// meshes named as arguments, or on CGAL's own and a grid of 100,000 squares in a rotated plane,
-// each of which is a tie.
+// turns, and the certificate of the former. On meshes named as arguments, or on CGAL's own and a
+// grid of 100,000 squares in a rotated plane, each of which is a tie. Times are medians.
 
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <cstdio>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -53,7 +53,7 @@ IT::Intrinsic_triangulation<Traits> Delaunay(const Mesh& mesh)
   return tri;
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const Table& table, const std::string& name, const Mesh& mesh)
 {
   Samples rounded, exact, certify;
   IT::Delaunay_certificate certificate;
@@ -62,12 +62,9 @@ void benchmark(const std::string& name, const Mesh& mesh)
     certificate = certify.time([&] { return IT::certify_Delaunay(tri); });
     exact.time([&] { return Delaunay<IT::Exact_Euclidean_geometry_traits<>>(mesh); });
   }
-  std::printf(
-    "%-24s%9u%9.2f%9.2f%7.2f%9.2f%7.2f%10zu%8zu%8zu%8zu%8zu%8zu\n", name.c_str(),
-    mesh.number_of_edges(), rounded.median(), exact.median(), exact.median() / rounded.median(),
-    certify.median(), certify.median() / rounded.median(), certificate.decided_by_lengths,
-    certificate.decided_in_floating_point, certificate.decided_in_multiprecision,
-    certificate.decided_exactly, certificate.ties.size(), certificate.non_Delaunay_edges.size());
+  table.row(name, mesh.number_of_edges(), rounded.median(), exact.median(),
+            exact.median() / rounded.median(), certify.median(), certificate.ties.size(),
+            certificate.non_Delaunay_edges.size());
 }
 
 int main(int argc, char** argv)
@@ -78,18 +75,15 @@ int main(int argc, char** argv)
     for(const char* name : {"armadillo", "camel", "turbine", "ChineseDragon-10kv",
                             "refined_elephant", "fandisk", "anchor"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("milliseconds, medians of %d; the last six columns count decisions of the "
-              "certificate, ties, and edges that are not Delaunay\n",
-              repetitions);
-  std::printf("%-24s%9s%9s%9s%7s%9s%7s%10s%8s%8s%8s%8s%8s\n", "mesh", "edges", "double", "exact",
-              "ratio", "certify", "ratio", "lengths", "floats", "digits", "exact", "ties", "wrong");
+  const Table table({"mesh", "edges", "`double` (ms)", "exact (ms)", "ratio", "certificate (ms)",
+                     "ties", "not Delaunay with `double`"});
   for(const std::string& file : files) {
     Mesh mesh;
     if(CGAL::IO::read_polygon_mesh(file, mesh))
-      benchmark(file.substr(file.find_last_of('/') + 1), mesh);
+      benchmark(table, name_of(file), mesh);
     else
-      std::printf("%s: cannot be read\n", file.c_str());
+      std::cerr << file << " cannot be read\n";
   }
   if(argc == 1)
-    benchmark("grid", make_grid(400, 250));
+    benchmark(table, "grid", make_grid(400, 250));
 }

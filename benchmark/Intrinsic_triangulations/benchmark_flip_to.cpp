@@ -3,23 +3,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Flips that follow integer coordinates alone against crossings (Figure 3.8): from a random
-// triangulation T2 to the input T1, and from T2 to another one T3; then from T2 refined to angles
-// of 25 degrees to T3 refined to 28. On meshes named as arguments, or on CGAL's own. The last
-// columns have the exponents of the growth of flips with crossings from line to line.
+// triangulation T2 to the input T1, and from T2 to another one T3. On meshes named as arguments, or
+// on CGAL's own. The last columns have the exponents of the growth of flips with crossings from line to line.
 
-#include "measure.h"
+#include "../Table.h"
 
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/rebase.h>
-#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -73,11 +69,8 @@ Flips flips_to(Triangulation tri, const Triangulation& target)
   return {crossings, double(IT::flip_to(tri, target))};
 }
 
-void benchmark(const std::string& name, const Mesh& mesh)
+void benchmark(const Table& table, const std::string& name, const Mesh& mesh)
 {
-  std::printf("%s, %u edges\n%12s%12s%12s%12s%12s%12s%8s%8s\n", name.c_str(),
-              mesh.number_of_edges(), "random", "crossings", "flips", "crossings", "flips", "ms",
-              "", "");
   CGAL::Random random(1);
   Triangulation t2(mesh), t3(mesh);
   Flips before1{}, before2{};
@@ -85,36 +78,14 @@ void benchmark(const std::string& name, const Mesh& mesh)
   for(std::size_t done = step; done <= 8 * step; done *= 2) {
     for(Triangulation* t : {&t2, &t3})
       flip_at_random(*t, done == step ? step : done / 2, random);
-    const Flips to_input = flips_to_input(t2);
-    Samples samples;
-    const Flips between = samples.time([&] { return flips_to(t2, t3); });
-    std::printf("%12zu%12.0f%12.0f%12.0f%12.0f%12.1f", done, to_input.crossings, to_input.flips,
-                between.crossings, between.flips, samples.median());
-    if(done > step)
-      std::printf("%8.2f%8.2f", exponent(before1, to_input), exponent(before2, between));
-    std::printf("\n");
+    const Flips to_input = flips_to_input(t2), between = flips_to(t2, t3);
+    const bool is_first = done == step;
+    table.row(name, done, to_input.crossings, to_input.flips, between.crossings, between.flips,
+              is_first ? "" : Table::text(exponent(before1, to_input)),
+              is_first ? "" : Table::text(exponent(before2, between)));
     before1 = to_input;
     before2 = between;
   }
-}
-
-Triangulation refined(const Mesh& mesh, double angle)
-{
-  Triangulation tri(mesh);
-  IT::make_Delaunay(tri);
-  IT::refine(tri, IT::parameters::minimum_angle(angle));
-  tri.collect_garbage();
-  return tri;
-}
-
-void benchmark_refined(const Mesh& mesh)
-{
-  const Triangulation t2 = refined(mesh, 25), t3 = refined(mesh, 28);
-  Samples samples;
-  const Flips between = samples.time([&] { return flips_to(t2, t3); });
-  std::printf("refined, with %u and %u vertices: %.0f crossings, %.0f flips, %.1f ms\n",
-              t2.mesh().number_of_vertices(), t3.mesh().number_of_vertices(), between.crossings,
-              between.flips, samples.median());
 }
 
 } // namespace
@@ -123,13 +94,14 @@ int main(int argc, char* argv[])
 {
   std::vector<std::string> files(argv + 1, argv + argc);
   if(files.empty())
-    for(const char* name : {"elephant", "fandisk", "armadillo"})
+    for(const char* name : {"fandisk", "armadillo"})
       files.push_back(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+  const Table table({"mesh", "random flips", "crossings of T1, T2", "flips", "crossings of T2, T3",
+                     "flips", "exponent, T1", "exponent, T3"});
   for(const std::string& file : files) {
     Mesh mesh;
     if(!CGAL::IO::read_polygon_mesh(file, mesh))
       return 1;
-    benchmark(file, mesh);
-    benchmark_refined(mesh);
+    benchmark(table, name_of(file), mesh);
   }
 }

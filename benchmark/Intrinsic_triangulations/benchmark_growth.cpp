@@ -6,6 +6,7 @@
 // cylinders sheared by ever more twists. Constant time per flip and linear time per crossing show
 // as columns that stay the same.
 
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
-#include <cstdio>
 #include <random>
 #include <vector>
 
@@ -72,7 +72,7 @@ struct Sheared_cylinder
 };
 
 template <typename Input, typename NamedParameters>
-void benchmark(const char* name, unsigned size, const Input& input, const NamedParameters& np)
+void benchmark(const Table& table, const char* name, unsigned size, const Input& input, const NamedParameters& np)
 {
   Samples flip, trace, subdivide;
   IT::Intrinsic_triangulation<> tri(input, np);
@@ -80,22 +80,22 @@ void benchmark(const char* name, unsigned size, const Input& input, const NamedP
   const IT::Correspondence<> correspondence = trace.time([&] { return IT::Correspondence<>(tri); });
   const auto faces = subdivide.time(
     [&] { return IT::Common_subdivision<>(correspondence).mesh().number_of_faces(); });
-  std::printf("%-20s%8u%10zu%10.0f%12u%10.0f%12u%10.0f\n", name, size, flips,
-              1e6 * flip.median() / double(flips), correspondence.number_of_crossings(),
-              1e6 * trace.median() / correspondence.number_of_crossings(), faces,
-              1e6 * subdivide.median() / faces);
+  table.row(name, size, flips, 1e6 * flip.median() / double(flips),
+            correspondence.number_of_crossings(),
+            1e6 * trace.median() / double(correspondence.number_of_crossings()), faces,
+            1e6 * subdivide.median() / faces);
 }
 
 int main()
 {
   keep_memory();
-  std::printf("%-20s%8s%10s%10s%12s%10s%12s%10s\n", "surface", "size", "flips", "ns each",
-              "crossings", "ns each", "faces", "ns each");
+  const Table table({"surface", "degree or twists", "flips", "each (ns)", "crossings", "each (ns)",
+                     "faces", "each (ns)"});
   for(unsigned n : {500, 1000, 2000, 4000, 8000, 16000})
-    benchmark("bipyramid", n, bipyramid(n), CGAL::parameters::default_values());
+    benchmark(table, "bipyramid", n, bipyramid(n), CGAL::parameters::default_values());
   for(unsigned twists : {125, 250, 500, 1000}) {
     const Sheared_cylinder cylinder(40, twists, 2.);
-    benchmark("sheared cylinder", twists, cylinder.mesh,
+    benchmark(table, "sheared cylinder", twists, cylinder.mesh,
               IT::parameters::edge_length_map(cylinder.length));
   }
 }

@@ -6,6 +6,7 @@
 // which has no correspondence, on one domain; and how the time for an insertion grows with the size
 // of the mesh, the degree of vertices and the length of input edges.
 
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -14,15 +15,14 @@
 #include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -36,49 +36,42 @@ constexpr int repetitions = 5;
 
 struct Times
 {
-  double delaunay, all; // flipping; that and all else; in milliseconds
+  double all; // in milliseconds, with flips to Delaunay
   IT::Refinement_result result;
-  std::size_t crossings;
 };
 
 // `np` are the bounds.
 template <typename NamedParameters>
 Times refine(const Mesh& mesh, const NamedParameters& np)
 {
-  Samples delaunay, all;
+  Samples all;
   Times times{};
   for(int i = 0; i < repetitions; ++i) {
-    Triangulation flipped(mesh), tri(mesh);
-    delaunay.time([&] { return IT::make_Delaunay(flipped); });
+    Triangulation tri(mesh);
     times.result = all.time([&] { return IT::refine(tri, np); });
-    times.crossings = IT::Correspondence<>(tri).number_of_crossings();
   }
-  times.delaunay = delaunay.median();
   times.all = all.median();
   return times;
 }
 
-void print_header(const char* title)
+const std::vector<std::string> headings{"surface",       "vertices", "inserted",
+                                        "removed again", "flips",    "time (ms)",
+                                        "for each insertion (&micro;s)"};
+
+void print(const Table& table, const std::string& name, const Mesh& mesh, const Times& t)
 {
-  std::printf("\n%s\n%-28s%9s%10s%9s%9s%10s%10s%10s%9s\n", title, "", "faces", "inserted",
-              "removed", "flips", "Delaunay", "refine", "crossings", "us/ins.");
+  table.row(name, mesh.number_of_vertices(), t.result.insertions, t.result.removals, t.result.flips,
+            t.all, 1e3 * t.all / double(t.result.insertions));
 }
 
-void print(const std::string& name, const Mesh& mesh, const Times& t)
-{
-  std::printf("%-28s%9u%10zu%9zu%9zu%10.2f%10.2f%10zu%9.2f\n", name.c_str(), mesh.number_of_faces(),
-              t.result.insertions, t.result.removals, t.result.flips, t.delaunay, t.all,
-              t.crossings, 1e3 * t.all / double(t.result.insertions));
-}
-
-void benchmark(const std::string& file)
+void benchmark(const Table& table, const std::string& file)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
-    std::printf("%s: cannot be read\n", file.c_str());
+    std::cerr << file << " cannot be read\n";
     return;
   }
-  print(file.substr(file.find_last_of('/') + 1), mesh,
+  print(table, name_of(file), mesh,
         refine(mesh, IT::parameters::minimum_angle(25.)));
 }
 
@@ -134,8 +127,9 @@ Mesh square()
 
 void compare_with_plane()
 {
-  std::printf("\nA square, against CGAL::Delaunay_mesher_2\n%12s%12s%12s%12s%12s%8s\n", "vertices",
-              "us/vertex", "Mesh_2:", "vertices", "us/vertex", "ratio");
+  const Table table({"vertices", "for each (&micro;s)", "`Delaunay_mesher_2`: vertices",
+                     "for each (&micro;s)", "ratio"},
+                    0);
   for(double size : {0.02, 0.01, 0.005}) {
     Samples ours, theirs;
     std::size_t count = 0, their_count = 0;
@@ -148,8 +142,7 @@ void compare_with_plane()
     }
     const double us = 1e3 * ours.median() / double(count),
                  their_us = 1e3 * theirs.median() / double(their_count);
-    std::printf("%12zu%12.2f%12s%12zu%12.2f%8.2f\n", count, us, "", their_count, their_us,
-                their_us / us);
+    table.row(count, us, their_count, their_us, their_us / us);
   }
 }
 
@@ -191,20 +184,19 @@ Mesh fan(unsigned int n, bool around_center)
 void growth()
 {
   const auto angle = IT::parameters::minimum_angle(25.);
-  print_header("Growth: a mesh with a band of needles");
+  const Table table(headings);
   for(unsigned int n : {70u, 220u, 707u}) {
     const Mesh mesh = banded_grid(n);
-    print("grid " + std::to_string(n), mesh, refine(mesh, angle));
+    print(table, "square with a band of needles", mesh, refine(mesh, angle));
   }
-  print_header("Growth: needles around a vertex");
   for(bool around_center : {true, false})
     for(unsigned int n : {125u, 500u, 2000u}) {
       const Mesh mesh = fan(n, around_center);
-      print((around_center ? "center " : "corner ") + std::to_string(n), mesh, refine(mesh, angle));
+      print(table, around_center ? "needles around the center" : "needles around a corner", mesh,
+            refine(mesh, angle));
     }
-  print_header("Growth: long input edges, a square of two faces");
   for(double radius : {0.02, 0.005, 0.00125})
-    print("circumradius " + std::to_string(radius), square(),
+    print(table, "square of two faces", square(),
           refine(square(), IT::parameters::maximum_circumradius(radius)));
 }
 
@@ -215,10 +207,9 @@ int main(int argc, char** argv)
   if(files.empty())
     for(const char* name : {"cheese", "blade", "armadillo"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("milliseconds, medians of %d", repetitions);
-  print_header("25 degrees");
+  const Table table(headings);
   for(const std::string& file : files)
-    benchmark(file);
+    benchmark(table, file);
   compare_with_plane();
   growth();
 }

@@ -13,6 +13,7 @@
 #include "Overlay_baseline.h"
 #include "Signpost_baseline.h"
 #include "Signpost_refinement.h"
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/boost/graph/helpers.h>
@@ -32,7 +33,6 @@ struct Score
   std::size_t changed = 0, subdivided = 0;
   double milliseconds_to_change = 0, milliseconds_to_subdivide = 0;
   std::map<std::string, std::size_t> reasons;
-  std::map<std::string, std::size_t> subdivided_in_family;
 };
 
 // `change(method)` flips or refines.
@@ -48,7 +48,6 @@ void run(const Named_mesh& m, const Change& change, Score& score)
     subdivide.time([&] { return method.subdivide(); });
     score.milliseconds_to_subdivide += subdivide.median();
     ++score.subdivided;
-    ++score.subdivided_in_family[m.name];
   } catch(const Methods::Failure& failure) {
     ++score.reasons[failure.what()];
   } catch(const CGAL::Intrinsic_triangulations::Error& error) {
@@ -56,67 +55,37 @@ void run(const Named_mesh& m, const Change& change, Score& score)
   }
 }
 
+// Prints reasons of failures to standard error.
 template <typename Method, typename Change>
-Score run(const char* name, const std::vector<Named_mesh>& meshes, const Change& change)
+void run(const Table& table, const char* changed, const char* method,
+         const std::vector<Named_mesh>& meshes, const Change& change)
 {
   Score score;
   for(const Named_mesh& m : meshes)
     run<Method>(m, change, score);
-  const double whole = static_cast<double>(meshes.size());
-  std::printf("%-20s%9.1f %%%11.1f %%%13.1f%13.1f\n", name,
-              100 * static_cast<double>(score.changed) / whole,
-              100 * static_cast<double>(score.subdivided) / whole,
-              1000 * score.milliseconds_to_change / static_cast<double>(score.changed),
-              1000 * score.milliseconds_to_subdivide / static_cast<double>(score.subdivided));
+  table.row(changed, method, meshes.size(), score.changed, score.subdivided,
+            score.milliseconds_to_change / static_cast<double>(score.changed),
+            score.milliseconds_to_subdivide / static_cast<double>(score.subdivided));
   for(const auto& [reason, count] : score.reasons)
-    std::printf("  %4zu: %s\n", count, reason.c_str());
-  return score;
+    std::fprintf(stderr, "  %4zu: %s\n", count, reason.c_str());
 }
 
-// The last score is that of the integer coordinates.
-void print_families(const std::vector<Named_mesh>& meshes, const std::vector<const char*>& names,
-                    const std::vector<Score>& scores)
-{
-  std::map<std::string, std::size_t> sizes;
-  for(const Named_mesh& m : meshes)
-    ++sizes[m.name];
-  std::printf("\n%-28s%8s", "subdivided, by family", "meshes");
-  for(const char* name : names)
-    std::printf("%11s", name);
-  for(const auto& [family, size] : sizes) {
-    std::printf("\n%-28s%8zu", family.c_str(), size);
-    for(const Score& score : scores)
-      std::printf("%11zu", score.subdivided_in_family.count(family)
-                             ? score.subdivided_in_family.at(family)
-                             : 0);
-  }
-  std::printf("\n\n");
-}
-
-void print_head(std::size_t count, const char* change)
-{
-  std::printf("%zu meshes, microseconds per success\n%-20s%11s%13s%13s%13s\n", count, "method",
-              change, "subdivided", "us for that", "us to subdiv.");
-}
-
-void flip(const std::vector<Named_mesh>& meshes)
+void flip(const Table& table, const std::vector<Named_mesh>& meshes)
 {
   const auto make_Delaunay = [](auto& method) { return method.make_Delaunay(); };
-  print_head(meshes.size(), "flipped");
-  print_families(
-    meshes, {"overlay", "signposts", "integers"},
-    {run<Methods::Overlay_baseline>("explicit overlay", meshes, make_Delaunay),
-     run<Methods::Signpost_baseline>("signposts", meshes, make_Delaunay),
-     run<Methods::Integer_coordinate_method>("integer coordinates", meshes, make_Delaunay)});
+  run<Methods::Integer_coordinate_method>(table, "flips to Delaunay", "integer coordinates", meshes,
+                                          make_Delaunay);
+  run<Methods::Overlay_baseline>(table, "flips to Delaunay", "explicit overlay", meshes,
+                                 make_Delaunay);
+  run<Methods::Signpost_baseline>(table, "flips to Delaunay", "signposts", meshes, make_Delaunay);
 }
 
-void refine(const std::vector<Named_mesh>& meshes)
+void refine(const Table& table, const std::vector<Named_mesh>& meshes)
 {
   const auto refine = [](auto& method) { return method.refine(); };
-  print_head(meshes.size(), "refined");
-  print_families(meshes, {"signposts", "integers"},
-                 {run<Methods::Signpost_refinement>("signposts", meshes, refine),
-                  run<Methods::Integer_coordinate_method>("integer coordinates", meshes, refine)});
+  run<Methods::Integer_coordinate_method>(table, "refinement", "integer coordinates", meshes,
+                                          refine);
+  run<Methods::Signpost_refinement>(table, "refinement", "signposts", meshes, refine);
 }
 
 int main(int argc, char** argv)
@@ -128,6 +97,9 @@ int main(int argc, char** argv)
     if(CGAL::is_closed(all.back().mesh))
       closed.push_back(all.back());
   }
-  flip(all);
-  refine(closed);
+  const Table table({"change", "method", "meshes", "changed", "with a common subdivision",
+                     "ms for each change", "ms for each subdivision"},
+                    2);
+  flip(table, all);
+  refine(table, closed);
 }

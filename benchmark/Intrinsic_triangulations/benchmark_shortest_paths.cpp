@@ -5,6 +5,8 @@
 // Exact distances from one vertex to all, and paths to random points: ours beside CGAL's.
 // Usage: benchmark_shortest_paths [mesh...]
 
+#include "../Table.h"
+
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Random.h>
@@ -17,8 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -55,7 +55,7 @@ std::vector<Location> random_locations(const Mesh& mesh, int n)
   return result;
 }
 
-void compare(const std::string& file)
+void compare(const Table& table, const std::string& file)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh)) {
@@ -91,11 +91,8 @@ void compare(const std::string& file)
   for(Mesh::Vertex_index v : mesh.vertices())
     if(const double d = theirs.shortest_distance_to_source_points(v).first; d > 0)
       difference = (std::max)(difference, std::abs(ours.distance(v) - d) / d);
-  std::cout << std::setw(24) << std::filesystem::path(file).stem().string() << std::setw(9)
-            << mesh.number_of_faces() << std::setw(12) << our_search << std::setw(12)
-            << their_search << std::setw(12) << 1e3 * our_paths << std::setw(12)
-            << 1e3 * their_paths << std::setw(12) << places / targets.size() << std::setw(14)
-            << difference << std::endl;
+  table.row(name_of(file), mesh.number_of_faces(), our_search, their_search, 1e3 * our_paths,
+            1e3 * their_paths, places / targets.size(), difference);
 }
 
 } // namespace
@@ -106,10 +103,8 @@ int main(int argc, char* argv[])
   if(files.empty())
     for(const char* name : {"elephant", "fandisk", "bull", "lion-head", "armadillo"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::cout << std::setprecision(3) << std::setw(24) << "mesh" << std::setw(9) << "faces"
-            << std::setw(12) << "search [s]" << std::setw(12) << "CGAL's" << std::setw(12)
-            << "path [us]" << std::setw(12) << "CGAL's" << std::setw(12) << "places"
-            << std::setw(14) << "difference\n";
+  const Table table({"mesh", "faces", "all distances (s)", "CGAL (s)", "a path (&micro;s)",
+                     "CGAL (&micro;s)", "crossings of a path", "greatest relative difference"});
   for(const std::string& file : files)
-    compare(file);
+    compare(table, file);
 }

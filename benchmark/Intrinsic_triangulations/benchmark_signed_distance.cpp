@@ -6,6 +6,7 @@
 // errors in edge lengths, and CPU times beside those of the distance to a vertex. Usage:
 // benchmark_signed_distance [greatest number of cells along a side]
 
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -18,8 +19,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <iomanip>
-#include <iostream>
 #include <vector>
 
 namespace {
@@ -75,7 +74,7 @@ Eigen::VectorXd distances_from(const Mesh& mesh, double x, double y)
   return result;
 }
 
-void measure(int n)
+void measure(const Table& table, int n)
 {
   const Mesh mesh = square(n);
   IT::Intrinsic_triangulation<> tri(mesh);
@@ -94,10 +93,9 @@ void measure(int n)
   IT::Distance_sources sources(surface);
   sources.add(curve);
   const Eigen::VectorXd u = unsigned_curve.time([&] { return heat.distances(sources); });
-  std::cout << std::setw(5) << n << std::setw(10) << error(d, exact) << std::setw(10)
-            << error(u, exact.cwiseAbs()) << std::setw(12) << plain_build.median() << std::setw(10)
-            << plain.median() << std::setw(12) << signed_build.median() << std::setw(10)
-            << of_curve.median() << std::setw(12) << unsigned_curve.median() << '\n';
+  table.row(mesh.number_of_vertices(), error(d, exact), error(u, exact.cwiseAbs()),
+            signed_build.median(), of_curve.median(), plain_build.median(), unsigned_curve.median(),
+            plain.median());
 }
 
 } // namespace
@@ -105,9 +103,10 @@ void measure(int n)
 int main(int argc, char* argv[])
 {
   const int greatest = argc > 1 ? std::atoi(argv[1]) : 256;
-  std::cout << std::fixed << std::setprecision(3)
-            << "mean errors in edge lengths, CPU milliseconds\n"
-               "cells    signed  unsigned  heat build    vertex  signed build  curve  unsigned\n";
+  const Table table({"vertices", "error of `Signed_heat_distance`", "of `Heat_distance`",
+                     "`Signed_heat_distance`: construction (ms)", "a curve (ms)",
+                     "`Heat_distance`: construction (ms)", "a curve (ms)", "a vertex (ms)"},
+                    0);
   for(int n = 16; n <= greatest; n *= 2)
-    measure(n);
+    measure(table, n);
 }

@@ -4,10 +4,11 @@
 
 // Refines until triangulations are simplicial, writes them as ordinary meshes, and reads these
 // back: are they valid for CGAL, without loops and double edges, what was written, Delaunay, and of
-// the angles asked for? Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
+// the angles asked for? Faults are on standard error. Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
+
+#include "../Table.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -27,11 +28,9 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -107,31 +106,34 @@ std::string fault_of(const IT::Intrinsic_triangulation<>& triangulation,
            : "small angles: " + std::string(to_string(result.status));
 }
 
-// Returns whether the mesh could be read and whether all is well.
-std::pair<bool, bool> measure(const std::string& file, double angle)
+struct Counts
+{
+  std::size_t meshes = 0, faultless = 0, with_excused_faces = 0;
+};
+
+void measure(const std::string& file, double angle, Counts& counts)
 {
   Mesh mesh;
   if(!read(file, mesh))
-    return {false, false};
-  std::cout << std::setw(28) << fs::path(file).filename().string() << std::setw(9)
-            << mesh.number_of_faces() << std::flush;
+    return;
+  ++counts.meshes;
   std::string fault;
   try {
     IT::Intrinsic_triangulation<> triangulation(mesh);
     const auto result =
       IT::refine(triangulation, IT::parameters::minimum_angle(angle).simplicial(true));
     triangulation.collect_garbage();
-    std::cout << std::setw(10) << triangulation.mesh().number_of_faces() << std::setw(9)
-              << result.remaining.size() << std::setw(10)
-              << IT::smallest_angle_in_degrees(triangulation.mesh(), triangulation.length_map());
+    counts.with_excused_faces += !result.remaining.empty();
     fault = fault_of(triangulation, result);
     if(fault.empty())
       fault = fault_of(IT::extrinsic_mesh(triangulation, mesh.points()));
   } catch(const std::exception& error) {
     fault = error.what();
   }
-  std::cout << "  " << fault << std::endl;
-  return {true, fault.empty()};
+  if(fault.empty())
+    ++counts.faultless;
+  else
+    std::cerr << file << ": " << fault << '\n';
 }
 
 } // namespace
@@ -149,14 +151,9 @@ int main(int argc, char* argv[])
       files.push_back(file.path().string());
     std::sort(files.begin(), files.end());
   }
-  std::cout << std::setw(28) << "mesh" << std::setw(9) << "faces" << std::setw(10) << "refined"
-            << std::setw(9) << "excused" << std::setw(10) << "smallest"
-            << "  fault\n";
-  std::size_t meshes = 0, faultless = 0;
-  for(const std::string& file : files) {
-    const auto [is_read, is_faultless] = measure(file, angle);
-    meshes += is_read;
-    faultless += is_faultless;
-  }
-  std::cout << faultless << " of " << meshes << " manifold meshes without fault\n";
+  const Table table({"bound (degrees)", "meshes", "without fault", "with excused faces"}, 0);
+  Counts counts;
+  for(const std::string& file : files)
+    measure(file, angle, counts);
+  table.row(angle, counts.meshes, counts.faultless, counts.with_excused_faces);
 }

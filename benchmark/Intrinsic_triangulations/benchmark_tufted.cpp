@@ -12,6 +12,7 @@
 // faces, touch a vertex only, or form Moebius bands; faces have random orientations.
 
 #include "../../test/Intrinsic_triangulations/soups.h"
+#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
@@ -22,7 +23,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,7 +81,7 @@ struct Ordinary_surface
 struct Comparison
 {
   Times ordinary, tufted;
-  Samples cover, mesh_alone;
+  Samples mesh_alone;
 
   void take(const Mesh& mesh, const Soup& oriented, const Soup& soup)
   {
@@ -96,7 +97,7 @@ struct Comparison
       return result;
     });
     tufted.take([&] {
-      const auto made = cover.time([&] { return IT::tufted_cover(soup.points, soup.triangles); });
+      const auto made = IT::tufted_cover(soup.points, soup.triangles);
       IT::Intrinsic_triangulation<> tri(made.mesh());
       IT::make_Delaunay(tri);
       return IT::Tufted_surface<>(made, tri.intrinsic());
@@ -117,7 +118,7 @@ Mesh mesh_of(const std::string& file)
 {
   Mesh result;
   if(!CGAL::IO::read_polygon_mesh(file, result))
-    std::printf("%s: cannot be read\n", file.c_str());
+    std::cerr << file << " cannot be read\n";
   return result;
 }
 
@@ -126,20 +127,18 @@ std::string data_file(const std::string& name)
   return CGAL::data_file_path("meshes/" + name + ".off");
 }
 
-void benchmark_mesh(const std::string& file)
+void benchmark_mesh(const Table& table, const std::string& file)
 {
   const Mesh mesh = mesh_of(file);
   const Soup soup = with_fins(mesh), oriented = soup_of(mesh);
   Comparison times;
   for(int i = 0; i < repetitions; ++i)
     times.take(mesh, oriented, soup);
-  const auto& [ordinary, tufted, cover, mesh_alone] = times;
+  const auto& [ordinary, tufted, mesh_alone] = times;
   const auto ratios = times.ratios();
-  const std::string name = file.substr(file.find_last_of('/') + 1);
-  std::printf("%-22s%8zu%7.1f%7.1f%10.1f%8.1f%6.2f%6.2f%10.1f%8.1f%6.2f%6.2f\n", name.c_str(),
-              soup.triangles.size(), mesh_alone.least(), cover.least(), ordinary.operators.least(),
-              tufted.operators.least(), ratios[0], ratios[1], ordinary.all(), tufted.all(),
-              ratios[2], ratios[3]);
+  table.row(name_of(file), soup.triangles.size(), ordinary.operators.least(),
+            tufted.operators.least(), ratios[0], ratios[1], ordinary.all(), tufted.all(), ratios[2],
+            ratios[3]);
 }
 
 // Ratios of the times of soups to those of their meshes, in the order of `Comparison::ratios()`.
@@ -159,13 +158,15 @@ struct Ratios
       values[r].insert(values[r].end(), other.values[r].begin(), other.values[r].end());
   }
 
-  void print()
+  void print(const std::string& name)
   {
+    std::vector<std::string> cells{name, Table::text(values[0].size())};
     for(auto& ratios : values) {
       std::sort(ratios.begin(), ratios.end());
-      std::printf("%11.2f%6.2f", ratios[ratios.size() / 2], ratios.back());
+      cells.push_back(Table::text(ratios[ratios.size() / 2]));
+      cells.push_back(Table::text(ratios.back()));
     }
-    std::printf("\n");
+    Table::print(cells);
   }
 };
 
@@ -181,15 +182,15 @@ Ratios benchmark_soups(const std::string& name)
       times.take(mesh, oriented, soup);
     result.add(times.ratios());
   }
-  std::printf("%-22s%8u", name.c_str(), unsigned(mesh.number_of_faces()));
-  result.print();
+  result.print(name);
   return result;
 }
 
 void benchmark_all_soups()
 {
-  std::printf("\nmedian and greatest ratios, 15 soups of each mesh\n%-22s%8s%17s%17s%17s%17s\n",
-              "mesh", "faces", "operators", "from triangles", "distance", "from triangles");
+  const Table table({"mesh", "soups", "operators", "at most", "with the mesh made first",
+                     "at most", "with a distance", "at most", "with the mesh made first",
+                     "at most"});
   Ratios all;
   for(const char* name : {"anchor_dense", "blobby",   "bones",       "cow",
                           "dino",         "elephant", "elk",         "femur",
@@ -197,8 +198,7 @@ void benchmark_all_soups()
                           "knot1",        "mushroom", "retinal",     "elephant-with-holes",
                           "rotor_small",  "spool",    "three_peaks", "triceratops"})
     all.add(benchmark_soups(name));
-  std::printf("%-22s%8zu", "all", all.values[0].size());
-  all.print();
+  all.print("all");
 }
 
 int main(int argc, char** argv)
@@ -208,12 +208,11 @@ int main(int argc, char** argv)
   if(files.empty())
     for(const char* name : {"armadillo", "camel", "refined_elephant"})
       files.push_back(data_file(name));
-  std::printf("milliseconds, least of %d; ratios without and with the time to make the mesh\n",
-              repetitions);
-  std::printf("%-22s%8s%7s%7s%10s%8s%12s%10s%8s%12s\n", "mesh", "faces", "mesh", "cover",
-              "operators", "tufted", "ratios", "distance", "tufted", "ratios");
+  const Table table({"mesh", "faces", "operators, mesh (ms)", "soup (ms)", "ratio",
+                     "with the mesh made first", "with a distance, mesh (ms)", "soup (ms)", "ratio",
+                     "with the mesh made first"});
   for(const std::string& file : files)
-    benchmark_mesh(file);
+    benchmark_mesh(table, file);
   if(argc == 1)
     benchmark_all_soups();
 }

@@ -2,8 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Prints how long calls take, and which part of that is spent before the algorithm: on checking arrays
-and on making the mesh of them. Seconds of the processor, the least of five.
+"""Prints a table of how long calls take for a folded sphere, and which part of that is spent before the
+algorithm: on checking arrays and on making the mesh of them. Times of the processor, the least of five.
 
 usage: PYTHONPATH=build/python python3 python/benchmark/overhead.py [LEVEL ...]
 """
@@ -36,15 +36,15 @@ def seconds(call, *arguments):
 
 
 def main():
-    for level in map(int, sys.argv[1:] or ["5", "6"]):
+    for level in map(int, sys.argv[1:] or ["6"]):
         V, F = intrinsic.shapes.folded_sphere(level)
         arrays = seconds(_meshes.arrays, V, F)
         before = seconds(_meshes.surface, V, F)
-        print(f"{len(V)} vertices: arrays {1000 * arrays:.2f} ms, with the mesh {1000 * before:.2f} ms")
+        print("\n| call | vertices | ms | arrays | arrays and mesh |\n| --- | ---: | ---: | ---: | ---: |")
         for name, call in CALLS.items():
             whole = seconds(call, V, F)
-            print(f"  {name:32} {1000 * whole:8.1f} ms, arrays {arrays / whole:6.2%}, "
-                  f"with the mesh {before / whole:6.1%}")
+            print(f"| `{name}` | {len(V):,} | {1000 * whole:,.0f} | {100 * arrays / whole:.2g} % "
+                  f"| {100 * before / whole:.2g} % |", flush=True)
 
 
 if __name__ == "__main__":
