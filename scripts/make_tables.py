@@ -94,13 +94,13 @@ SUMMARY = [
     ("common subdivisions after flips, of 1,000 near-degenerate meshes", "signposts", f"{IT}/robustness",
      ("flips to Delaunay | integer coordinates", "with a common subdivision"),
      ("flips to Delaunay | signposts", "with a common subdivision")),
-    ("maps to the plane of the meshes of [small.txt](benchmark/meshes/small.txt)",
+    ("maps to the plane of the meshes of `benchmark/meshes/small.txt`",
      "fixed triangulations, with the same rule for cones", f"{DCM}/maps_found", ("flips", "maps found"),
      ("fixed triangulations", "maps found")),
     ("error of a Poisson solution on a coarse surface, relative to one weight", "edge collapses with quadrics",
      f"{IS}/quality_means", ("geometric mean", "default"), ("geometric mean", "quadrics")),
 ]
-SUMMARY_FILE = ROOT / "doc" / IT / "tables" / "summary.md"
+SUMMARY_FILE = f"{IT}/summary"
 SUMMARY_BLOCK = re.compile(r"(?<=<!-- scripts/make_tables.py writes this table. -->\n\n).*?(?=\n\n<!-- end -->)", re.S)
 
 
@@ -110,14 +110,18 @@ def path_of(file):
     return ROOT / "doc" / package / "tables" / (name + ".md")
 
 
+def cells_of(row):
+    return [cell.strip() for cell in row.strip().strip("|").split("|")]
+
+
 def tables_in(output):
-    """Returns tables, as lists of lines, of which each begins with headings and a rule."""
+    """Returns tables as lists of lines, each with headings and a rule at its beginning."""
     lines, result = output.splitlines(), []
     for line, following in zip(lines, [*lines[1:], ""]):
         if re.fullmatch(r"\|(?: *:?-+:? *\|)+", following.strip()):
             result.append([])
         if line.startswith("|") and result:
-            result[-1].append(re.sub(r" *\| *", " | ", line).strip())
+            result[-1].append("| " + " | ".join(cells_of(line)) + " |")
     return result
 
 
@@ -150,26 +154,27 @@ def write(path, text):
     os.replace(beside, path)
 
 
-def cells_of(row):
-    return [cell.strip() for cell in row.strip("| ").split(" | ")]
-
-
 def cell_of(file, row, column):
     """Returns a cell of a table with the unit of its column."""
     lines = path_of(file).read_text().splitlines()
     found = next(line for line in lines[2:] if line.startswith(f"| {row} |"))
-    unit = re.search(r"\(([^)]*)\)$", column)
-    return found.strip("| ").split(" | ")[cells_of(lines[0]).index(column)] + (f" {unit[1]}" if unit else "")
+    unit = re.search(r" \([^)]*\)$", column)
+    return cells_of(found)[cells_of(lines[0]).index(column)] + (unit[0].replace("(", "").replace(")", "") if unit else "")
+
+
+def summary():
+    """Returns the table of README.md."""
+    table = ["| task | compared with | here | other |", "| --- | --- | ---: | ---: |"]
+    for task, other, file, *sides in SUMMARY:
+        table.append(f"| {task} | {other} | " + " | ".join(cell_of(file, *side) for side in sides) + " |")
+    return "\n".join(table)
 
 
 def write_summary():
     """Writes the table of README.md, and the same table for the manual."""
-    table = ["| task | compared with | here | other |", "| --- | --- | ---: | ---: |"]
-    for task, other, file, *sides in SUMMARY:
-        table.append(f"| {task} | {other} | " + " | ".join(cell_of(file, *side) for side in sides) + " |")
     readme = ROOT / "README.md"
-    write(readme, SUMMARY_BLOCK.sub(lambda _: "\n".join(table), readme.read_text()))
-    write(SUMMARY_FILE, re.sub(r"\[([^]]*)\]\([^)]*\)", r"`\1`", "\n".join(table)) + "\n")
+    write(readme, SUMMARY_BLOCK.sub(lambda _: summary(), readme.read_text()))
+    write(path_of(SUMMARY_FILE), summary() + "\n")
 
 
 def make(run, build):
