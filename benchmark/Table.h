@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <vector>
 
-// Prints a table in Markdown, which scripts/make_tables.py writes into the manual. The first columns
-// are names, the others figures.
+// Prints a table in Markdown, which scripts/make_tables.py writes into the manual. The first
+// columns are names, the others figures.
 class Table
 {
 public:
@@ -56,7 +56,7 @@ public:
 private:
   static std::string separated(std::string digits)
   {
-    for(std::size_t n = 3; n < digits.size(); n += 4)
+    for(std::size_t n = 3; n + (digits[0] == '-') < digits.size(); n += 4)
       digits.insert(digits.size() - n, ",");
     return digits;
   }
@@ -64,13 +64,14 @@ private:
   static std::string rounded(double x)
   {
     const double size = std::abs(x);
-    if(size >= 999.5 && std::isfinite(x))
+    if(!std::isfinite(x))
+      return std::to_string(x);
+    if(size >= 999.5)
       return separated(std::to_string(std::llround(x)));
+    const int digits = x == 0 ? 0 : 2 - static_cast<int>(std::floor(std::log10(1.0005 * size)));
     char result[32];
-    if(size < 1e-3 && x != 0)
-      std::snprintf(result, sizeof result, "%.1e", x);
-    else
-      std::snprintf(result, sizeof result, "%.*f", size >= 99.95 ? 0 : size >= 9.995 ? 1 : size >= 0.9995 ? 2 : 3, x);
+    std::snprintf(result, sizeof result, size >= 1e-3 || x == 0 ? "%.*f" : "%.*e",
+                  size >= 1e-3 || x == 0 ? digits : 1, x);
     return result;
   }
 };

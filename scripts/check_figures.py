@@ -17,8 +17,9 @@ import make_tables
 
 NUMBER = r"(?:\d[\d,.]*|twice|half|a third|two|three|four|five|six|seven|eight|nine|ten)"
 UNIT = r"(?:(?:nano|micro|milli)?seconds?|minutes?|hours?|(?:mega|giga)bytes|percent)"
+# `check_prose.prepared()` replaces the letter in microseconds by an x.
 FIGURES = [re.compile(pattern) for pattern in (
-    r"\d[\d,.]* ?(?:ns|ms|s|&micro;s|x0s|[kMG]B|%)(?!\w)",
+    r"\d[\d,.]* ?(?:ns|ms|s|xs|[kMG]B|%)(?!\w)",
     rf"\b{NUMBER}(?: of an?)? {UNIT}\b",
     rf"\b{NUMBER} (?:times )?as (?:fast|long|slow|much)\b",
     rf"\b{NUMBER} times (?:more|less|faster|slower|longer|shorter|smaller|larger)\b",

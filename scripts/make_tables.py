@@ -130,20 +130,20 @@ def chosen_rows(table, names):
     return table[:2] + [row for row in table[2:] if not names or row[2:].startswith(tuple(names))]
 
 
-def first_line(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0]
-
-
 def machine(build):
     """Returns the processor, the compiler, the date, and whether other processes disturb times."""
     processor = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
-    cache = (build / "CMakeCache.txt").read_text()
-    compiler = re.search(r"CMAKE_CXX_COMPILER:\w+=(.*)", cache)
-    parts = [processor[1] if processor else "unknown processor", first_line(compiler[1], "--version"),
+    found = next(build.glob("CMakeFiles/*/CMakeCXXCompiler.cmake")).read_text()
+    compiler = [re.search(rf'CMAKE_CXX_COMPILER_{key} "(.*)"', found)[1] for key in ("ID", "VERSION")]
+    parts = [processor[1] if processor else "unknown processor", " ".join(compiler).replace("GNU", "g++"),
              datetime.date.today().isoformat()]
     if os.getloadavg()[0] > 1.5:
         parts.append("beside other work of the machine")
     return ", ".join(parts)
+
+
+def build_target(build, target):
+    subprocess.run(["cmake", "--build", build, "--target", target], check=True, stdout=subprocess.DEVNULL)
 
 
 def write(path, text):
@@ -179,9 +179,9 @@ def write_summary():
 
 def make(run, build):
     """Runs a benchmark and writes its tables. Returns whether it succeeds."""
+    build_target(build, run.target)
     start, source = time.monotonic(), machine(build)
     command = run.command.format(build=build, meshes=build / "cgal_data/meshes", python=sys.executable)
-    subprocess.run(["cmake", "--build", build, "--target", run.target], check=True, stdout=subprocess.DEVNULL)
     print(f"{', '.join(run.names())}: {command}", flush=True)
     ended = subprocess.run(["sh", "-c", command], cwd=ROOT, stdout=subprocess.PIPE, text=True)
     tables = tables_in(ended.stdout)

@@ -59,7 +59,8 @@ void benchmark(const std::string& name, const Mesh& mesh)
   const double before = seconds([&] { without = DCM::flatten(mesh); });
   const double after =
     seconds([&] { with = DCM::flatten(mesh, DCM::parameters::vertex_radius_map(radius)); });
-  std::vector<std::string> cells{name, Table::text(mesh.number_of_vertices()),
+  std::vector<std::string> cells{name,
+                                 Table::text(mesh.number_of_vertices()),
                                  Table::text(without.minimization().iterations),
                                  Table::text(before),
                                  Table::text(with.minimization().iterations),

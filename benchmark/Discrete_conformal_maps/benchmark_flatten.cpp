@@ -33,7 +33,8 @@ void benchmark(const std::string& name, const Mesh& mesh, Growth& growth)
   const DCM::Planar_conformal_map map =
     DCM::flatten(mesh, CGAL::parameters::visitor(std::ref(watch)));
   watch.stop();
-  std::vector<std::string> cells{name, Table::text(mesh.number_of_vertices()),
+  std::vector<std::string> cells{name,
+                                 Table::text(mesh.number_of_vertices()),
                                  Table::text(map.cones().size()),
                                  Table::text(map.minimization().iterations),
                                  Table::text(map.factorization_counts().factorizations),
@@ -52,8 +53,8 @@ int main(int argc, char** argv)
       arguments.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
     arguments.push_back(largest_surface);
   }
-  const Table table(with_stages(
-    {"mesh", "vertices", "cones", "steps", "factorizations", "orders"}, {"growth", "certificate"}));
+  const Table table(with_stages({"mesh", "vertices", "cones", "steps", "factorizations", "orders"},
+                                {"growth", "certificate"}));
   for(const std::string& argument : arguments)
     if(const int largest = std::atoi(argument.c_str()); largest > 0) {
       benchmark_growth(

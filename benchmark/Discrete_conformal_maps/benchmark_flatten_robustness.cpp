@@ -105,9 +105,8 @@ void print(const Table& table, const std::string& name, const Scores& s)
   const auto each = [&](const Score& score) { return score.milliseconds / double(s.problems); };
   table.row(name, s.problems, s.with_flips.ended_with(Status::success), each(s.with_flips),
             s.fixed.ended_with(Status::success), each(s.fixed),
-            s.fixed.ended_with(Status::triangle_inequality),
-            s.fixed.ended_with(Status::no_minimum), s.fixed.ended_with(Status::not_converged),
-            s.fixed.refused);
+            s.fixed.ended_with(Status::triangle_inequality), s.fixed.ended_with(Status::no_minimum),
+            s.fixed.ended_with(Status::not_converged), s.fixed.refused);
 }
 
 int main(int argc, char** argv)
@@ -120,8 +119,9 @@ int main(int argc, char** argv)
     run_near_degenerate(seed, table);
   for(unsigned int seed = 0; seed < argument(2, 150); ++seed)
     run_hard_cones(seed, table);
-  const Table out({"problem", "maps", "found with flips", "ms for each", "found in a fixed triangulation",
-                   "ms for each", "triangle inequality", "no minimum", "not converged", "refused"});
+  const Table out({"problem", "maps", "found with flips", "ms for each",
+                   "found in a fixed triangulation", "ms for each", "triangle inequality",
+                   "no minimum", "not converged", "refused"});
   for(const auto& [name, scores] : table)
     print(out, name, scores);
 }

@@ -99,10 +99,10 @@ inline std::vector<std::string> with_stages(std::vector<std::string> headings,
 inline void append(std::vector<std::string>& cells, const Stopwatch& watch)
 {
   for(const double seconds : watch.seconds)
-    cells.push_back(seconds > 0 ? Table::text(seconds) + " (" +
-                                    std::to_string(std::lround(100 * seconds / watch.total())) +
-                                    " %)"
-                                : "");
+    cells.push_back(seconds > 0
+                      ? Table::text(seconds) + " (" +
+                          std::to_string(std::lround(100 * seconds / watch.total())) + " %)"
+                      : "");
   cells.push_back(Table::text(watch.total()));
   cells.push_back(Table::text(std::lround(peak_memory())));
 }

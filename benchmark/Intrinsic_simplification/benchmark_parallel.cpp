@@ -43,7 +43,8 @@ double measure(const Task& task)
 {
   const auto start = std::chrono::steady_clock::now();
   task();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
 }
 
 const std::vector<std::string> headings{"", "one thread (ms)", "several threads (ms)", "ratio"};
@@ -68,14 +69,16 @@ void benchmark_triangulations(const Mesh& mesh, std::size_t threads)
   const Table table(headings);
   IT::Intrinsic_triangulation<> tri(mesh);
   IT::make_Delaunay(tri);
-  benchmark(table, "`Correspondence`", threads, [&](const auto& np) { IT::Correspondence<>(tri, np); });
+  benchmark(table, "`Correspondence`", threads,
+            [&](const auto& np) { IT::Correspondence<>(tri, np); });
   const IT::Correspondence<> correspondence(tri);
   benchmark(table, "`Common_subdivision`", threads,
             [&](const auto& np) { IT::Common_subdivision<>(correspondence, np); });
   const IT::Common_subdivision<> subdivision(correspondence);
   benchmark(table, "`interpolation_matrix()`", threads,
             [&](const auto& np) { IT::interpolation_matrix(IT::Side::input, subdivision, np); });
-  benchmark(table, "`certify_Delaunay()`", threads, [&](const auto& np) { IT::certify_Delaunay(tri, np); });
+  benchmark(table, "`certify_Delaunay()`", threads,
+            [&](const auto& np) { IT::certify_Delaunay(tri, np); });
 }
 
 void benchmark_maps(const Mesh& mesh, std::size_t threads)
@@ -118,7 +121,8 @@ void benchmark_simplification(const Mesh& mesh, std::size_t threads)
   std::vector<IS::Surface_map::Location> points;
   for(IS::Face_index f : fine.mesh().faces())
     points.push_back({f, {0.2, 0.3, 0.5}});
-  benchmark(table, "`Surface_map::to_coarse()`, a point of each face", threads, [&](const auto& np) { map.to_coarse(points, np); });
+  benchmark(table, "`Surface_map::to_coarse()`, a point of each face", threads,
+            [&](const auto& np) { map.to_coarse(points, np); });
 }
 
 int main(int argc, char** argv)

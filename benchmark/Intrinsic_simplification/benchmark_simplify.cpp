@@ -65,12 +65,11 @@ int main(int argc, char* argv[])
   if(files.empty())
     for(const char* name : {"elephant", "camel", "armadillo", "turbine", "refined_elephant"})
       files.push_back(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
-  const Table table({"mesh", "vertices", "simplify (&micro;s)", "map (&micro;s)", "operations",
-                     "bytes"});
+  const Table table(
+    {"mesh", "vertices", "simplify (&micro;s)", "map (&micro;s)", "operations", "bytes"});
   for(const std::string& file : files)
-    benchmark_file(file, [&](const std::string& name, const Mesh& mesh) {
-      benchmark(table, name, mesh);
-    });
+    benchmark_file(
+      file, [&](const std::string& name, const Mesh& mesh) { benchmark(table, name, mesh); });
   for(unsigned n : {64U, 128U, 256U, 500U})
     benchmark(table, "bumpy torus", bumpy_torus(n));
   benchmark_resolutions(bumpy_torus(500));

@@ -116,8 +116,8 @@ void benchmark(const std::string& name, const Mesh& mesh, Means& means)
 
 int main(int argc, char* argv[])
 {
-  const Table table({"mesh", "vertices", "coarse", "quadrics", "0", "0.3", "1", "2", "5",
-                     "area only", "default"});
+  const Table table(
+    {"mesh", "vertices", "coarse", "quadrics", "0", "0.3", "1", "2", "5", "area only", "default"});
   Means means;
   const auto benchmark_mesh = [&](const std::string& name, const Mesh& mesh) {
     benchmark(name, mesh, means);

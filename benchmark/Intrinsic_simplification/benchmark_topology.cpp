@@ -48,9 +48,8 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return 1;
-  const Table table({"bound", "genus", "after", "boundary loops", "after", "area of disks",
-                     "seconds"},
-                    0);
+  const Table table(
+    {"bound", "genus", "after", "boundary loops", "after", "area of disks", "seconds"}, 0);
   for(int i = 2; i < argc; ++i)
     benchmark(table, mesh, std::atof(argv[i]));
 }

@@ -7,8 +7,8 @@
 // back, and the longest one.
 // Usage: benchmark_edge_paths [--paths N] [--peer PROGRAM] [mesh...]
 // PROGRAM gets a mesh, and pairs of vertices on standard input. After a line of headings, it prints
-// for each pair the milliseconds of the search and of shortening, and the length. Its figures are on
-// standard error.
+// for each pair the milliseconds of the search and of shortening, and the length. Its results are
+// on standard error.
 
 #include "../Table.h"
 

@@ -4,7 +4,8 @@
 
 // Flips that follow integer coordinates alone against crossings (Figure 3.8): from a random
 // triangulation T2 to the input T1, and from T2 to another one T3. On meshes named as arguments, or
-// on CGAL's own. The last columns have the exponents of the growth of flips with crossings from line to line.
+// on CGAL's own. The last columns have the exponents of the growth of flips with crossings from
+// line to line.
 
 #include "../Table.h"
 

@@ -72,7 +72,8 @@ struct Sheared_cylinder
 };
 
 template <typename Input, typename NamedParameters>
-void benchmark(const Table& table, const char* name, unsigned size, const Input& input, const NamedParameters& np)
+void benchmark(const Table& table, const char* name, unsigned size, const Input& input,
+               const NamedParameters& np)
 {
   Samples flip, trace, subdivide;
   IT::Intrinsic_triangulation<> tri(input, np);

@@ -54,8 +54,12 @@ Times refine(const Mesh& mesh, const NamedParameters& np)
   return times;
 }
 
-const std::vector<std::string> headings{"surface",       "vertices", "inserted",
-                                        "removed again", "flips",    "time (ms)",
+const std::vector<std::string> headings{"surface",
+                                        "vertices",
+                                        "inserted",
+                                        "removed again",
+                                        "flips",
+                                        "time (ms)",
                                         "for each insertion (&micro;s)"};
 
 void print(const Table& table, const std::string& name, const Mesh& mesh, const Times& t)
@@ -71,8 +75,7 @@ void benchmark(const Table& table, const std::string& file)
     std::cerr << file << " cannot be read\n";
     return;
   }
-  print(table, name_of(file), mesh,
-        refine(mesh, IT::parameters::minimum_angle(25.)));
+  print(table, name_of(file), mesh, refine(mesh, IT::parameters::minimum_angle(25.)));
 }
 
 // ---- The planar mesher ----

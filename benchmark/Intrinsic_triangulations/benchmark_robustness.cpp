@@ -9,11 +9,11 @@
 // that of a subdivision of T1 by curves with the connectivity of T2.
 
 #include "../../test/Intrinsic_triangulations/near_degenerate_meshes.h"
+#include "../Table.h"
 #include "Integer_coordinate_method.h"
 #include "Overlay_baseline.h"
 #include "Signpost_baseline.h"
 #include "Signpost_refinement.h"
-#include "../Table.h"
 #include "measure.h"
 
 #include <CGAL/boost/graph/helpers.h>

@@ -4,7 +4,8 @@
 
 // Refines until triangulations are simplicial, writes them as ordinary meshes, and reads these
 // back: are they valid for CGAL, without loops and double edges, what was written, Delaunay, and of
-// the angles asked for? Faults are on standard error. Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
+// the angles asked for? Faults are on standard error.
+// Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
 
 #include "../Table.h"
 

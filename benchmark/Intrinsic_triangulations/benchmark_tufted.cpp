@@ -188,9 +188,8 @@ Ratios benchmark_soups(const std::string& name)
 
 void benchmark_all_soups()
 {
-  const Table table({"mesh", "soups", "operators", "at most", "with the mesh made first",
-                     "at most", "with a distance", "at most", "with the mesh made first",
-                     "at most"});
+  const Table table({"mesh", "soups", "operators", "at most", "with the mesh made first", "at most",
+                     "with a distance", "at most", "with the mesh made first", "at most"});
   Ratios all;
   for(const char* name : {"anchor_dense", "blobby",   "bones",       "cow",
                           "dino",         "elephant", "elk",         "femur",

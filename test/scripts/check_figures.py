@@ -75,9 +75,30 @@ def check_tables():
     expect(make_tables.chosen_rows(tables[1], ("x",))[2:] == [], "a row that is not chosen")
 
 
+def check_replacement():
+    make_tables.build_target = lambda build, target: None
+    make_tables.machine = lambda build: "a machine"
+    with tempfile.TemporaryDirectory() as scratch:
+        make_tables.ROOT = Path(scratch)
+        table = make_tables.path_of("Intrinsic_triangulations/x")
+        table.parent.parent.mkdir(parents=True)
+        run = lambda command: make_tables.make(make_tables.Run("Intrinsic_triangulations/x", command, "y", target="z"),
+                                               Path(scratch))
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            first = run("echo '| a |'; echo '| --- |'; echo '| 1 |'")
+            text = table.read_text()
+            second = run("echo '| a |'; echo '| --- |'; echo '| 2 |'; false")
+            third = run("echo none")
+        expect((first, second, third) == (True, False, False), "which benchmarks succeed")
+        expect(text.startswith("| a |\n| --- |\n| 1 |\n\nMeasured by `echo"), "a new table")
+        expect(text.endswith(" on y; a machine.\n") and table.read_text() == text, "an old table")
+        expect([path.name for path in table.parent.iterdir()] == ["x.md"], "a file beside the table")
+
+
 for sentence, is_figure in SENTENCES.items():
     expect(is_found(check_figures.figures_in_sentences, sentence) == is_figure, sentence)
 for text, is_figure in TYPED.items():
     expect(is_found(check_figures.typed_tables, text) == is_figure, text)
 check_manual()
 check_tables()
+check_replacement()
