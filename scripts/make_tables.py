@@ -142,6 +142,13 @@ def machine(build):
     return ", ".join(parts)
 
 
+def python_of(build):
+    """Returns the interpreter for which the package for Python is built."""
+    cache = build / "CMakeCache.txt"
+    found = re.search(r"^_Python3_EXECUTABLE:\w+=(.+)", cache.read_text() if cache.exists() else "", re.MULTILINE)
+    return found[1] if found else sys.executable
+
+
 def build_target(build, target):
     subprocess.run(["cmake", "--build", build, "--target", target], check=True, stdout=subprocess.DEVNULL)
 
@@ -181,7 +188,7 @@ def make(run, build):
     """Runs a benchmark and writes its tables. Returns whether it succeeds."""
     build_target(build, run.target)
     start, source = time.monotonic(), machine(build)
-    command = run.command.format(build=build, meshes=build / "cgal_data/meshes", python=sys.executable)
+    command = run.command.format(build=build, meshes=build / "cgal_data/meshes", python=python_of(build))
     print(f"{', '.join(run.names())}: {command}", flush=True)
     ended = subprocess.run(["sh", "-c", command], cwd=ROOT, stdout=subprocess.PIPE, text=True)
     tables = tables_in(ended.stdout)
@@ -189,7 +196,7 @@ def make(run, build):
         print(f"  failed: exit code {ended.returncode}, {len(tables)} tables", file=sys.stderr)
         return False
     words = run.command.replace("{build}/benchmark/", "").replace("{build}/", "build/")
-    words = words.replace("{python}", "python3").replace("{meshes}/", "")
+    words = words.replace("{python}", "python3").replace("{meshes}/", "").replace("{meshes}", "build/cgal_data/meshes")
     for file, table in zip(run.files, tables):
         if file != "-":
             rows = "\n".join(chosen_rows(table, run.rows))
