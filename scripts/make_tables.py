@@ -3,9 +3,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Runs benchmarks and writes their tables into doc/PACKAGE/tables, from where pages of the manual
-include them, and the table of README.md. Without names of tables all are made, except long ones. A table is replaced only if
-its benchmark succeeds. Benchmarks print tables in Markdown; files get them in this order, and '-' skips one."""
+"""Builds and runs benchmarks, and writes their tables into doc/PACKAGE/tables, from where pages of the
+manual include them, and the table of README.md. Without names of tables all are made, except long ones. A
+table is replaced only if its benchmark succeeds."""
 
 import argparse
 import datetime
@@ -23,7 +23,8 @@ MIXED = CGAL_MESHES + " and generated meshes"
 
 
 class Run:
-    """A benchmark: files of its tables, its target and command, meshes, and rows that begin with a name."""
+    """A benchmark: files of its tables in the order in which it prints them ('-' skips one), its command,
+    meshes, names with which the chosen rows begin, and its target if this is not the command."""
 
     def __init__(self, files, command, meshes, rows=(), target=None, long=False):
         self.files, self.meshes, self.rows, self.long = files.split(), meshes, rows, long
@@ -35,17 +36,16 @@ class Run:
 
 
 WORKFLOW = "{python} benchmark/workflow/"
-REFINED = ("nefertiti mpi_triang blobby_3cc cylinder mask_cone boeing femur holes elephant-with-holes cow homer "
-           "fandisk bull lion cylinder_locally_refined lion-head turbine camel")
+ALL, REFINED, SMALL = (f"benchmark/meshes/{name}.txt" for name in ("all", "refined", "small"))
 
 RUNS = [
     Run(f"{IT}/Delaunay", "benchmark_Delaunay", CGAL_MESHES),
     Run(f"{IT}/exact_decisions", "benchmark_exactness", MIXED),
     Run(f"{IT}/robustness", "benchmark_robustness", "near-degenerate meshes of the tests, seeds 0 to 999"),
     Run(f"{IT}/refinement - -", "benchmark_refinement", CGAL_MESHES),
-    Run(f"{IT}/simplicial", "benchmark_simplicial", "all manifold " + CGAL_MESHES),
+    Run(f"{IT}/simplicial", "benchmark_simplicial @" + ALL, "the manifold meshes of " + ALL),
     Run(f"{IT}/shortest_paths", "benchmark_shortest_paths", CGAL_MESHES),
-    Run(f"{IT}/edge_paths", "benchmark_edge_paths", "all .off files of CGAL's data that are surfaces",
+    Run(f"{IT}/edge_paths", "benchmark_edge_paths --paths 300 @" + ALL, "the surfaces of " + ALL,
         rows=("armadillo", "all")),
     Run(f"{IT}/signed_distance", "benchmark_signed_distance 128", GENERATED),
     Run(f"{IT}/soups {IT}/irregular_soups", "benchmark_tufted", CGAL_MESHES + ", and soups made from them"),
@@ -67,11 +67,10 @@ RUNS = [
     Run(f"{DCM}/circles", "benchmark_circles", CGAL_MESHES),
     Run(f"{DCM}/hard_problems", "benchmark_flatten_robustness", "generated meshes of the tests"),
     Run(f"{DCM}/maps_found",
-        WORKFLOW + "count_maps.py {build}/intrinsic {meshes} benchmark/meshes/small.txt",
-        "meshes of benchmark/meshes/small.txt", target="intrinsic"),
+        WORKFLOW + "count_maps.py {build}/intrinsic {meshes} " + SMALL, "meshes of " + SMALL, target="intrinsic"),
     Run(f"{DCM}/survey_families {DCM}/survey_maps",
-        "sh -c '" + WORKFLOW + "hard_surfaces.py {build}/surfaces --count 20 --seed 1 && "
-        + WORKFLOW + "survey.py {build}/intrinsic {build}/surfaces --timeout 40'",
+        WORKFLOW + "hard_surfaces.py {build}/surfaces --count 20 --seed 1 && "
+        + WORKFLOW + "survey.py {build}/intrinsic {build}/surfaces --timeout 40",
         "surfaces of benchmark/workflow/hard_surfaces.py", target="intrinsic", long=True),
     Run(f"{IS}/simplify {IS}/resolutions", "benchmark_simplify", MIXED),
     Run(f"{IS}/quality {IS}/quality_means", "benchmark_simplify_quality", MIXED),
@@ -79,9 +78,7 @@ RUNS = [
     Run(f"{IS}/distances {IS}/all_pairs", "benchmark_distances", CGAL_MESHES),
     Run(f"{IS}/multigrid", "benchmark_multigrid", MIXED),
     Run(f"{IS}/pieces", "benchmark_pieces", CGAL_MESHES),
-    Run(f"{IS}/coarse_refinement",
-        "benchmark_coarse_refinement " + " ".join(f"{{meshes}}/{name}.off" for name in REFINED.split()),
-        CGAL_MESHES),
+    Run(f"{IS}/coarse_refinement", "benchmark_coarse_refinement @" + REFINED, "meshes of " + REFINED),
     Run(f"{IS}/topology", "benchmark_topology {meshes}/cheese.off 0.01 0.02 0.05 0.1", "cheese of CGAL's data"),
 ]
 
@@ -149,6 +146,14 @@ def python_of(build):
     return found[1] if found else sys.executable
 
 
+def expanded(command, build):
+    """Returns a command with names of folders, and with the meshes of a list in place of @LIST."""
+    meshes = build / "cgal_data/meshes"
+    command = command.format(build=build, meshes=meshes, python=python_of(build))
+    paths = lambda found: " ".join(f"{meshes}/{name}" for name in (ROOT / found[1]).read_text().split())
+    return re.sub(r"@(\S+)", paths, command)
+
+
 def build_target(build, target):
     subprocess.run(["cmake", "--build", build, "--target", target], check=True, stdout=subprocess.DEVNULL)
 
@@ -165,8 +170,8 @@ def cell_of(file, row, column):
     """Returns a cell of a table with the unit of its column."""
     lines = path_of(file).read_text().splitlines()
     found = next(line for line in lines[2:] if line.startswith(f"| {row} |"))
-    unit = re.search(r" \([^)]*\)$", column)
-    return cells_of(found)[cells_of(lines[0]).index(column)] + (unit[0].replace("(", "").replace(")", "") if unit else "")
+    unit = re.search(r" \((.*)\)$", column)
+    return cells_of(found)[cells_of(lines[0]).index(column)] + (" " + unit[1] if unit else "")
 
 
 def summary():
@@ -188,15 +193,14 @@ def make(run, build):
     """Runs a benchmark and writes its tables. Returns whether it succeeds."""
     build_target(build, run.target)
     start, source = time.monotonic(), machine(build)
-    command = run.command.format(build=build, meshes=build / "cgal_data/meshes", python=python_of(build))
-    print(f"{', '.join(run.names())}: {command}", flush=True)
-    ended = subprocess.run(["sh", "-c", command], cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    words = run.command.replace("{build}/benchmark/", "").replace("{build}/", "build/").replace("{python}", "python3")
+    words = words.replace("{meshes}/", "").replace("{meshes}", "build/cgal_data/meshes")
+    print(f"{', '.join(run.names())}: {words}", flush=True)
+    ended = subprocess.run(["sh", "-c", expanded(run.command, build)], cwd=ROOT, stdout=subprocess.PIPE, text=True)
     tables = tables_in(ended.stdout)
     if ended.returncode or len(tables) != len(run.files):
         print(f"  failed: exit code {ended.returncode}, {len(tables)} tables", file=sys.stderr)
         return False
-    words = run.command.replace("{build}/benchmark/", "").replace("{build}/", "build/")
-    words = words.replace("{python}", "python3").replace("{meshes}/", "").replace("{meshes}", "build/cgal_data/meshes")
     for file, table in zip(run.files, tables):
         if file != "-":
             rows = "\n".join(chosen_rows(table, run.rows))
