@@ -41,7 +41,7 @@ ALL, REFINED, SMALL = (f"benchmark/meshes/{name}.txt" for name in ("all", "refin
 RUNS = [
     Run(f"{IT}/Delaunay", "benchmark_Delaunay", CGAL_MESHES),
     Run(f"{IT}/exact_decisions", "benchmark_exactness", MIXED),
-    Run(f"{IT}/robustness", "benchmark_robustness", "near-degenerate meshes of the tests, seeds 0 to 999"),
+    Run(f"{IT}/robustness", "benchmark_robustness 1000 200", "near-degenerate meshes of the tests"),
     Run(f"{IT}/refinement - -", "benchmark_refinement", CGAL_MESHES),
     Run(f"{IT}/simplicial", "benchmark_simplicial @" + ALL, "the manifold meshes of " + ALL),
     Run(f"{IT}/shortest_paths", "benchmark_shortest_paths", CGAL_MESHES),

@@ -4,9 +4,10 @@
 
 // How often three ways to keep the correspondence survive flips to Delaunay, and refinement, on
 // near-degenerate meshes, as Table 3.1 has it: the explicit overlay, which cannot be refined,
-// signposts, and integer coordinates. Refined are meshes without boundary. The number of meshes can
-// be given; meshes are those of the tests. A subdivision counts as found if its connectivity is
-// that of a subdivision of T1 by curves with the connectivity of T2.
+// signposts, and integer coordinates. Refined are meshes without boundary. The numbers of meshes to
+// flip and to choose the refined ones from can be given; meshes are those of the tests. A subdivision
+// counts as found if its connectivity is that of a subdivision of T1 by curves with the connectivity
+// of T2.
 
 #include "../../test/Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "../Table.h"
@@ -90,11 +91,13 @@ void refine(const Table& table, const std::vector<Named_mesh>& meshes)
 
 int main(int argc, char** argv)
 {
-  const unsigned count = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 1000;
+  const auto argument = [&](int i) {
+    return argc > i ? static_cast<unsigned>(std::atoi(argv[i])) : 1000;
+  };
   std::vector<Named_mesh> all, closed;
-  for(unsigned seed = 0; seed < count; ++seed) {
+  for(unsigned seed = 0; seed < argument(1); ++seed) {
     all.push_back(Test_surfaces::near_degenerate_mesh(seed));
-    if(CGAL::is_closed(all.back().mesh))
+    if(seed < argument(2) && CGAL::is_closed(all.back().mesh))
       closed.push_back(all.back());
   }
   const Table table({"change", "method", "meshes", "changed", "with a common subdivision",
