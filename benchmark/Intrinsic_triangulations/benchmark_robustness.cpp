@@ -5,9 +5,9 @@
 // How often three ways to keep the correspondence survive flips to Delaunay, and refinement, on
 // near-degenerate meshes, as Table 3.1 has it: the explicit overlay, which cannot be refined,
 // signposts, and integer coordinates. Refined are meshes without boundary. The numbers of meshes to
-// flip and to choose the refined ones from can be given; meshes are those of the tests. A subdivision
-// counts as found if its connectivity is that of a subdivision of T1 by curves with the connectivity
-// of T2.
+// flip and to choose the refined ones from can be given; meshes are those of the tests. A
+// subdivision counts as found if its connectivity is that of a subdivision of T1 by curves with the
+// connectivity of T2.
 
 #include "../../test/Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "../Table.h"
