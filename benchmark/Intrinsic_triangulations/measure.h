@@ -6,7 +6,6 @@
 #define INTRINSIC_BENCHMARK_MEASURE_H
 
 #include <algorithm>
-#include <cstddef>
 #include <ctime>
 #include <vector>
 
@@ -45,13 +44,6 @@ inline void keep_memory()
 {
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
-}
-
-// What malloc has given out.
-inline std::size_t bytes_in_use()
-{
-  const struct mallinfo2 info = mallinfo2();
-  return info.uordblks + info.hblkhd;
 }
 
 #endif // INTRINSIC_BENCHMARK_MEASURE_H
