@@ -59,9 +59,14 @@ Cones are placed one by one where scale factors are greatest. With --cones excha
 dropped and moved while a linear estimate stays within the bound: often fewer cones, for more time.
 --max-area-distortion X bounds areas, and is the same as --max-log-scale log(X)/2.
 
+With --radii, circles around the vertices are mapped to circles: the map is a decorated conformal
+map, which keeps inversive distances instead of lengths. Circles of neighbors may touch, but not
+meet. .ply and .vtp have their radii in the plane, as "radius", and zero at other vertices. A
+property of the vertices in the mesh is found by its name, as "radius" of `intrinsic pack`.
+
 A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
 follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,
-and straight on the boundary. In the file of --cones the values are angle defects, 2 pi less the
+and straight on the boundary; they have no circle. In the file of --cones the values are angle defects, 2 pi less the
 sum of angles; an empty one makes a torus flat. All curvatures must add up to 2 pi times the
 Euler characteristic, unless scale factors are prescribed somewhere.
 
@@ -128,6 +133,7 @@ Examples:
 Flatten_options with_defaults(Flatten_options options, bool is_exact)
 {
   check_boundary(options);
+  check_circles(options, is_exact);
 #ifndef INTRINSIC_USE_CERES
   if(options.solver == "ceres")
     throw Program_error("--solver ceres: this program was built without the Ceres Solver; "
@@ -179,6 +185,7 @@ public:
     m_visitor.iterations = 0;
     m_conditions = m_run.timed("build", [&] {
       m_mollification = mollification(m_run);
+      m_radii = vertex_radii(m_options, m_run.input());
       return flattening_conditions(m_options, mesh());
     });
     Planar_map map = solved();
@@ -215,12 +222,16 @@ private:
   {
     const auto conditions =
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
+    m_radii.resize(m_conditions.size(), 0.); // no circles unless one has a radius
+    const auto radii =
+      boost::make_iterator_property_map(m_radii.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
       m_options.solver == "cetm" ? DCM::Flipping::none : DCM::Flipping::to_Delaunay;
     const double no_bound = std::numeric_limits<double>::infinity();
     return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
                     .mollification(m_mollification)
                     .vertex_condition_map(conditions)
+                    .vertex_radius_map(radii)
                     .cones(cones_named(m_options.cones))
                     .maximum_log_scale(m_options.maximum_log_scale.value_or(
                       m_options.maximum_area_distortion ? no_bound : 5))
@@ -301,6 +312,7 @@ private:
   Stage_visitor m_visitor;
   double m_mollification = 0;
   Conditions m_conditions;
+  std::vector<double> m_radii;
 };
 
 // Where the image covers a part of the plane more than once.
@@ -312,6 +324,15 @@ void describe_overlap(Statistics& statistics, const Planar_map& map)
   statistics["overlapping_charts"] = Statistics::array();
   for(const DCM::Overlapping_charts& pair : overlap.charts)
     statistics["overlapping_charts"].push_back({pair.first, pair.second});
+}
+
+// Adds the radii of circles in the plane, which is scaled.
+void add_radii(Output_mesh& mesh, const Planar_map& map, const Map_part& part, double scale)
+{
+  std::vector<double> radii(part.vertices().size(), 0.);
+  for(const Mesh::Vertex_index v : part.mapped_mesh().vertices())
+    radii[v] = scale * map.scaled_radius(DCM::Vertex_index(v.idx()));
+  mesh.point_data.push_back({"radius", std::move(radii)});
 }
 
 } // namespace
@@ -334,7 +355,9 @@ std::string summary_of(const Planar_map&, const Statistics& s)
 Output_mesh described_mesh(Statistics& statistics, const Planar_map& map, const Map_part& part,
                            const Map_output& output)
 {
-  const Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
+  Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
+  if(map.has_radii())
+    add_radii(result, map, part, statistics.value("scale", 1.));
   describe_minimization(statistics, map, output);
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);
@@ -372,6 +395,8 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
     ->capture_default_str();
   command.add_option("--boundary-values", options.boundary_values,
                      "File of values at vertices for --boundary scale or curvature");
+  command.add_option("--radii", options.radii,
+                     "Circles at vertices: a file of radii, or a property of vertices in the mesh");
 }
 
 } // namespace

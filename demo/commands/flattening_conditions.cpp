@@ -81,6 +81,16 @@ void check_boundary(const Flatten_options& options)
     throw Program_error("--boundary-values is for --boundary scale and curvature");
 }
 
+void check_circles(const Flatten_options& options, bool is_exact)
+{
+  if(options.radii.empty())
+    return;
+  if(is_exact)
+    throw Program_error("--radii: --exact cannot decide about circles; leave out one of them");
+  if(options.solver == "ceres")
+    throw Program_error("--radii: --solver ceres has no energy of circles; leave out one of them");
+}
+
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)
 {
   const std::string& boundary = options.boundary;
@@ -91,6 +101,22 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
     set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,
                   "inside the surface");
   set_boundary(result, options, mesh);
+  return result;
+}
+
+std::vector<double> vertex_radii(const Flatten_options& options, const Input_mesh& input)
+{
+  std::vector<double> result;
+  if(options.radii.empty())
+    return result;
+  if(!input.repairs.empty())
+    throw Program_error("--radii: the mesh had to be repaired, and its vertices differ from the "
+                        "file; give a mesh that needs no repair");
+  if(const Point_function* property = input.data.function(options.radii))
+    return property->values;
+  result.resize(input.mesh.number_of_vertices(), 0.);
+  for(const Vertex_value& x : read_vertex_values(options.radii, result.size()))
+    result[x.vertex] = x.value;
   return result;
 }
 

@@ -6,6 +6,7 @@
 #define INTRINSIC_FLATTENING_CONDITIONS_H
 
 #include "commands/options.h"
+#include "reading/Input_mesh.h"
 #include "reading/Polygon_soup.h"
 
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
@@ -20,6 +21,7 @@ struct Flatten_options : Texture_options
   std::optional<double> maximum_log_scale, maximum_area_distortion; // for cones that are placed
   std::string boundary = "free";
   std::string boundary_values;          // the file of "scale" and "curvature"
+  std::string radii;                    // a property of vertices or a file; empty for no circles
   std::string solver = "newton";        // or "ceres" or "cetm"
   std::string layout = "least-squares"; // or "spectral" or "incremental"
   std::string matrix;                   // a file for the interpolation matrix
@@ -37,6 +39,10 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
+// The radii of the circles at the vertices, zero where a file says nothing; none without --radii.
+// Throws Program_error if the file is wrong.
+std::vector<double> vertex_radii(const Flatten_options& options, const Input_mesh& input);
+
 // Whether the word after --boundary names a shape, which the library finds the angles for.
 bool is_shape(const std::string& boundary);
 
@@ -45,5 +51,8 @@ bool places_cones(const std::string& cones);
 
 // Throws Program_error if --boundary and --boundary-values make no sense.
 void check_boundary(const Flatten_options& options);
+
+// Throws Program_error if --radii does not go with other options.
+void check_circles(const Flatten_options& options, bool is_exact);
 
 #endif // INTRINSIC_FLATTENING_CONDITIONS_H

@@ -119,7 +119,7 @@ def exponential(
 def flatten(
     surface: Surface, cones: str, maximum_log_scale: float, maximum_area_distortion: float,
     boundary: str, layout: str, keeps_triangulation: bool, exact: bool, mollification: float,
-    has_log_scale: Integers, values: Floats, progress: Progress,
+    has_log_scale: Integers, values: Floats, radii: Floats, progress: Progress,
 ) -> Any: ...
 def to_sphere(surface: Surface, mollification: float, progress: Progress) -> Any: ...
 def to_hyperbolic(

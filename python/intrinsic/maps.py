@@ -157,6 +157,14 @@ class FlatMap(ConformalMap):
         cones: Integers = self._core.cones()
         return cones
 
+    @property
+    def radii(self) -> Floats:
+        """The radius of the circle at each vertex in the plane, (n,); zero without a circle."""
+        radii: Floats = self._core.radii()
+        return radii * self._unit
+
+    _unit = 1.0  # the factor of lengths in the unit square
+
 
 class SphereMap(ConformalMap):
     """A map to the unit sphere, or of a disk to a hemisphere.
@@ -278,6 +286,7 @@ def flatten(
     cones: Any = None,
     boundary: str = "free",
     boundary_values: Any = None,
+    radii: Any = None,
     max_log_scale: float | None = None,
     max_area_distortion: float | None = None,
     layout: str = "least-squares",
@@ -306,6 +315,9 @@ def flatten(
         "disk" and "rectangle" make these shapes of each component.
     boundary_values : mapping or (n,) floats
         Of "scale" and "curvature": values at vertices on the boundary.
+    radii : mapping or (n,) floats
+        Radii of circles around the vertices, which the map takes to circles. It then keeps
+        inversive distances instead of lengths. Circles of neighbors may touch, but not meet.
     max_log_scale : float
         The bound of absolute logarithmic scale factors for greedy cones; 5 if not given.
     max_area_distortion : float
@@ -366,18 +378,22 @@ def flatten(
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
     kind, values = _conditions(on, cones, boundary, boundary_values)
+    radius = np.zeros(on.number_of_vertices())
+    if radii is not None:
+        vertices, given = _vertex_values(radii, len(radius), "radii")
+        radius[vertices] = given
 
     def compute(slack: float) -> FlatMap:
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,
                              area_distortion, boundary, layout, bool(keep_triangulation),
-                             bool(exact), slack, kind, values, progress)
+                             bool(exact), slack, kind, values, radius, progress)
         return _checked(FlatMap(on, core))
 
     result = attempt(mollify, compute)
     if no_overlap:
         result._core.cut_overlaps()
     if unit_square:
-        result._core.fit_into_unit_square()
+        result._unit = result._core.fit_into_unit_square()
     return result
 
 

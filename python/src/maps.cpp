@@ -96,17 +96,19 @@ DCM::Planar_conformal_map shaped(const Surface& surface, const std::string& boun
 std::unique_ptr<Bound_planar_map> flattened(const Shared_surface& surface,
                                             const Flattening_options& options,
                                             const Index_array& has_log_scale,
-                                            const Number_array& values, const py::object& progress)
+                                            const Number_array& values, const Number_array& radii,
+                                            const py::object& progress)
 {
   Watch watch(progress, "build");
   return released([&] {
     const auto conditions = conditions_of(has_log_scale, values);
-    const auto condition = boost::make_iterator_property_map(
-      conditions.begin(), get(boost::vertex_index, surface->mesh));
+    const auto index = get(boost::vertex_index, surface->mesh);
+    const auto condition = boost::make_iterator_property_map(conditions.begin(), index);
     auto map = shaped(
       *surface, options.boundary,
       DCM::parameters::mollification(options.mollification)
         .vertex_condition_map(condition)
+        .vertex_radius_map(boost::make_iterator_property_map(radii.data(), index))
         .cones(cones_named(options.cones))
         .maximum_log_scale(options.maximum_log_scale)
         .maximum_area_distortion(options.maximum_area_distortion)
@@ -157,11 +159,14 @@ std::unique_ptr<Bound_hyperbolic_map> mapped_to_hyperbolic(const Shared_surface&
 
 // ---- What all maps have ----
 
-py::array log_scales(const DCM::Discrete_conformal_map& map, std::size_t number_of_vertices)
+// A value of the map at each vertex of the input.
+template <class Map>
+py::array at_vertices(const Bound_map<Map>& self,
+                      double (DCM::Discrete_conformal_map::*value)(DCM::Vertex_index) const)
 {
   std::vector<double> result;
-  for(std::size_t v = 0; v < number_of_vertices; ++v)
-    result.push_back(map.log_scale(DCM::Vertex_index(Mesh::size_type(v))));
+  for(const Mesh::Vertex_index v : self.surface->mesh.vertices())
+    result.push_back((self.map.*value)(DCM::Vertex_index(v.idx())));
   return array_of(std::move(result));
 }
 
@@ -316,10 +321,9 @@ py::class_<Bound_map<Map>> bind_map(py::module_& module, const char* name)
     .def("iterations", [](const Bound& self) { return self.iterations; })
     .def("max_curvature_error", [](const Bound& self) { return self.map.max_curvature_error(); })
     .def("crowded_faces", [](const Bound& self) { return indices_of(self.map.crowded_faces()); })
-    .def("log_scales",
-         [](const Bound& self) {
-           return log_scales(self.map, self.surface->mesh.number_of_vertices());
-         })
+    .def(
+      "log_scales",
+      [](const Bound& self) { return at_vertices(self, &DCM::Discrete_conformal_map::log_scale); })
     .def("images", &images<Map>);
 }
 
@@ -354,6 +358,10 @@ void bind_maps(py::module_& module)
 {
   bind_map<DCM::Planar_conformal_map>(module, "PlanarMap")
     .def("cones", [](const Bound_planar_map& self) { return indices_of(self.map.cones()); })
+    .def("radii",
+         [](const Bound_planar_map& self) {
+           return at_vertices(self, &DCM::Discrete_conformal_map::scaled_radius);
+         })
     .def(
       "cut_overlaps",
       [](Bound_planar_map& self) { return released([&] { return DCM::cut_overlaps(self.map); }); })
@@ -374,11 +382,11 @@ void bind_maps(py::module_& module)
                 double maximum_area_distortion, const std::string& boundary,
                 const std::string& layout, bool keeps_triangulation, bool is_exact,
                 double mollification, const Index_array& has_log_scale, const Number_array& values,
-                const py::object& progress) {
+                const Number_array& radii, const py::object& progress) {
                return flattened(surface,
                                 {cones, boundary, layout, keeps_triangulation, is_exact,
                                  maximum_log_scale, maximum_area_distortion, mollification},
-                                has_log_scale, values, progress);
+                                has_log_scale, values, radii, progress);
              });
   module.def("to_sphere", &mapped_to_sphere);
   module.def("to_hyperbolic", &mapped_to_hyperbolic);

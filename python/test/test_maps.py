@@ -135,6 +135,47 @@ class Flat(unittest.TestCase):
         self.assertIsNone(m.subdivision.V)
         np.testing.assert_allclose(m.log_scale, intrinsic.flatten(V, F).log_scale, atol=1e-9)
 
+    def test_circles(self):
+        V, F = support.meshes()["noisy_sphere"]
+        m = intrinsic.flatten(V, F)
+        np.testing.assert_array_equal(m.radii, 0)
+        again = intrinsic.flatten(V, F, radii=np.zeros(len(V)))
+        np.testing.assert_array_equal(again.subdivision.image, m.subdivision.image)
+        # circles that almost touch, on the edges that are shortest at both ends
+        sides = np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]])
+        lengths = np.linalg.norm(V[sides[:, 0]] - V[sides[:, 1]], axis=1)
+        radii = np.full(len(V), np.inf)
+        np.minimum.at(radii, sides[:, 0], lengths / 2.5)
+        radii[::3] = 0
+        m = intrinsic.flatten(V, F, radii=radii, unit_square=True)
+        self.assertEqual(m.status, "success")
+        unscaled = intrinsic.flatten(V, F, radii=dict(enumerate(radii)))
+        np.testing.assert_allclose(unscaled.radii, radii * np.exp(unscaled.log_scale), rtol=1e-12)
+        S, T = m.subdivision, unscaled.subdivision
+        np.testing.assert_allclose(m.radii * np.ptp(T.image), unscaled.radii * np.ptp(S.image),
+                                   rtol=1e-9)
+        # sides that were not flipped keep their inversive distances
+        compared = 0
+        original = np.sort(sides, axis=1)
+        order = {tuple(s): n for s, n in zip(original, lengths)}
+        for face, uv in zip(T.F, T.uv):
+            for k in range(3):
+                side = tuple(sorted((int(face[k]), int(face[(k + 1) % 3]))))
+                r, s = (radii[list(side)] if side in order else (0, 0))
+                if r * s == 0:
+                    continue
+                a, b = unscaled.radii[list(side)]
+                length = np.linalg.norm(uv[k] - uv[(k + 1) % 3])
+                self.assertAlmostEqual((length ** 2 - a ** 2 - b ** 2) / (2 * a * b),
+                                       (order[side] ** 2 - r ** 2 - s ** 2) / (2 * r * s), 6)
+                compared += 1
+        self.assertGreater(compared, 100)
+        for wrong in ({0: -1}, {0: 10}, {0: np.nan}, {len(V): 0}, np.zeros(3)):
+            with self.assertRaises(intrinsic.InputError):
+                intrinsic.flatten(V, F, radii=wrong)
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.flatten(V, F, radii=radii, exact=True)
+
     def test_failure(self):
         # Without flips there are no such scale factors.
         V, F = support.meshes()["noisy_sphere"]

@@ -183,6 +183,18 @@ class Program(unittest.TestCase):
                 m = intrinsic.flatten(V, F, boundary=boundary)
                 self.compare_flat(V, F, m, "--boundary", boundary)
 
+    def test_circles(self):
+        for V, F in self.each("cube"):
+            radii = np.full(len(V), np.inf)
+            for k in range(3):
+                lengths = np.linalg.norm(V[F[:, k]] - V[F[:, (k + 1) % 3]], axis=1)
+                np.minimum.at(radii, F[:, k], lengths / 10)
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "radii.txt")
+                path.write_text("".join(f"{v} {r!r}\n" for v, r in enumerate(radii.tolist())))
+                m = intrinsic.flatten(V, F, radii=radii)
+                self.compare_flat(V, F, m, "--radii", str(path))
+
     def compare_flat(self, V, F, m, *options):
         stats, files, _ = run_program("flatten", V, F, *options, output="out.obj")
         S, mesh = m.subdivision, files["out.obj"]

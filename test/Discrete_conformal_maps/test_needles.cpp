@@ -242,6 +242,42 @@ TEST(Needles, clusters_have_maps)
     }
 }
 
+// Returns parts of half the distance to the nearest vertex in space. On the surface, it is no
+// less.
+std::vector<double> short_radii(const Mesh& mesh, Portable_random& random)
+{
+  std::vector<double> result;
+  for(Vertex_index v : mesh.vertices()) {
+    double least = std::numeric_limits<double>::infinity();
+    for(Vertex_index w : mesh.vertices())
+      if(const auto d = mesh.point(w) - mesh.point(v); v != w)
+        least = (std::min)(least, std::hypot(d.x(), d.y(), d.z()));
+    result.push_back(mesh.is_border(v) ? 0 : least / 2 * random.get_double(0, 0.99));
+  }
+  return result;
+}
+
+// Circles around near vertices are as small as their distances.
+TEST(Needles, may_have_circles)
+{
+  for(const double d : {1e-8, 1e-12, 1e-17, 1e-22, 1e-28})
+    for(std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(testing::Message() << d << ' ' << seed);
+      Portable_random random(seed);
+      const Mesh square = with_near_vertices(terrain(4, random), d, random),
+                 sphere = with_vertices_at_origin(sphere_at_origin(40, random), d, random);
+      for(const Mesh* mesh : {&square, &sphere}) {
+        const std::vector<double> radii = short_radii(*mesh, random);
+        const auto radius = boost::make_function_property_map<Vertex_index>(
+          [&](Vertex_index v) { return radii[v.idx()]; });
+        const Planar_conformal_map map =
+          DCM::flatten(*mesh, DCM::parameters::vertex_radius_map(radius));
+        EXPECT_TRUE(map.has_radii());
+        check_success(map);
+      }
+    }
+}
+
 // A cone can be placed at one of several near vertices.
 TEST(Needles, may_have_cones)
 {

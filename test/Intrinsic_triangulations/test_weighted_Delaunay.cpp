@@ -5,6 +5,7 @@
 #include "generators.h"
 
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
@@ -194,6 +195,72 @@ TEST(Weighted_Delaunay, holds_in_fifty_digits_and_is_unique)
     }
     EXPECT_EQ(lengths_of_t, lengths_of_u);
   }
+}
+
+namespace {
+
+// Points in the square and, smaller each time, around its middle. There, coordinates have room.
+std::vector<Point_2> nested_points(std::size_t n, double ratio, CGAL::Random& random)
+{
+  std::vector<Point_2> result;
+  for(double size = 1; size > 1e-40; size *= ratio)
+    for(const Point_2& p : random_points(n, random))
+      result.emplace_back(size * p.x(), size * p.y());
+  return result;
+}
+
+// Parts of the distances to the nearest points, with squares that are numbers of type `double`.
+std::vector<double> short_radii(const std::vector<Point_2>& points, CGAL::Random& random)
+{
+  std::vector<double> result;
+  for(const Point_2& p : points) {
+    double least = std::numeric_limits<double>::infinity();
+    for(const Point_2& q : points)
+      if(p != q)
+        least = (std::min)(least, std::hypot(p.x() - q.x(), p.y() - q.y()));
+    int exponent = 0;
+    const double part = std::frexp(least * random.get_double(0, 0.5), &exponent);
+    result.push_back(std::ldexp(std::floor(part * 0x1p26), exponent - 26));
+  }
+  return result;
+}
+
+} // namespace
+
+// Rounded lengths say nothing about angles between points that are so close.
+TEST(Weighted_Delaunay, exact_decisions_give_the_regular_triangulation_of_near_points)
+{
+  CGAL::Random random(7);
+  for(const double ratio : {1e-2, 1e-8, 1e-15, 1e-30})
+    for(int sample = 0; sample < 5; ++sample) {
+      const std::vector<Point_2> points = nested_points(12, ratio, random);
+      const std::vector<double> radii = short_radii(points, random);
+      std::vector<double> weights;
+      for(const double r : radii)
+        weights.push_back(r * r);
+      Triangulation t(planar_mesh(points));
+      IT::Default_flip_visitor visitor;
+      const auto result = IT::internal::flip_exactly_with_circles(t, map_of(radii), visitor);
+      const auto [edges, hidden] = regular_triangulation(points, weights);
+      EXPECT_EQ(hidden, result.hidden_vertices);
+      EXPECT_EQ(edges_without({}, t), edges) << ratio << ' ' << sample;
+      EXPECT_GT(result.flips, 0u);
+      EXPECT_TRUE(t.is_valid());
+    }
+}
+
+TEST(Weighted_Delaunay, exact_decisions_find_hidden_points)
+{
+  const std::vector<Point_2> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1.5, 1}};
+  Triangulation t(planar_mesh(points));
+  IT::Default_flip_visitor visitor;
+  const std::vector<double> radii{0, 0, 0, 0, 2, 0};
+  const auto result = IT::internal::flip_exactly_with_circles(t, map_of(radii), visitor);
+  const std::vector<Vertex_index> hidden = regular_triangulation(points, {0, 0, 0, 0, 4, 0}).second;
+  ASSERT_EQ(hidden, std::vector<Vertex_index>{Vertex_index(5)});
+  ASSERT_FALSE(result.hidden_vertices.empty());
+  for(Vertex_index v : result.hidden_vertices)
+    EXPECT_EQ(v, hidden[0]);
 }
 
 TEST(Weighted_Delaunay, equal_weights_are_none)

@@ -11,7 +11,7 @@ import re
 import struct
 import sys
 from collections import Counter, defaultdict
-from math import atan2, degrees, dist, fsum, hypot, log, pi, sin, sqrt
+from math import atan2, degrees, dist, exp, fsum, hypot, log, pi, sin, sqrt
 
 
 class Named(dict):

@@ -129,6 +129,33 @@ expect 0 flatten square.mesh.off -o a.obj --boundary scale --boundary-values sca
 is_conformal a.json
 claim "near(json('a.json').log_scale_min, log(2), 1e-12)" "near(flat_area(obj('a.obj')), 4, 1e-11)"
 
+# Circles. Those of a hexagon of touching circles stay; their radii are a property, or in a file.
+off hexagon '0 0 0,2 0 0,1 2 0,-1 2 0,-2 0 0,-1 -2 0,1 -2 0' \
+  '0 1 2,0 2 3,0 3 4,0 4 5,0 5 6,0 6 1'
+expect 0 pack hexagon.mesh.off -o a.ply
+for v in 0 1 2 3 4 5 6; do echo "$v 0.33333333333333333"; done >circles
+for radii in radius circles; do
+  expect 0 flatten a.ply --radii $radii -o b.ply --unit-square --stats a.json
+  is_conformal a.json
+  claim "s = json('a.json')" "r = list(ply('b.ply').vertex['radius'])" 's.cones == 0' \
+    'near([s.log_scale_min, s.log_scale_max], [0, 0], 1e-10)' 'near(r[:7], [s.scale / 3] * 7, 1e-10)'
+done
+expect 0 flatten a.ply --radii circles --boundary rectangle -o b.ply --stats a.json
+is_conformal a.json
+# With a circle at every other vertex, a torus has another map; with radii of zero, the same bytes.
+for v in $(seq 0 2 143); do echo "$v 0.1"; done >circles
+for v in $(seq 0 143); do echo "$v 0"; done >zeros
+expect 0 flatten torus.mesh.off -o a.ply --cones none
+expect 0 flatten torus.mesh.off -o b.ply --cones none --radii zeros
+cmp a.ply b.ply
+expect 0 flatten torus.mesh.off -o b.ply --cones none --radii circles --stats a.json
+is_conformal a.json
+claim "a, b = [ply(f).vertex for f in ('a.ply', 'b.ply')]" "'radius' not in a" \
+  "u, r = [list(b[k])[:144] for k in ('log_scale', 'radius')]" \
+  "max(abs(x - y) for x, y in zip(u, list(a['log_scale']))) > 1e-5" \
+  'near(r, [0 if v % 2 else exp(u[v]) / 10 for v in range(144)], 1e-12)'
+rm a.* b.* circles zeros
+
 # Components side by side; vertices without faces stay where they are.
 # Exact decisions: a map that is certified; where one is not, the statistics say why.
 expect 0 flatten "$shipped" -o a.obj --exact --stats a.json

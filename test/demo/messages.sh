@@ -75,6 +75,8 @@ text value.txt '0 one'
 text range.txt '99 1'
 text twice.txt '0 1;0 2'
 text inside.txt '0 1'
+text below.txt '0 -1'
+text meeting.txt '0 0.2;1 0.2'
 mkdir folder.off folder.ply
 off repeated_only "$square" '0 2 2'
 
@@ -199,6 +201,15 @@ calls <<'TABLE'
 2 | --boundary scale needs a file of values: add --boundary-values | flatten flat.mesh.off -o a.obj --boundary scale
 2 | needs a file of values: add --boundary-values | flatten --boundary curvature flat.mesh.off -o a.obj
 2 | --boundary-values is for --boundary scale and curvature | flatten flat.mesh.off -o a.obj --boundary-values inside.txt
+2 | the radius at vertex 0 is negative | flatten flat.mesh.off -o a.obj --radii below.txt
+2 | the circles at vertices 0 and 1 meet | flatten flat.mesh.off -o a.obj --radii meeting.txt
+2 | there is no vertex 99 | flatten flat.mesh.off -o a.obj --radii range.txt
+2 | cold: cannot be opened | flatten k.mesh.ply -o a.obj --radii cold
+2 | the radius at vertex 0 is negative or not a finite number | flatten j.mesh.ply -o a.obj --radii heat
+2 | --radii: the mesh had to be repaired, and its vertices differ from the file | flatten repeated.mesh.off --repair -o a.obj --radii inside.txt
+2 | --radii: --exact cannot decide about circles | flatten flat.mesh.off -o a.obj --radii inside.txt --exact
+2 | --radii: --solver ceres has no energy of circles | flatten flat.mesh.off -o a.obj --radii inside.txt --solver ceres
+2 | no disk is known for circles at the vertices | flatten flat.mesh.off -o a.obj --radii inside.txt --boundary disk
 2 | there is no command 'flaten'; did you mean 'flatten'? | flaten flat.mesh.off -o a.obj
 2 | there is no command 'dist'; did you mean 'distance'? | --threads 2 dist flat.mesh.off
 2 | there is no command 'geodesics' | geodesics

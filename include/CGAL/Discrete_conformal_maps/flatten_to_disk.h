@@ -58,7 +58,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// \returns a map with one of the statuses of `flatten()`, or `Map_status::not_circular` if the
 ///   boundary is no circle after the last round. If a minimization fails, its map is returned
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
-///   does: a component with handles has no disk without cones inside
+///   does: a component with handles has no disk without cones inside. It is also thrown if there
+///   are circles at the vertices
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as
 ///   `flatten()` does
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -67,6 +68,8 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
 {
   const auto rounds = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 100));
+  if(internal::vertex_circles(g, np).exist())
+    throw Intrinsic_triangulations::Invalid_input("no disk is known for circles at the vertices");
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   std::vector<Vertex_condition> conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());

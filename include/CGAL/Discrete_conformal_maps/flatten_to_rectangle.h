@@ -97,7 +97,7 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
   internal::Rectangular_boundary boundary(input.mesh(), is_corner);
   boundary.prescribe(conditions);
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             false, np, std::move(boundary));
+                             false, np, std::move(boundary), internal::vertex_circles(g, np));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

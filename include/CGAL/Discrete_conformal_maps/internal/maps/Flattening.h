@@ -411,9 +411,9 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
   const bool is_exact = choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
   if(is_exact && circles.exist())
     throw Intrinsic_triangulations::Invalid_input("decisions about circles cannot be exact");
-  if(is_exact || circles.exist())
-    return find(std::move(input), is_exact ? Exactness::decisions : Exactness::none);
-  return with_digits_as_needed(std::move(input), find);
+  if(is_exact)
+    return find(std::move(input), Exactness::decisions);
+  return with_digits_as_needed(std::move(input), find, !circles.exist());
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -19,21 +19,22 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the
-// input, its errors are measured on the exact surface. If this fails, returns the map with lengths
-// of the exact surface.
+// input, its errors are measured on the exact surface. If this fails, or errors are not
+// `measurable`, returns the map with lengths of the exact surface.
 //
 // \throws Error as the last call of `find()` does
 template <typename Find>
 auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                           const Find& find)
+                           const Find& find, bool measurable = true)
 {
   typedef decltype(find(std::move(input), Exactness::none)) Map;
   if(!(has_unknown_angles(input) && has_exact_metric(input)))
     return find(std::move(input), Exactness::none);
   std::optional<Map> rounded;
   try {
-    rounded = find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), Exactness::errors);
-    if(rounded->status() == Map_status::success)
+    if(measurable)
+      rounded = find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), Exactness::errors);
+    if(rounded && rounded->status() == Map_status::success)
       return std::move(*rounded);
   } catch(const Intrinsic_triangulations::Error&) { // such as flips without end
   }

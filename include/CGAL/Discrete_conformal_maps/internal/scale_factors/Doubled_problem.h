@@ -49,7 +49,7 @@ public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
 
   // `half` is the surface, without flips. Only its connectivity, lengths and positions are kept.
-  // `condition` has one entry for each of its vertices. With circles, rounded lengths decide.
+  // `condition` has one entry for each of its vertices.
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, Exactness exactness = Exactness::none,
                   Vertex_circles circles = Vertex_circles())
@@ -156,14 +156,12 @@ public:
     if(is_most_precise && has_precise_lengths() && m_most_precise_length.empty())
       m_most_precise_length = exact_lengths<More_extended>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
-      if(has_radii())
-        return m_circles.tangent_length<FT>(t, e, m_original);
       if(!has_precise_lengths())
-        return FT(t.length(e));
+        return without_radii(FT(t.length(e)), e, t);
       if constexpr(is_most_precise)
-        return converted<FT>(m_most_precise_length[e.idx()]);
+        return converted<FT>(without_radii(m_most_precise_length[e.idx()], e, t));
       else
-        return converted<FT>(m_precise_length[e.idx()]);
+        return converted<FT>(without_radii(m_precise_length[e.idx()], e, t));
     });
   }
 
@@ -311,6 +309,13 @@ public:
   }
 
 private:
+  // Returns the length of the tangent of an edge if there are circles, otherwise its length.
+  template <typename FT>
+  FT without_radii(const FT& length, Edge_index e, const Triangulation& t) const
+  {
+    return has_radii() ? m_circles.tangent_length(length, e, t, m_original) : length;
+  }
+
   void extend(std::size_t width, const std::vector<Halfedge_index>& flips)
   {
     std::vector<Vertex_index> start;
@@ -377,7 +382,9 @@ private:
     if(m_flipping == Flipping::to_Delaunay)
       flip_to_Delaunay();
     if(has_radii())
-      m_circles.check(m_triangulation, m_original);
+      m_circles.check(m_triangulation, m_original, [this](Edge_index e) {
+        return has_precise_lengths() ? m_precise_length[e.idx()].high() : m_triangulation.length(e);
+      });
   }
 
   struct Flip_record
@@ -392,7 +399,7 @@ private:
     m_flips.clear();
     Flip_record record{m_flips};
     if(has_radii())
-      m_number_of_flips = m_circles.flip(m_triangulation, m_original, record);
+      m_number_of_flips = m_circles.flip(m_triangulation, m_original, m_has_exact_flips, record);
     else if(m_has_exact_flips)
       m_number_of_flips = flip_exactly(m_triangulation, m_is_exact, record);
     else

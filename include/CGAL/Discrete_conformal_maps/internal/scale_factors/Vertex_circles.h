@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -62,26 +63,30 @@ public:
     return result;
   }
 
-  // Returns the length of the tangent between the circles at the ends of `e`.
+  // Returns the length of the tangent between the circles at the ends of `e`, from its length.
   template <typename FT>
-  FT tangent_length(const Triangulation& t, Edge_index e, const Originals& original) const
+  FT tangent_length(const FT& length, Edge_index e, const Triangulation& t,
+                    const Originals& original) const
   {
     const auto [r, s] = radii_at(e, t, original);
-    return Intrinsic_triangulations::tangent_length(FT(t.length(e)), FT(r), FT(s));
+    return Intrinsic_triangulations::tangent_length(length, FT(r), FT(s));
   }
 
-  // Flips to the weighted Delaunay triangulation, with squared radii as weights. Returns the
-  // number of flips.
+  // Flips to the weighted Delaunay triangulation, with squared radii as weights, by exact
+  // decisions if `is_exact`. Returns the number of flips.
   // \throws Invalid_input if a circle is hidden by others
   template <typename Visitor>
-  std::size_t flip(Triangulation& t, const Originals& original, Visitor& visitor) const
+  std::size_t flip(Triangulation& t, const Originals& original, bool is_exact,
+                   Visitor& visitor) const
   {
-    const auto weight = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
-      const double r = m_radii[original[v.idx()].idx()];
-      return r * r;
-    });
-    const auto result = Intrinsic_triangulations::make_weighted_Delaunay(
-      t, weight, CGAL::parameters::visitor(std::ref(visitor)));
+    const auto radius = boost::make_function_property_map<Vertex_index>(
+      [&](Vertex_index v) { return m_radii[original[v.idx()].idx()]; });
+    const auto weight = boost::make_function_property_map<Vertex_index>(
+      [&](Vertex_index v) { return get(radius, v) * get(radius, v); });
+    const auto result =
+      is_exact ? Intrinsic_triangulations::internal::flip_exactly_with_circles(t, radius, visitor)
+               : Intrinsic_triangulations::make_weighted_Delaunay(
+                   t, weight, CGAL::parameters::visitor(std::ref(visitor)));
     if(!result.hidden_vertices.empty())
       throw Intrinsic_triangulations::Invalid_input(
         "the circle at vertex " +
@@ -91,15 +96,16 @@ public:
   }
 
   // Checks that circles at the ends of each edge do not meet. Two circles of positive radius may
-  // touch, up to rounding of the length.
+  // touch, up to rounding of the length, which is `length(e)`.
   // \throws Invalid_input if they do
-  void check(const Triangulation& t, const Originals& original) const
+  template <typename Length>
+  void check(const Triangulation& t, const Originals& original, const Length& length) const
   {
     for(Edge_index e : t.mesh().edges()) {
       const auto [r, s] = radii_at(e, t, original);
       const bool may_touch = r > 0 && s > 0;
-      const double rounding = Intrinsic_triangulations::rounding_unit<double>() * t.length(e),
-                   rest = t.length(e) - (r + s);
+      const double l = length(e), rounding = Intrinsic_triangulations::rounding_unit<double>() * l,
+                   rest = l - (r + s);
       if(may_touch ? rest < -rounding : !(rest > 0))
         throw Intrinsic_triangulations::Invalid_input(meeting(e, t, original));
     }

@@ -50,13 +50,15 @@ class Exact_decisions : public Certain_measures<Traits>
   typedef Ring_of<Number> K;
   template <typename N>
   using Rounded = typename Base::template Rounded<N>;
-  using Base::development;
   using Base::has_inserted_end;
   using Base::m_courses;
-  using Base::m_mesh;
   using Base::m_metric;
   using Base::m_pair;
   using Base::straightness;
+
+protected:
+  using Base::development;
+  using Base::m_mesh;
   using Base::try_with_more_digits;
 
 public:
