@@ -38,7 +38,7 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
   m_options.are_soups_allowed = are_soups_allowed;
   if(!options.view.empty())
     View_page::check_available();
-  check_picture_available(options.picture);
+  check_picture_available("--picture", options.picture);
   read(options.is_quiet);
   if(!options.section.first.empty())
     choose_section();

@@ -14,6 +14,7 @@
 #include "writing/Output.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,6 +74,11 @@ public:
   void add_output(const std::string& path, const std::string& content)
   {
     m_output.add(path, [&](Text& text) { text << content; });
+  }
+  // Calls `write(text)`.
+  void add_output(const std::string& path, const std::function<void(Text&)>& write)
+  {
+    m_output.add(path, write);
   }
   void add_output(const std::string& path, const Output_mesh& mesh, Mesh_format format)
   {

@@ -66,9 +66,9 @@ property of the vertices in the mesh is found by its name, as "radius" of `intri
 
 A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
 follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,
-and straight on the boundary; they have no circle. In the file of --cones the values are angle defects, 2 pi less the
-sum of angles; an empty one makes a torus flat. All curvatures must add up to 2 pi times the
-Euler characteristic, unless scale factors are prescribed somewhere.
+and straight on the boundary; and they have no circle. In the file of --cones the values are
+angle defects, 2 pi less the sum of angles; an empty one makes a torus flat. All curvatures must
+add up to 2 pi times the Euler characteristic, unless scale factors are prescribed somewhere.
 
 The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
 flat triangulation. The texture coordinates u, v at the corners of its faces are lengths in the
@@ -326,12 +326,12 @@ void describe_overlap(Statistics& statistics, const Planar_map& map)
     statistics["overlapping_charts"].push_back({pair.first, pair.second});
 }
 
-// Adds the radii of circles in the plane, which is scaled.
-void add_radii(Output_mesh& mesh, const Planar_map& map, const Map_part& part, double scale)
+// Adds the radii of circles in the plane.
+void add_radii(Output_mesh& mesh, const Planar_map& map, const Map_part& part)
 {
   std::vector<double> radii(part.vertices().size(), 0.);
   for(const Mesh::Vertex_index v : part.mapped_mesh().vertices())
-    radii[v] = scale * map.scaled_radius(DCM::Vertex_index(v.idx()));
+    radii[v] = map.scaled_radius(DCM::Vertex_index(v.idx()));
   mesh.point_data.push_back({"radius", std::move(radii)});
 }
 
@@ -357,7 +357,7 @@ Output_mesh described_mesh(Statistics& statistics, const Planar_map& map, const 
 {
   Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
   if(map.has_radii())
-    add_radii(result, map, part, statistics.value("scale", 1.));
+    add_radii(result, map, part);
   describe_minimization(statistics, map, output);
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);

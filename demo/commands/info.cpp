@@ -162,7 +162,7 @@ void write_page(const Common_options& common, const Polygon_soup& soup, const Ve
 {
   if(!common.view.empty())
     View_page::check_available();
-  check_picture_available(common.picture);
+  check_picture_available("--picture", common.picture);
   if(!common.is_shown())
     return;
   Output output(common.input, {common.view, common.picture});

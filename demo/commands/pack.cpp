@@ -5,6 +5,8 @@
 #include "commands/Command_line.h"
 
 #include "commands/Command_run.h"
+#include "pictures/Canvas.h"
+#include "pictures/circle_picture.h"
 #include "writing/Mesh_writer.h"
 
 #include <CGAL/Discrete_conformal_maps/pack_circles.h>
@@ -61,30 +63,10 @@ Output_mesh described_mesh(const Mesh& mesh, const DCM::Circle_packing& packing)
   return result;
 }
 
-// A picture of the unit disk, or of the disk with three times its radius.
-std::string picture(const DCM::Circle_packing& packing)
-{
-  const double size = packing.is_disk() ? 1.01 : 3;
-  std::ostringstream text;
-  text.precision(9);
-  text << R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox=")" << -size << ' ' << -size << ' '
-       << 2 * size << ' ' << 2 * size << R"("><g fill="none" stroke="black" stroke-width=")"
-       << size / 1000 << "\">\n";
-  const auto add = [&](const DCM::Planar_circle& c) {
-    text << R"(<circle cx=")" << c.center.real() << R"(" cy=")" << -c.center.imag() << R"(" r=")"
-         << c.radius << "\"/>\n";
-  };
-  for(std::size_t v = 0; v < packing.size(); ++v)
-    add(packing.circle(DCM::Vertex_index(static_cast<DCM::Vertex_index::size_type>(v))));
-  if(packing.is_disk())
-    add({0, 1});
-  text << "</g></svg>\n";
-  return text.str();
-}
-
 int pack(const Common_options& common, const Pack_options& options)
 {
   const Mesh_format format = output_format(options.output, options);
+  check_picture_available("--circles", options.picture);
   Command_run run("pack", common, {options.output, options.picture});
   run.plan({{"pack"}});
   const DCM::Circle_packing packing =
@@ -99,8 +81,8 @@ int pack(const Common_options& common, const Pack_options& options)
                                                           message(packing.status()));
   run.timed("write", [&] {
     run.add_output(options.output, described_mesh(run.input().mesh, packing), format);
-    if(!options.picture.empty())
-      run.add_output(options.picture, picture(packing));
+    run.add_output(options.picture,
+                   [&](Text& text) { write_circle_picture(text, packing, options.picture); });
   });
   std::ostringstream text;
   text << packing.size() << " circles " << (packing.is_disk() ? "in the disk" : "on the sphere")
@@ -117,7 +99,8 @@ void define_pack(Command_line& line)
     "pack", "Pack circles that touch as the vertices of a mesh are joined", pack, pack_help);
   add_output(command, options, "The mesh of the centers (.off, .obj, .ply, .vtp",
              "off, obj, ply or vtp");
-  command.add_option("--circles", options.picture, "SVG picture of the circles in the plane");
+  command.add_option("--circles", options.picture,
+                     "SVG or PNG picture of the circles in the plane");
   add_statistics(command, line.common());
   add_input_options(command, line.common());
 }

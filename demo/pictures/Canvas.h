@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 typedef std::array<double, 2> Canvas_point; // in pixels, downwards
@@ -35,6 +36,9 @@ public:
   virtual void add(const std::vector<Canvas_point>& points, const Rgb* fill,
                    const Line_style* line) = 0;
 
+  // Adds a circle that is not filled.
+  virtual void add_circle(const Canvas_point& center, double radius, const Line_style& line) = 0;
+
   // Writes the picture; nothing can be added then.
   virtual void finish() = 0;
 };
@@ -46,5 +50,13 @@ std::unique_ptr<Canvas> svg_canvas(Text& text, double width, double height,
 // A PNG picture, or null if the program was built without Cairo. Lines are `line_scale` times as
 // wide as their styles say.
 std::unique_ptr<Canvas> png_canvas(Text& text, double width, double height, double line_scale = 1);
+
+// The picture that a path asks for: PNG if it ends with .png, else SVG.
+std::unique_ptr<Canvas> canvas(Text& text, const std::string& path, double width, double height,
+                               const std::vector<Line_style>& styles, double line_scale = 1);
+
+// Throws Program_error, with the name of the option, if the path asks for PNG and the program was
+// built without Cairo.
+void check_picture_available(const std::string& option, const std::string& path);
 
 #endif // INTRINSIC_CANVAS_H

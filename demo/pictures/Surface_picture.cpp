@@ -433,17 +433,7 @@ private:
   std::vector<std::int64_t> m_failures; // polygons
 };
 
-bool is_png(const std::string& path) { return extension_of(path) == ".png"; }
-
 } // namespace
-
-void check_picture_available(const std::string& path)
-{
-  Text text;
-  if(is_png(path) && !png_canvas(text, 1, 1))
-    throw Program_error("--picture: this program was built without Cairo, which draws PNG; name a "
-                        ".svg file, or install libcairo2-dev and build again");
-}
 
 void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path,
                    const std::optional<Picture_section>& section)
@@ -453,9 +443,8 @@ void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const
     count += surface.kind == Image_kind::none ? 1 : 2;
   const double width = size * double(count);
   const double line_scale = section ? 2 : 1; // A section shows few edges.
-  const std::unique_ptr<Canvas> canvas = is_png(path)
-                                           ? png_canvas(text, width, size, line_scale)
-                                           : svg_canvas(text, width, size, all_styles(line_scale));
+  const std::unique_ptr<Canvas> canvas =
+    ::canvas(text, path, width, size, all_styles(line_scale), line_scale);
   double left = 0;
   for(const Shown_surface& surface : surfaces)
     for(const bool is_image : {false, true})

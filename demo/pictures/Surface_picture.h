@@ -27,7 +27,4 @@ struct Picture_section
 void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path,
                    const std::optional<Picture_section>& section);
 
-// Throws Program_error if the path asks for PNG and the program was built without Cairo.
-void check_picture_available(const std::string& path);
-
 #endif // INTRINSIC_SURFACE_PICTURE_H

@@ -8,6 +8,7 @@
 
 #include <cairo.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace {
@@ -63,6 +64,14 @@ public:
     cairo_stroke(m_cairo);
   }
 
+  void add_circle(const Canvas_point& center, double radius, const Line_style& line) override
+  {
+    cairo_arc(m_cairo, center[0], center[1], radius, 0, 2 * std::acos(-1.));
+    set_color(line.color);
+    cairo_set_line_width(m_cairo, m_line_scale * line.width);
+    cairo_stroke(m_cairo);
+  }
+
   void finish() override
   {
     const auto write = [](void* text, const unsigned char* bytes, unsigned size) {
@@ -71,8 +80,7 @@ public:
     };
     const cairo_status_t status = cairo_surface_write_to_png_stream(m_surface, write, &m_text);
     if(status != CAIRO_STATUS_SUCCESS)
-      throw std::runtime_error(std::string("--picture: Cairo says: ") +
-                               cairo_status_to_string(status));
+      throw std::runtime_error(std::string("Cairo says: ") + cairo_status_to_string(status));
   }
 
 private:

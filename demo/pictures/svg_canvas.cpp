@@ -62,6 +62,12 @@ public:
     m_text << (fill != nullptr ? "z\"/>\n" : "\"/>\n");
   }
 
+  void add_circle(const Canvas_point& center, double radius, const Line_style& line) override
+  {
+    m_text << "<circle class=\"" << line.name << "\" fill=\"none\" cx=\"" << center[0] << "\" cy=\""
+           << center[1] << "\" r=\"" << radius << "\"/>\n";
+  }
+
   void finish() override { m_text << m_end << "</svg>\n"; }
 
 private:

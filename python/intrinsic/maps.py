@@ -161,9 +161,7 @@ class FlatMap(ConformalMap):
     def radii(self) -> Floats:
         """The radius of the circle at each vertex in the plane, (n,); zero without a circle."""
         radii: Floats = self._core.radii()
-        return radii * self._unit
-
-    _unit = 1.0  # the factor of lengths in the unit square
+        return radii
 
 
 class SphereMap(ConformalMap):
@@ -393,7 +391,7 @@ def flatten(
     if no_overlap:
         result._core.cut_overlaps()
     if unit_square:
-        result._unit = result._core.fit_into_unit_square()
+        result._core.fit_into_unit_square()
     return result
 
 

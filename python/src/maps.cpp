@@ -160,13 +160,12 @@ std::unique_ptr<Bound_hyperbolic_map> mapped_to_hyperbolic(const Shared_surface&
 // ---- What all maps have ----
 
 // A value of the map at each vertex of the input.
-template <class Map>
-py::array at_vertices(const Bound_map<Map>& self,
-                      double (DCM::Discrete_conformal_map::*value)(DCM::Vertex_index) const)
+template <class Map, class Value>
+py::array at_vertices(const Bound_map<Map>& self, const Value& value)
 {
   std::vector<double> result;
   for(const Mesh::Vertex_index v : self.surface->mesh.vertices())
-    result.push_back((self.map.*value)(DCM::Vertex_index(v.idx())));
+    result.push_back(value(DCM::Vertex_index(v.idx())));
   return array_of(std::move(result));
 }
 
@@ -321,9 +320,10 @@ py::class_<Bound_map<Map>> bind_map(py::module_& module, const char* name)
     .def("iterations", [](const Bound& self) { return self.iterations; })
     .def("max_curvature_error", [](const Bound& self) { return self.map.max_curvature_error(); })
     .def("crowded_faces", [](const Bound& self) { return indices_of(self.map.crowded_faces()); })
-    .def(
-      "log_scales",
-      [](const Bound& self) { return at_vertices(self, &DCM::Discrete_conformal_map::log_scale); })
+    .def("log_scales",
+         [](const Bound& self) {
+           return at_vertices(self, [&](auto v) { return self.map.log_scale(v); });
+         })
     .def("images", &images<Map>);
 }
 
@@ -360,7 +360,7 @@ void bind_maps(py::module_& module)
     .def("cones", [](const Bound_planar_map& self) { return indices_of(self.map.cones()); })
     .def("radii",
          [](const Bound_planar_map& self) {
-           return at_vertices(self, &DCM::Discrete_conformal_map::scaled_radius);
+           return at_vertices(self, [&](auto v) { return self.map.scaled_radius(v); });
          })
     .def(
       "cut_overlaps",

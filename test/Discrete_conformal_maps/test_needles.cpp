@@ -243,7 +243,7 @@ TEST(Needles, clusters_have_maps)
 }
 
 // Returns parts of half the distance to the nearest vertex in space. On the surface, it is no
-// less.
+// less. Beside the boundary there are no circles.
 std::vector<double> short_radii(const Mesh& mesh, Portable_random& random)
 {
   std::vector<double> result;
@@ -252,7 +252,10 @@ std::vector<double> short_radii(const Mesh& mesh, Portable_random& random)
     for(Vertex_index w : mesh.vertices())
       if(const auto d = mesh.point(w) - mesh.point(v); v != w)
         least = (std::min)(least, std::hypot(d.x(), d.y(), d.z()));
-    result.push_back(mesh.is_border(v) ? 0 : least / 2 * random.get_double(0, 0.99));
+    bool is_inside = true;
+    for(Vertex_index w : CGAL::vertices_around_target(mesh.halfedge(v), mesh))
+      is_inside = is_inside && !mesh.is_border(w);
+    result.push_back(is_inside ? least / 2 * random.get_double(0, 0.99) : 0);
   }
   return result;
 }

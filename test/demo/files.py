@@ -10,6 +10,7 @@ import json as json_format
 import re
 import struct
 import sys
+import zlib
 from collections import Counter, defaultdict
 from math import atan2, degrees, dist, exp, fsum, hypot, log, pi, sin, sqrt
 
@@ -164,6 +165,20 @@ def vtp(path):
 
 
 # ---- Measures ----
+
+
+def png(path):
+    """The width, the height and the bytes of the rows, each after the byte of its filter."""
+    with open(path, "rb") as file:
+        data, pieces = file.read(), b""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height = struct.unpack(">II", data[16:24])
+    place = 8
+    while place < len(data):
+        size, kind = struct.unpack(">I4s", data[place:place + 8])
+        pieces += data[place + 8:place + 8 + size] if kind == b"IDAT" else b""
+        place += size + 12
+    return width, height, zlib.decompress(pieces)
 
 
 def near(a, b, tolerance):

@@ -202,7 +202,7 @@ calls <<'TABLE'
 2 | needs a file of values: add --boundary-values | flatten --boundary curvature flat.mesh.off -o a.obj
 2 | --boundary-values is for --boundary scale and curvature | flatten flat.mesh.off -o a.obj --boundary-values inside.txt
 2 | the radius at vertex 0 is negative | flatten flat.mesh.off -o a.obj --radii below.txt
-2 | the circles at vertices 0 and 1 meet | flatten flat.mesh.off -o a.obj --radii meeting.txt
+2 | the circles at vertices 1 and 0 meet | flatten flat.mesh.off -o a.obj --radii meeting.txt
 2 | there is no vertex 99 | flatten flat.mesh.off -o a.obj --radii range.txt
 2 | cold: cannot be opened | flatten k.mesh.ply -o a.obj --radii cold
 2 | the radius at vertex 0 is negative or not a finite number | flatten j.mesh.ply -o a.obj --radii heat

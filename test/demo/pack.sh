@@ -22,6 +22,14 @@ says '7 circles in the disk'
 claim "json('hexagon.json').disk" \
   "near(list(ply('hexagon.ply').vertex['radius']), [1 / 3] * 7, 1e-10)"
 [ "$(grep -c '<circle' hexagon.svg)" -eq 8 ] || fail 'a circle is missing'
+# The same as PNG.
+if "$program" pack hexagon.mesh.off -o hexagon.ply --circles hexagon.png 2>err; then
+  claim "w, h, pixels = png('hexagon.png')" 'w == h == 2000' 'len(pixels) == h * (3 * w + 1)' \
+    'len(set(pixels)) > 1'
+  rm hexagon.png
+else
+  says 'built without Cairo'
+fi
 rm hexagon.ply hexagon.svg hexagon.json
 
 refuses 'circles are packed on spheres and disks' pack two_components.mesh.off -o x.off

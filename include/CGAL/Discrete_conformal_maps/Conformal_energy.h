@@ -40,8 +40,10 @@ namespace CGAL::Discrete_conformal_maps {
 /// minimum with such faces is no metric, and a minimum need not exist.
 ///
 /// With circles at the vertices, radii are multiplied by \f$e^u\f$, and the energy is the one of
-/// \cgalCite{BL23} with Euclidean faces. Lengths are distances of centers. The second derivatives
-/// are the `Intrinsic_triangulations::weighted_laplacian()`.
+/// \cgalCite{BL23}. Lengths are distances of centers. With Euclidean faces, the second derivatives
+/// are the `Intrinsic_triangulations::weighted_laplacian()`. With hyperbolic faces, a circle with
+/// the hyperbolic radius \f$R\f$ has \f$2 r e^u = \tanh R\f$. Its variable is not \f$u\f$, but
+/// \f$w\f$ with \f$r e^w = \tanh(R/2)\f$, in which the energy is convex.
 ///
 /// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and a
 /// variable \f$x\f$ in `double`. A minimizer in `double` moves the origin from time to time. So it
@@ -100,7 +102,7 @@ public:
   /// makes the current point the origin: its variable is zero.
   void move_origin();
 
-  /// returns the scale factors, by the indices of vertices.
+  /// returns the scale factors, by the indices of vertices; for hyperbolic circles the variables.
   const std::vector<FT>& scale_factors() const;
 
   /// returns the surface in its ideal Delaunay triangulation, or in its fixed triangulation.

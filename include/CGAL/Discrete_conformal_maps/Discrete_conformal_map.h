@@ -48,6 +48,7 @@ struct Map_data
   std::vector<Vertex_index> input_vertex;
   std::vector<double> log_scale;
   std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+  bool is_hyperbolic = false; // whether lengths are sinh(x/2)
   std::shared_ptr<const Factorization_counts> counts = std::make_shared<Factorization_counts>();
 
   bool is_original(Face_index f) const { return f.idx() < number_of_original_faces; }
@@ -61,9 +62,16 @@ struct Map_data
   double scaled_length(Halfedge_index h) const
   {
     if(bc.traits().has_radii())
-      return scaled_decorated_length(h).length();
+      return between_centers(scaled_decorated_length(h));
     const double u = log_scale[bc.mesh().source(h).idx()] + log_scale[bc.mesh().target(h).idx()];
     return internal::scaled_length(bc.length(bc.mesh().edge(h)), length_factor(u));
+  }
+
+  // Returns the length of an edge between centers of circles.
+  template <typename FT>
+  FT between_centers(const Intrinsic_triangulations::Decorated_length<FT>& edge) const
+  {
+    return is_hyperbolic ? edge.hyperbolic_length() : edge.length();
   }
 
   // \pre there are circles
@@ -173,7 +181,8 @@ public:
   bool has_radii() const { return m_data->bc.traits().has_radii(); }
 
   /// returns the radius of the circle at `v` in the image: \f$e^{u}\f$ times the radius that was
-  /// given, or zero if no radii were given.
+  /// given, or zero if no radii were given. For a hyperbolic map it is \f$\tanh(R)/2\f$ if \f$R\f$
+  /// is the hyperbolic radius.
   double scaled_radius(Vertex_index v) const
   {
     return has_radii() ? std::exp(log_scale(v)) * m_data->bc.traits().radius(v) : 0.;

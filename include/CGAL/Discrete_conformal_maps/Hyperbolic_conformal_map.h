@@ -162,6 +162,9 @@ public:
     return 2 * std::asinh(data().scaled_length(ideal().mesh().halfedge(e)));
   }
 
+  /// returns the hyperbolic radius of the circle at `v`; zero if no radii were given.
+  double circle_radius(Vertex_index v) const { return std::atanh(2 * scaled_radius(v)); }
+
   /// returns the position of the source of `h`, a halfedge of \f$T_3\f$, in the face of `h`, on the
   /// hyperboloid \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
   const std::array<double, 3>& hyperboloid_position(Halfedge_index h) const
@@ -213,7 +216,7 @@ public:
     const auto side = sides(on_C.first, mesh);
     const std::array<double, 3> weight = homogeneous_weights(on_C);
     for(std::size_t s = 0; s < 3; ++s) {
-      const double w = weight[s];
+      const double w = weight[s] * sech_radius(mesh.source(side[s]));
       for(std::size_t i = 0; i < 3; ++i)
         result[i] += w * m_layout.position[side[s].idx()][i];
     }
@@ -237,6 +240,14 @@ public:
   }
 
 private:
+  // Returns 1/cosh R for the radius R of the circle. Its vector is n + p/cosh R, with its center p
+  // on the hyperboloid and the normal n of the plane of the image.
+  double sech_radius(Vertex_index v) const
+  {
+    const double tanh = 2 * scaled_radius(v);
+    return std::sqrt((1 - tanh) * (1 + tanh));
+  }
+
   internal::Hyperbolic_layout m_layout;
 };
 

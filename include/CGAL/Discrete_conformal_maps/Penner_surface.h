@@ -83,6 +83,9 @@ public:
   /// returns whether there are circles at the vertices.
   bool has_radii() const { return m_surface.has_radii(); }
 
+  /// returns the radius of the circle at `v` before scaling. \pre `has_radii()`
+  const FT& radius(Vertex_index v) const { return m_surface.radii()[v.idx()]; }
+
   /// returns the scaled radius of the circle at `v`: \f$e^{u} r\f$. \pre `has_radii()`
   const FT& scaled_radius(Vertex_index v) const { return m_scaled_radius[v.idx()]; }
 

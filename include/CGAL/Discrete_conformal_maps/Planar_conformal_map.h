@@ -61,6 +61,13 @@ public:
   /// \pre The face is laid out.
   std::complex<double> position(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
+  /// returns the radius of the circle at `v` in the plane: \f$e^{u}\f$ times the radius that was
+  /// given, or zero if no radii were given. `scale()` multiplies it.
+  double scaled_radius(Vertex_index v) const
+  {
+    return m_layout.scale * Discrete_conformal_map::scaled_radius(v);
+  }
+
   /// returns whether the two faces of the edge `e` of \f$T_3\f$ lie apart in the plane. This also
   /// holds if a face is not laid out, since it is not a part of the input.
   bool is_seam(Edge_index e) const { return m_layout.is_seam[e.idx()] != 0; }
@@ -117,6 +124,13 @@ public:
     for(Halfedge_index h : ideal().mesh().halfedges())
       if(is_laid_out(ideal().mesh().face(h)))
         m_layout.position[h.idx()] = motion(h, m_layout.position[h.idx()]);
+  }
+
+  /// multiplies all positions, and the radii of circles, by a positive factor. Complexity: linear.
+  void scale(double factor)
+  {
+    transform([factor](Halfedge_index, const std::complex<double>& z) { return factor * z; });
+    m_layout.scale *= factor;
   }
 
   /// makes edges seams, so that their faces can be moved apart. Complexity: linear.

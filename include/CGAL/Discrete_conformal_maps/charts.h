@@ -275,8 +275,8 @@ inline double fit_into_unit_square(Planar_conformal_map& map)
     return 1;
   const double factor = std::nexttoward(1 / size, 0); // not beyond one by rounding
   const std::complex<double> corner(box.xmin(), box.ymin());
-  map.transform(
-    [&](Halfedge_index, const std::complex<double>& z) { return factor * (z - corner); });
+  map.transform([&](Halfedge_index, const std::complex<double>& z) { return z - corner; });
+  map.scale(factor);
   return factor;
 }
 

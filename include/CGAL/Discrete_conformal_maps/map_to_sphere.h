@@ -56,7 +56,7 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: a few sparse Cholesky factorizations for each step of the minimization, plus \f$O(n
 /// \log n)\f$ in the vertices, flips and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
-///   nor a disk
+///   nor a disk, or there are circles at the vertices
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
@@ -65,6 +65,8 @@ template <typename Graph, typename NamedParameters = CGAL::parameters::Default_n
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())
 {
+  if(internal::vertex_circles(g, np).exist())
+    throw Intrinsic_triangulations::Invalid_input("no sphere is known for circles at the vertices");
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);

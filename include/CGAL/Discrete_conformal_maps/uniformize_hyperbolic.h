@@ -44,6 +44,12 @@ namespace CGAL::Discrete_conformal_maps {
 ///       value}
 ///     \cgalParamDefault{curvature zero everywhere}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_radius_map}
+///     \cgalParamDescription{the radii of circles around the vertices, as for `flatten()`; the map
+///       is a decorated discrete conformal map, see \ref dcm_circles}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
+///     \cgalParamDefault{there are no circles}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimizer}
 ///     \cgalParamDescription{the minimizer of the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
@@ -67,7 +73,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: a sparse Cholesky factorization for each step of the minimization, plus \f$O(n \log
 /// n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a component
-///   cannot be hyperbolic with these conditions
+///   cannot be hyperbolic with these conditions. It is also thrown if circles meet, with their
+///   vertices
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
@@ -85,10 +92,11 @@ uniformize_hyperbolic(const Graph& g,
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const auto conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
+  const internal::Vertex_circles circles = internal::vertex_circles(g, np);
   const auto uniformized = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                                internal::Exactness exactness) {
     internal::Doubled_problem problem(std::move(surface), conditions, Flipping::to_Delaunay,
-                                      exactness);
+                                      exactness, circles);
     problem.check_hyperbolic();
     problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
     internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
@@ -98,7 +106,8 @@ uniformize_hyperbolic(const Graph& g,
     is_doubled = !problem.has_no_copies();
     return uniformization.finish();
   };
-  Hyperbolic_conformal_map map = internal::with_digits_as_needed(std::move(input), uniformized);
+  Hyperbolic_conformal_map map =
+    internal::with_digits_as_needed(std::move(input), uniformized, !circles.exist());
   // Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
   if(is_doubled && map.status() == Map_status::not_glued)
     map = uniformized(Intrinsic_triangulations::Intrinsic_triangulation<>(g, np),

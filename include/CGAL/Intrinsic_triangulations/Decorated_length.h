@@ -50,6 +50,25 @@ struct Decorated_length
     return radii == 0 ? tangent : FT(sqrt(FT(radii * radii + tangent * tangent)));
   }
 
+  /// returns \f$\sinh(x/2)\f$ for the hyperbolic distance \f$x\f$ of the centers of two circles
+  /// in the hyperbolic plane, whose radii \f$R\f$ satisfy \f$2 r = \tanh R\f$. For radii of zero
+  /// it is the length of the tangent. It is NaN if a circle is too large, with \f$2 r \ge 1\f$.
+  ///
+  /// With \f$c\f$ the product of both \f$1/\cosh R\f$, \f$\cosh x = (1 + 4\eta)/c\f$. The
+  /// difference \f$1 + 4 r_i r_j - c\f$ is \f$4 (r_i + r_j)^2 / (1 + 4 r_i r_j + c)\f$, so that
+  /// no digit is lost.
+  FT hyperbolic_length() const
+  {
+    using std::sqrt;
+    const FT radii = source_radius + target_radius;
+    if(radii == 0)
+      return tangent;
+    const FT c = sqrt(FT((1 - 2 * source_radius) * (1 + 2 * source_radius))) *
+                 sqrt(FT((1 - 2 * target_radius) * (1 + 2 * target_radius)));
+    const FT apart = 2 * (radii * radii) / (1 + 4 * (source_radius * target_radius) + c);
+    return sqrt(FT((tangent * tangent + apart) / c));
+  }
+
   /// returns the same edge from its other end.
   Decorated_length reversed() const { return {tangent, target_radius, source_radius}; }
 };

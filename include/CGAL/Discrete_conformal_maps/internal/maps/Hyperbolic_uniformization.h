@@ -11,8 +11,8 @@
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_faces.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
@@ -31,33 +31,16 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Tree_cotree;
 
-// Scale factors that all vertices of a component share. With them, small hyperbolic triangles
-// would have the area that a component must have by Gauss and Bonnet.
-inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
-{
-  const auto& t = problem.triangulation();
-  const std::vector<double> target = problem.curvature_excess(),
-                            area = problem.areas(
-                              t.mesh(), [&](Halfedge_index h) { return t.length(Edge_index(h)); });
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(problem.size()));
-  for(std::size_t v = 0; v < problem.size(); ++v)
-    // a length l = sinh(x/2) is half of x
-    if(const std::size_t c = problem.components()[v]; target[c] > 0 && area[c] > 0)
-      result[Eigen::Index(v)] = std::log(target[c] / (4 * area[c])) / 2;
-  return result;
-}
-
 // The steps from a doubled problem to a map, whose group is the group of the whole double.
 template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
   Hyperbolic_uniformization(Doubled_problem& problem, Visitor& visitor)
-    : m_problem(problem),
-      m_visitor(visitor),
-      m_scale(problem, hyperbolic_start(problem)),
-      m_builder(problem)
-  {}
+    : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
+  {
+    m_builder.set_hyperbolic();
+  }
 
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer)
@@ -130,8 +113,7 @@ private:
     m_is_cone = m_problem.cones();
     double error = 1;
     if(!m_scale.is_extended())
-      error = lay_out(m_builder.scaled_lengths(
-        std::vector<double>(m_scale.values().begin(), m_scale.values().end())));
+      error = lay_out(m_builder.scaled_lengths(m_scale.precise_values<double>()));
     if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
       error = lay_out_with_more_digits<Extended>();
     if(!(error <= tolerance::gluing))
@@ -313,7 +295,7 @@ private:
 
   Doubled_problem& m_problem;
   Visitor& m_visitor;
-  Scale_factors<Hyperbolic_triangle> m_scale;
+  Hyperbolic_scale_factors m_scale;
   Map_builder m_builder;
   Hyperbolic_layout m_layout;
   std::vector<char> m_is_cone;                      // for each vertex

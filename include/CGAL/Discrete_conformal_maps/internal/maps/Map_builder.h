@@ -42,6 +42,9 @@ public:
     m_data.counts = problem.order()->counts();
   }
 
+  // Notes that scaled lengths are sinh(x/2) for hyperbolic lengths x.
+  void set_hyperbolic() { m_data.is_hyperbolic = true; }
+
   // Notes scale factors at the vertices of the surface itself, and how they were found.
   template <typename Values>
   void set_scale_factors(const Values& u, Map_status search, const Minimization_result& result,
@@ -175,12 +178,14 @@ public:
     for(Vertex_index v : m_data.input_vertex)
       all.push_back(u[v.idx()]);
     Penner_surface<FT> surface(m_data.ab.mesh(), m_problem.template lengths<FT>(m_data.ab),
-                               m_problem.flipping());
+                               m_problem.flipping(), m_problem.template radii<FT>());
     surface.scale(all);
     set_flips(surface.flips());
     std::vector<FT> result;
     for(Edge_index e : mesh().edges())
-      result.push_back(surface.scaled_length(e));
+      result.push_back(surface.has_radii() ? m_data.between_centers(
+                                               surface.scaled_decorated_length(mesh().halfedge(e)))
+                                           : surface.scaled_length(e));
     return result;
   }
 
@@ -222,9 +227,10 @@ public:
     for(Edge_index e : mesh().edges()) {
       const Halfedge_index h = mesh().halfedge(e);
       const FT &u_i = at(mesh().source(h)), &u_j = at(mesh().target(h));
-      result[e.idx()] = surface.has_radii() ? scaled(surface.decorated_length(h), u_i, u_j).length()
-                                            : internal::scaled_length(surface.length(e),
-                                                                      length_factor(FT(u_i + u_j)));
+      result[e.idx()] =
+        surface.has_radii()
+          ? m_data.between_centers(scaled(surface.decorated_length(h), u_i, u_j))
+          : internal::scaled_length(surface.length(e), length_factor(FT(u_i + u_j)));
     }
     return result;
   }

@@ -52,7 +52,7 @@ public:
       m_scale_factor[i] = m_origin[i] + FT(x[Eigen::Index(i)]);
     m_has_Hessian = false;
     try {
-      m_surface.scale(m_scale_factor);
+      scale();
     } catch(const Intrinsic_triangulations::Numerical_error&) {
       m_gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
       return;
@@ -110,8 +110,7 @@ public:
       if(!derived().is_remaining(Edge_index(h)))
         return;
       const Vertex_index w = mesh().target(h);
-      const auto tanh2 =
-        static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(Edge_index(h))));
+      const auto tanh2 = static_cast<double>(Triangle::squared_tanh(length(h)));
       if(!is_same(w))
         entries.emplace_back(static_cast<int>(w.idx()), (tanh2 - 1) * weight(h));
       diagonal += (is_same(w) ? 2 * tanh2 : 1 + tanh2) * weight(h);
@@ -153,8 +152,7 @@ protected:
 
   Triangle triangle(const std::array<Halfedge_index, 3>& side) const
   {
-    if constexpr(Intrinsic_triangulations::internal::Has_radii<Surface>::value &&
-                 Triangle::has_similar_ones)
+    if constexpr(has_circles)
       if(m_surface.has_radii()) {
         const auto edge = [&](std::size_t s) { return m_surface.scaled_decorated_length(side[s]); };
         return Triangle(edge(0), edge(1), edge(2));
@@ -164,6 +162,30 @@ protected:
   }
 
 private:
+  static constexpr bool has_circles = Intrinsic_triangulations::internal::Has_radii<Surface>::value;
+
+  // Scales the surface. The variables of hyperbolic circles are no scale factors.
+  void scale()
+  {
+    if constexpr(has_circles && !Triangle::has_similar_ones)
+      if(m_surface.has_radii()) {
+        std::vector<FT> u;
+        for(Vertex_index v : mesh().vertices())
+          u.push_back(Triangle::log_scale(m_scale_factor[v.idx()], m_surface.radius(v)));
+        return m_surface.scale(u);
+      }
+    m_surface.scale(m_scale_factor);
+  }
+
+  // the scaled length of the edge of `h`, with circles between their centers
+  FT length(Halfedge_index h) const
+  {
+    if constexpr(has_circles)
+      if(m_surface.has_radii())
+        return Triangle::length(m_surface.scaled_decorated_length(h));
+    return m_surface.scaled_length(Edge_index(h));
+  }
+
   Derived& derived() { return static_cast<Derived&>(*this); }
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 

@@ -66,6 +66,9 @@ public:
   // whether scaling changes no angles
   static constexpr bool has_similar_ones = true;
 
+  // the logarithmic scale factor of a circle of this radius, for a variable of the energy
+  static const FT& log_scale(const FT& variable, const FT& /* radius */) { return variable; }
+
   explicit Flat_triangle(const std::array<FT, 3>& lengths)
   {
     using std::sqrt;
@@ -116,6 +119,9 @@ public:
     if(area * area < 2 * least * squares)
       m_error = (std::min)(m_error, root_error(length, least));
   }
+
+  // between the centers of circles
+  static FT length(const Decorated_length& edge) { return edge.length(); }
 
   // at the source of side s
   const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -28,9 +29,22 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // With the sine in place of the cosine, the left side is d. Here d^2 is 16 times the squared area
 // of the Euclidean triangle with sides l, plus 4 (l_a l_b l_c)^2. No term cancels more than in that
 // triangle, which is the limit for short sides.
+//
+// With circles at the corners, sides join their centers. A circle of hyperbolic radius R is scaled
+// to the radius r with 2 r = tanh R. Angles are no gradient by scale factors u. They are one by w,
+// where dw = cosh R du. This gives w = log tanh(R/2) up to a constant, for which w = u if r = 0.
+// Consider the side l_c = sinh(x_c/2) from corner i to j, and the third corner k. Let C be cosh R
+// - 1, and q = p + 2 l_a^2 l_b^2, proportional to the cosine at the corner. The derivative of the
+// angle at i by w_j is cot_k / (2 cosh^2(x_c/2)), where
+//
+//   cot_k = (p_k + (C_i q_j + C_j q_i) / (2 l_c^2) - C_k (1 + l_c^2)) / d.
+//
+// Its derivative by w_i is minus the sum, over both sides at i, of cosh x times this.
 template <typename FT>
 class Hyperbolic_triangle
 {
+  typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
+
 public:
   // whether scaling changes no angles
   static constexpr bool has_similar_ones = false;
@@ -47,6 +61,46 @@ public:
       m_product[s] = Intrinsic_triangulations::doubled_corner_product(l[(s + 1) % 3], b, c);
       m_corner[s] = {m_product[s] + 2 * bc * bc, sine};
     }
+  }
+
+  Hyperbolic_triangle(const Decorated_length& ij, const Decorated_length& jk,
+                      const Decorated_length& ki)
+    : Hyperbolic_triangle({length(ij), length(jk), length(ki)})
+  {
+    const std::array<FT, 3> excess{cosh_excess(ij.source_radius), cosh_excess(jk.source_radius),
+                                   cosh_excess(ki.source_radius)};
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const Decorated_length& side = k == 0 ? jk : k == 1 ? ki : ij;
+      const FT l = length(side), square = l * l;
+      m_product[k] +=
+        (excess[i] * m_corner[j].cosine + excess[j] * m_corner[i].cosine) / (2 * square) -
+        excess[k] * (1 + square);
+    }
+  }
+
+  // between the centers of circles
+  static FT length(const Decorated_length& edge) { return edge.hyperbolic_length(); }
+
+  // The logarithmic scale factor u for a variable w of the energy, of a circle of this radius. It
+  // is NaN if no circle is that large.
+  static FT log_scale(const FT& variable, const FT& radius)
+  {
+    using std::exp;
+    using std::log;
+    const FT tanh = radius * exp(variable); // of R/2
+    return tanh < 1 ? FT(variable - log(FT(1 + tanh * tanh)))
+                    : FT(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  // the inverse function
+  static FT variable(const FT& log_scale, const FT& radius)
+  {
+    using std::exp;
+    using std::log;
+    using std::sqrt;
+    const FT r = radius * exp(log_scale);
+    return log_scale - log(FT((1 + sqrt(FT((1 - 2 * r) * (1 + 2 * r)))) / 2));
   }
 
   // at the source of side s
@@ -79,6 +133,14 @@ public:
   }
 
 private:
+  // cosh R - 1 for a scaled radius r with 2 r = tanh R
+  static FT cosh_excess(const FT& r)
+  {
+    using std::sqrt;
+    const FT inverse = sqrt(FT((1 - 2 * r) * (1 + 2 * r)));
+    return 4 * (r * r) / (inverse * (1 + inverse));
+  }
+
   const FT& sine() const { return m_corner[0].sine; }
 
   FT divisor() const
@@ -87,7 +149,7 @@ private:
   }
 
   std::array<Corner<FT>, 3> m_corner;
-  std::array<FT, 3> m_product; // p
+  std::array<FT, 3> m_product; // p, or with circles the product of d with the derivatives cot
   FT m_squares;                // the sum of all l^2
 };
 

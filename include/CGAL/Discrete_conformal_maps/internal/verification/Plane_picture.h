@@ -29,6 +29,7 @@ struct Planar_layout
   std::vector<char> is_laid_out;              // for each face
   std::vector<std::complex<double>> position; // of the source of each halfedge
   std::vector<char> is_seam;                  // for each edge
+  double scale = 1;                           // by which positions have been multiplied since then
 };
 
 // The faces of T_3 in the plane as positions in `double` show them, compared with their scaled
@@ -135,7 +136,10 @@ private:
   const std::complex<double>& at(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
   // in the plane
-  double length_of(Halfedge_index h) const { return std::abs(at(mesh().next(h)) - at(h)); }
+  double length_of(Halfedge_index h) const
+  {
+    return std::abs(at(mesh().next(h)) - at(h)) / m_layout.scale;
+  }
 
   double scaled_length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
