@@ -5,6 +5,7 @@
 #include "commands/Command_run.h"
 
 #include "Program_error.h"
+#include "pictures/Canvas.h"
 #include "reading/Scanner.h"
 #include "reading/component_meshes.h"
 #include "reading/surface_points.h"

@@ -7,6 +7,7 @@
 #include "Program_error.h"
 #include "commands/Statistics.h"
 #include "page/View_page.h"
+#include "pictures/Canvas.h"
 #include "reading/Mesh_reader.h"
 #include "reading/close_points.h"
 #include "reading/polygon_splitting.h"

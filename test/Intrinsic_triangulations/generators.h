@@ -103,25 +103,31 @@ Triangles sorted_triangles(const CGAL::Surface_mesh<P>& mesh, const std::vector<
   return result;
 }
 
-// The convex hull of random points on the unit sphere. Its elements have the order of the points,
-// not that in which CGAL finds them, which depends on addresses.
-inline Mesh random_sphere(std::size_t n, unsigned int seed)
+// The convex hull of points. Its elements have the order of the points, not that in which CGAL
+// finds them, which depends on addresses.
+inline Mesh convex_hull(const std::vector<Point>& points)
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Hull_point;
-  CGAL::Random random(seed);
-  std::vector<Point> points;
   std::vector<Hull_point> hull_points;
-  while(points.size() < n) {
-    const Kernel::Vector_3 v(random.get_double(-1, 1), random.get_double(-1, 1),
-                             random.get_double(-1, 1));
-    if(const double length = std::sqrt(v.squared_length()); length > 0.1) {
-      points.push_back(CGAL::ORIGIN + v / length);
-      hull_points.emplace_back(points.back().x(), points.back().y(), points.back().z());
-    }
-  }
+  for(const Point& p : points)
+    hull_points.emplace_back(p.x(), p.y(), p.z());
   CGAL::Surface_mesh<Hull_point> hull;
   CGAL::convex_hull_3(hull_points.begin(), hull_points.end(), hull);
   return make_mesh(points, sorted_triangles(hull, hull_points));
+}
+
+// The convex hull of random points on the unit sphere.
+inline Mesh random_sphere(std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> points;
+  while(points.size() < n) {
+    const Kernel::Vector_3 v(random.get_double(-1, 1), random.get_double(-1, 1),
+                             random.get_double(-1, 1));
+    if(const double length = std::sqrt(v.squared_length()); length > 0.1)
+      points.push_back(CGAL::ORIGIN + v / length);
+  }
+  return convex_hull(points);
 }
 
 // A ring of n points between two apexes; with height 0 a disk with two sides.
