@@ -263,8 +263,8 @@ std::vector<double> short_radii(const Mesh& mesh, Portable_random& random)
 // Circles around near vertices are as small as their distances.
 TEST(Needles, may_have_circles)
 {
-  for(const double d : {1e-8, 1e-12, 1e-17, 1e-22, 1e-28})
-    for(std::uint64_t seed : {1, 2, 3}) {
+  for(const double d : {1e-8, 1e-17, 1e-28})
+    for(std::uint64_t seed : {1, 2}) {
       SCOPED_TRACE(testing::Message() << d << ' ' << seed);
       Portable_random random(seed);
       const Mesh square = with_near_vertices(terrain(4, random), d, random),
