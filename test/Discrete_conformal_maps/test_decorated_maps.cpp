@@ -7,7 +7,10 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/certify.h>
+#include <CGAL/Discrete_conformal_maps/charts.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/weighted_laplacian.h>
 
@@ -273,6 +276,35 @@ TEST(Decorated_maps, keep_points_on_their_faces)
     ++compared;
   }
   EXPECT_GT(compared, 100u);
+}
+
+TEST(Decorated_maps, keep_inversive_distances_when_the_image_is_scaled)
+{
+  const Triangulation t(perturbed(embedded_torus(8, 7), 0.3, 5));
+  Planar_conformal_map map = decorated(t, random_radii(t, 1, 13));
+  ASSERT_EQ(map.status(), DCM::Map_status::success);
+  std::vector<double> before;
+  for(Vertex_index v : t.mesh().vertices())
+    before.push_back(map.scaled_radius(v));
+  const double factor = DCM::fit_into_unit_square(map);
+  EXPECT_NE(factor, 1);
+  for(Vertex_index v : t.mesh().vertices())
+    EXPECT_DOUBLE_EQ(map.scaled_radius(v), factor * before[v]);
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-8);
+}
+
+TEST(Decorated_maps, have_rectangles)
+{
+  const Triangulation t(grid(6, 4, [](double x, double y) { return Point(x, y, x * y / 20); }));
+  const std::vector<double> length = lengths_of(t);
+  const Radii radii = random_radii(t, 0.5, 3);
+  const auto np = length_parameter(length).vertex_radius_map(as_radii(radii));
+  const Planar_conformal_map map =
+    DCM::flatten_to_rectangle(t.mesh(), DCM::rectangle_corners(t.mesh(), np), np);
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_TRUE(map.has_radii());
+  EXPECT_GT(check_inversive_distances(map, radii), 10u);
+  EXPECT_THROW(DCM::flatten_to_disk(t.mesh(), np), IT::Invalid_input);
 }
 
 // ---- What is refused ----

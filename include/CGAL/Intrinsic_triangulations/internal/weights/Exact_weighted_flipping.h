@@ -22,7 +22,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
