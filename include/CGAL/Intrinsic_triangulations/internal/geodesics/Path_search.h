@@ -299,7 +299,7 @@ protected:
     for(Index i = m_first[edge]; i < m_first[edge + 1]; ++i) {
       const View& view = m_views.views()[m_sorted[i]];
       const FT length = view.length_to(z);
-      if(length <= part.length * (1 + rounding_unit<FT>()) && view.sees(z, m_views.tolerance(view)))
+      if(length <= part.length * (1 + rounding_unit<FT>()) && view.sees(z, tolerance(view)))
         improve(part, {length, m_sorted[i], view.origin, Halfedge_index(), z,
                        m_views.is_source(view.origin)});
     }
@@ -307,10 +307,11 @@ protected:
 
   // ---- Paths ----
 
-  Vector apex_beyond(Index view) const
-  {
-    return m_views.charts().apex_beyond(m_views.charts().across(m_views.views()[view].edge));
-  }
+  Vector apex_beyond(Index view) const { return face_beyond(m_views.views()[view]).apex(); }
+
+  FT tolerance(const View& view) const { return face_beyond(view).tolerance(view); }
+
+  Face_beyond<FT> face_beyond(const View& view) const { return {view.edge, m_views.charts()}; }
 
   // Calls `visit(view, z)` for the view `i` and the views from which it was passed on; `z` is the
   // end of the line in its frame. Returns the first of them, and `z` in its frame.
@@ -385,8 +386,8 @@ protected:
   {
     const Index o = m_views.charts().across(view.edge);
     const FT x = view.crossing(end), l = m_views.charts().length(view.edge);
-    const FT tolerance = m_views.tolerance(view);
-    if(x <= tolerance || l - x <= tolerance)
+    const FT rounding = tolerance(view);
+    if(x <= rounding || l - x <= rounding)
       return Vertex_location{Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh)};
     const Halfedge_index h = Charts::halfedge(view.edge, m_mesh);
     return edge_location(Edge_point<FT>{h, x / l});

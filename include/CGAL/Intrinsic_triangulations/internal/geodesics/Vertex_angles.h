@@ -9,12 +9,14 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -80,20 +82,41 @@ private:
   bool m_is_border;
 };
 
-// The directions in which paths can continue at a vertex. They are at least half a turn away from
-// the direction from which paths come, on either side with surface.
+// Returns the error of the direction in which a path arrives at `v` that is straight on its last
+// part, of length `way`; zero if it is no greater than the error of angles. Directions are unknown if
+// another vertex is as near as rounding: the path may pass it on either side.
+template <typename Surface>
+Length_of<Surface> direction_error(Vertex_index v, const Length_of<Surface>& way,
+                                   const Surface& surface)
+{
+  typedef Length_of<Surface> FT;
+  FT longest(0), shortest = std::numeric_limits<FT>::infinity();
+  for_each_outgoing_halfedge(v, surface.mesh(), [&](Halfedge_index h) {
+    longest = (std::max)(longest, FT(edge_length(h, surface)));
+    shortest = (std::min)(shortest, FT(edge_length(h, surface)));
+  });
+  if((std::min)(way, shortest) <= rounding_unit<FT>() * (way + longest))
+    return FT(1);
+  return 1024 * way < longest ? rounding_unit<FT>() * longest / way : FT(0);
+}
+
+// Returns whether paths that arrive at a vertex can continue in no direction: the shadow of the
+// vertex is no wider than the tolerance of what is seen. Their direction has the given error.
+template <typename FT>
+bool is_shadow_empty(const Vertex_angles<FT>& angles, const FT& error)
+{
+  return angles.sum() - (angles.is_border() ? 1 : 2) * pi<FT>() <= rounding_unit<FT>() - error;
+}
+
+// The directions in which paths can continue at a vertex whose shadow is not empty. They are at
+// least half a turn away from the direction from which paths come, on either side with surface.
 template <typename FT>
 class Outgoing_sector
 {
 public:
-  // all of them if `is_whole`; `error` is the error of the direction from which paths come
-  Outgoing_sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back, const FT& error)
-    : m_sum(angles.sum()),
-      m_back(back),
-      m_is_border(angles.is_border()),
-      m_is_whole(is_whole),
-      m_is_empty(!is_whole &&
-                 m_sum - (m_is_border ? 1 : 2) * pi<FT>() <= rounding_unit<FT>() - error)
+  // all of them if `is_whole`
+  Outgoing_sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back)
+    : m_sum(angles.sum()), m_back(back), m_is_border(angles.is_border()), m_is_whole(is_whole)
   {}
 
   // whether there are some between two angles
@@ -101,14 +124,12 @@ public:
   {
     const FT half = pi<FT>() - flat_angle_tolerance<FT>(), a = first - m_back, b = last - m_back;
     const FT other = m_is_border ? std::numeric_limits<FT>::infinity() : m_sum - half;
-    return m_is_whole ||
-           (!m_is_empty && ((b >= half && a <= other) || (a <= -half && b >= -other)));
+    return m_is_whole || (b >= half && a <= other) || (a <= -half && b >= -other);
   }
 
 private:
   FT m_sum, m_back;
   bool m_is_border, m_is_whole;
-  bool m_is_empty; // the shadow of other vertices is no wider than the tolerance of what is seen
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -19,6 +19,17 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Where a view enters the face on the side of the origin: through the side before its `edge`, at the
+// corner opposite to it, through the side after it, or inside of the face. In this order the first
+// three lie side by side on `edge`.
+enum class Entry : std::uint8_t
+{
+  before,
+  corner,
+  after,
+  inside
+};
+
 // The view of an origin through a part of an edge. The face of the side `edge`, whose frame this
 // is, is on the side of the origin. The rays from a vertex or a point start at its position. Rays
 // from the interior of a segment are parallel (Bommes and Kobbelt 2007).
@@ -36,12 +47,19 @@ struct View
   Index origin; // a vertex, or the number of vertices plus that of a source
   Index parent; // from which it was handed on; null if it was opened at the origin
   bool is_parallel = false;
+  Entry entry = Entry::inside;
 
   // Returns the length of the path to the point `z`.
   FT length_to(const Vector& z) const
   {
     return is_parallel ? (std::max)(FT(before - dot(z, position)), FT(0))
                        : FT(before + norm_of(z - position));
+  }
+
+  // Returns the derivative of the length of the path to the point of the edge at `x`.
+  FT slope(const FT& x) const
+  {
+    return is_parallel ? FT(-position.real()) : FT((x - position.real()) / norm_of(x - position));
   }
 
   // Returns the length of the shortest path to the part of the edge.
@@ -69,8 +87,8 @@ struct View
     return begin - tolerance <= x && x <= end + tolerance;
   }
 
-  // Returns the distance up to which errors in the frame are rounding.
-  FT scale() const { return is_parallel ? CGAL::abs(before) : norm_of(position); }
+  // Returns a distance up to which errors in the frame are rounding.
+  FT scale() const { return is_parallel ? CGAL::abs(before) : extent(); }
 
   // Returns where the ray through the point of the edge at `x` meets the side from 0 to `apex`.
   // The result is from 0 to 1. Products that are nearly equal are not subtracted. If all points
@@ -93,6 +111,8 @@ struct View
   }
 
 private:
+  FT extent() const { return CGAL::abs(position.real()) + CGAL::abs(position.imag()); }
+
   FT hit(const Vector& p, const FT& x, const Vector& apex) const
   {
     const FT to_source = p.imag() * x;
@@ -105,15 +125,16 @@ private:
 
   bool cut_off_point(const FT& by_source, const FT& by_target, const FT& length)
   {
-    const Vector from_target(length - position.real(), position.imag());
-    const FT slack = path_tolerance<FT>() * (before + norm_of(position) + length);
+    const FT slack = path_tolerance<FT>() * (before + extent() + length);
     const FT rest = cut_off(position, by_source + slack, begin, end);
     if(!(rest <= end))
       return false;
+    const Vector from_target(length - position.real(), position.imag());
     const FT other = cut_off(from_target, by_target + slack, FT(length - end), length - rest);
     begin = rest;
-    end = (std::min)(end, FT(length - other));
-    return other <= length - rest;
+    if(other > length - end)
+      end = length - other;
+    return begin <= end;
   }
 
   // Compares paths from `p` with paths that have the length `before` at 0 and follow the edge.
@@ -121,7 +142,10 @@ private:
   // `slack`: the difference decreases. A position beyond `end` stands for all.
   static FT cut_off(const Vector& p, const FT& before, const FT& begin, const FT& end)
   {
-    const auto is_longer = [&](const FT& x) { return norm_of(p - x) > before + x; };
+    const auto is_longer = [&](const FT& x) {
+      const FT along = before + x;
+      return along < 0 || std::norm(p - x) > along * along;
+    };
     if(!is_longer(begin))
       return begin;
     if(is_longer(end))

@@ -13,11 +13,13 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Bucket_queue.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_beyond.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_charts.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Sector_in_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_origin.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Waiting_views.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -29,6 +31,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -75,6 +78,8 @@ public:
       m_opened(m_number_of_vertices, std::numeric_limits<FT>::infinity()),
       m_next(m_charts.mean_length() / 4), // many views for each bucket, and few that come late
       m_bends(m_charts.mean_length() / 4),
+      m_delay(m_charts.mean_length()),
+      m_waiting(m_charts.number_of_sides()),
       m_are_views_kept(are_views_kept),
       m_last_view(are_views_kept ? 0 : m_number_of_vertices)
   {}
@@ -84,7 +89,7 @@ public:
     m_distance[v.idx()] = FT(0);
     m_arrival[v.idx()] = Arrival();
     if(!m_mesh.is_isolated(v))
-      m_bends.push(FT(0), v.idx());
+      m_bends.push(m_delay, v.idx());
   }
 
   // Adds a point that is not a vertex, in one of its faces, or the interior of a segment. Returns
@@ -126,22 +131,24 @@ public:
   template <typename Limit>
   bool run(const Limit& limit, std::size_t most_steps)
   {
-    for(std::size_t steps = 0;; ++steps, ++m_steps) {
+    for(std::size_t steps = 0, more = 0;; steps += more, m_steps += more) {
       check_bound(m_steps);
-      const FT view = m_next.least_key(), bend = m_bends.least_key(), next = (std::min)(view, bend);
-      if(next == std::numeric_limits<FT>::infinity() || next > limit() * (1 + rounding_unit<FT>()))
+      const FT length = final_length();
+      if(length == std::numeric_limits<FT>::infinity() ||
+         length > limit() * (1 + rounding_unit<FT>()))
         return true;
-      if(steps == most_steps)
+      if(steps >= most_steps)
         return false;
-      if(view <= bend)
-        look_through(m_next.pop());
+      more = 1;
+      if(m_next.least_key() <= m_bends.least_key())
+        more = look_through(m_next.pop());
       else
         open_bend(m_bends.pop());
     }
   }
 
   // Returns the length up to which distances are final; infinite at the end.
-  FT final_length() { return (std::min)(m_next.least_key(), m_bends.least_key()); }
+  FT final_length() { return (std::min)(m_next.least_key(), FT(m_bends.least_key() - m_delay)); }
 
   const Surface_view<EdgeLengthMap>& surface() const { return m_surface; }
   const Charts& charts() const { return m_charts; }
@@ -154,14 +161,6 @@ public:
   bool is_source(Index origin) const
   {
     return !is_vertex(origin) || m_arrival[origin].origin == null;
-  }
-
-  // lengths up to this are rounding where the view goes on into the next face
-  FT tolerance(const View& view) const
-  {
-    const Index o = m_charts.across(view.edge);
-    return rounding_unit<FT>() * (m_charts.length(o) + m_charts.length(Charts::next(o)) +
-                                  m_charts.length(Charts::previous(o)) + view.scale());
   }
 
 private:
@@ -215,7 +214,7 @@ private:
       return false;
     m_distance[v] = length;
     m_arrival[v] = arrival;
-    m_bends.push(length, v);
+    m_bends.push(length + m_delay, v);
     return true;
   }
 
@@ -262,22 +261,14 @@ private:
     m_opened[v] = m_distance[v];
   }
 
-  // Returns the error of the direction in which the path arrives at `v`; zero if it is no greater
-  // than the error of angles. Directions are unknown if another vertex is as near as rounding: the
-  // path may pass it on either side.
-  FT direction_error(Vertex_index v) const
+  // Returns the error of the direction in which the path arrives at `v`.
+  FT error_of_arrival(Vertex_index v) const
   {
     const Index origin = m_arrival[v.idx()].origin;
-    const FT way =
-      (std::max)(FT(0), FT(m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0))));
-    FT longest(0), shortest = std::numeric_limits<FT>::infinity();
-    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
-      longest = (std::max)(longest, FT(edge_length(h, m_surface)));
-      shortest = (std::min)(shortest, FT(edge_length(h, m_surface)));
-    });
-    if((std::min)(way, shortest) <= rounding_unit<FT>() * (way + longest))
-      return FT(1);
-    return 1024 * way < longest ? rounding_unit<FT>() * longest / way : FT(0);
+    return direction_error(
+      v,
+      (std::max)(FT(0), FT(m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0)))),
+      m_surface);
   }
 
   // Ways along edges are bounds for others, and stand in for views that rounding has closed.
@@ -287,15 +278,24 @@ private:
     const bool is_source = arrival.origin == null;
     const FT before = m_distance[v.idx()];
     const bool is_at_source = arrival.view == null && arrival.origin == null;
-    const FT error = is_at_source ? FT(0) : direction_error(v);
+    const FT error = is_at_source ? FT(0) : error_of_arrival(v);
     const bool is_all_seen = is_at_source || error >= 1;
-    const Outgoing_sector<FT> sector(
-      Vertex_angles<FT>(first_outgoing_halfedge(v, m_mesh), m_surface), is_all_seen,
-      is_all_seen ? FT(0) : angle_of_arrival(v), error);
-    FT angle(0);
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
             {null, Index(v.idx()), h, is_source});
+    });
+    const Vertex_angles<FT> angles(first_outgoing_halfedge(v, m_mesh), m_surface);
+    if(is_all_seen || !is_shadow_empty(angles, error))
+      open_views(
+        v, before,
+        Outgoing_sector<FT>(angles, is_all_seen, is_all_seen ? FT(0) : angle_of_arrival(v)));
+  }
+
+  // Opens the views in the directions of a sector.
+  void open_views(Vertex_index v, const FT& before, const Outgoing_sector<FT>& sector)
+  {
+    FT angle(0);
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.is_border(h))
         return;
       const FT next = angle + std::arg(m_charts.turn(Charts::side_of(h, m_mesh)));
@@ -312,7 +312,8 @@ private:
   void open_view(const Flat_face<FT>& face, std::size_t s, const Place& p, Index edge,
                  const FT& before, Index origin)
   {
-    push({position_from(face, s, p), FT(0), m_charts.length(edge), before, edge, origin, null});
+    push({position_from(face, s, p), FT(0), m_charts.length(edge), before, edge, origin, null,
+          false, is_vertex(origin) ? Entry::corner : Entry::inside});
   }
 
   // Returns the position of a point of a face in the frame of side `s`.
@@ -330,8 +331,8 @@ private:
         if(const auto [from, to] = sector.part_of_side(face, s); from < to) {
           const Index c = Index(3 * sector.at.first.idx() + s);
           const FT l = m_charts.length(c);
-          push(
-            {position_from(face, s, sector.at.second), from * l, to * l, FT(0), c, origin, null});
+          push({position_from(face, s, sector.at.second), from * l, to * l, FT(0), c, origin, null,
+                false, is_vertex(origin) ? Entry::corner : Entry::inside});
         }
   }
 
@@ -344,7 +345,8 @@ private:
     view.position.imag((std::max)(view.position.imag(), FT(0)));
     if(m_charts.across(view.edge) == null || !cut_off(view))
       return;
-    m_next.push(view.least_length(), view);
+    m_handed_on.assign(1, view);
+    wait(view.edge);
   }
 
   bool cut_off(View& view) const
@@ -353,25 +355,51 @@ private:
                         m_distance[m_charts.target(view.edge)], m_charts.length(view.edge));
   }
 
-  void look_through(View view)
+  // Lets the views that have been handed on wait at the side `c`.
+  void wait(Index c)
   {
-    const bool is_outdated = is_vertex(view.origin) && m_distance[view.origin] < view.before;
-    if(is_outdated || !cut_off(view))
+    if(m_handed_on.empty())
       return;
-    const Index number = keep(view), o = m_charts.across(view.edge);
-    const Vector apex = m_charts.apex_beyond(o);
-    const FT closed = tolerance(view);
-    if(view.sees(apex, closed))
-      reach(m_charts.source(Charts::previous(o)), view, apex, number);
-    split(view, number, apex, closed);
+    FT least = std::numeric_limits<FT>::infinity();
+    for(const View& view : m_handed_on)
+      least = (std::min)(least, view.least_length());
+    m_waiting.add(c, m_handed_on);
+    m_next.push(least, c);
   }
 
-  // Returns the number of the view, zero if none is kept.
-  Index keep(const View& view)
+  // Views whose origin has been reached on a shorter path since are left out.
+  void take_waiting(Index c)
+  {
+    m_waiting.take(c, m_present);
+    const auto is_outdated = [&](const View& view) {
+      return is_vertex(view.origin) && m_distance[view.origin] < view.before;
+    };
+    m_present.erase(std::remove_if(m_present.begin(), m_present.end(), is_outdated),
+                    m_present.end());
+  }
+
+  // Looks through the side `c` by all views that wait there, and returns their number.
+  std::size_t look_through(Index c)
+  {
+    take_waiting(c);
+    if(m_present.empty())
+      return 0;
+    const Index first = keep_present();
+    const Face_beyond<FT> face(c, m_charts);
+    for(Index i = 0; i < m_present.size(); ++i)
+      if(m_present[i].sees(face.apex(), face.tolerance(m_present[i])))
+        reach(face.vertex_at_apex(), m_present[i], face.apex(), first + i);
+    hand_on(face, true, first);
+    hand_on(face, false, first);
+    return m_present.size();
+  }
+
+  // Returns the number of the first present view; numbers are not used if none are kept.
+  Index keep_present()
   {
     const auto number = static_cast<Index>(m_views.size());
     if(m_are_views_kept)
-      m_views.push_back(view);
+      m_views.insert(m_views.end(), m_present.begin(), m_present.end());
     return number;
   }
 
@@ -383,46 +411,23 @@ private:
       m_last_view[v] = view;
   }
 
-  // Hands the view on to the two sides beyond the edge, left and right of the apex.
-  void split(const View& view, Index number, const Vector& apex, const FT& closed)
+  // Hands the present views on to one side of the face beyond.
+  void hand_on(const Face_beyond<FT>& face, bool is_left, Index first)
   {
-    const Index o = m_charts.across(view.edge), left = Charts::next(o), right = Charts::previous(o);
-    const FT &l = m_charts.length(o), middle = view.crossing(apex);
-    const auto hand_on = [&](Index edge, FT from, FT to) {
-      from *= m_charts.length(edge);
-      to *= m_charts.length(edge);
-      if(!(to - from > closed))
-        return;
-      View next = in_next_frame(view, edge, edge == left, apex, m_charts);
-      next.begin = from;
-      next.end = to;
-      next.edge = edge;
-      next.parent = number;
-      if(!is_behind_corner(next, edge == left, l))
-        push(next);
+    const Index edge = is_left ? face.left() : face.right();
+    if(m_charts.across(edge) == null)
+      return;
+    const auto order = [&](const View& a, const View& b) {
+      return face.order(m_present[a.parent - first], m_present[b.parent - first]);
     };
-    if(view.begin < middle)
-      hand_on(left, view.hit(view.begin, apex),
-              middle < view.end ? FT(1) : view.hit(view.end, apex));
-    if(middle < view.end)
-      hand_on(right, view.begin < middle ? FT(0) : view.hit_beyond(view.begin, apex, l),
-              view.hit_beyond(view.end, apex, l));
-  }
-
-  // Returns whether all paths through a view cross a line by which they are longer. The view has
-  // been passed on over an edge of length `l`. The line starts at the corner at the far end of
-  // that edge.
-  bool is_behind_corner(const View& view, bool is_left, const FT& l) const
-  {
-    const Index o = is_left ? Charts::previous(view.edge) : Charts::next(view.edge);
-    const FT& corner_distance = m_distance[is_left ? m_charts.source(o) : m_charts.target(o)];
-    if(!(corner_distance < view.length_to(is_left ? view.begin : view.end)))
-      return false;
-    const FT x = is_left ? view.begin : m_charts.length(view.edge) - view.end;
-    const Vector corner =
-      l * (is_left ? m_charts.turn(view.edge) : m_charts.turn(Charts::next(view.edge)));
-    const FT way = corner_distance + norm_of(corner - x);
-    return view.length_to(is_left ? view.begin : view.end) > way * (1 + path_tolerance<FT>());
+    m_handed_on.clear();
+    for(Index i = 0; i < m_present.size(); ++i) {
+      View next = face.next(m_present[i], is_left);
+      next.parent = first + i;
+      if(next.begin <= next.end && cut_off(next))
+        append(next, order, m_handed_on);
+    }
+    wait(edge);
   }
 
   Surface_view<EdgeLengthMap> m_surface;
@@ -435,8 +440,11 @@ private:
   std::vector<FT> m_opened;       // the distance at which views were opened at each vertex
   std::deque<View> m_views;       // that have been looked through, if they are kept
 
-  Bucket_queue<FT, View> m_next;
+  Bucket_queue<FT, Index> m_next;  // sides at which views wait
   Bucket_queue<FT, Index> m_bends; // vertices from which views have to be opened
+  FT m_delay;                      // of bends, which better paths to their vertices may precede
+  Waiting_views<FT> m_waiting;
+  std::vector<View> m_present, m_handed_on; // views that are looked through, and the next ones
   std::size_t m_steps = 0;
 
   bool m_are_views_kept;
