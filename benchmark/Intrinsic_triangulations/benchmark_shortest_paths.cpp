@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Exact distances from one vertex to all, and paths to random points: ours beside CGAL's.
-// Usage: benchmark_shortest_paths [mesh...]
+// With a peer, `executable mesh` runs after each mesh, and what it prints follows.
+// Usage: benchmark_shortest_paths [--peer executable] [mesh...]
 
 #include "../Table.h"
 
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -95,16 +97,31 @@ void compare(const Table& table, const std::string& file)
             1e3 * their_paths, places / targets.size(), difference);
 }
 
+void run_peer(const std::string& executable, const std::string& file)
+{
+  const std::string command = '"' + executable + "\" \"" + file + '"';
+  if(std::system(command.c_str()) != 0)
+    std::cerr << "cannot run " << command << '\n';
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
   std::vector<std::string> files(argv + 1, argv + argc);
+  std::string peer;
+  if(files.size() >= 2 && files[0] == "--peer") {
+    peer = files[1];
+    files.erase(files.begin(), files.begin() + 2);
+  }
   if(files.empty())
     for(const char* name : {"elephant", "fandisk", "bull", "lion-head", "armadillo"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
   const Table table({"mesh", "faces", "all distances (s)", "CGAL (s)", "a path (&micro;s)",
                      "CGAL (&micro;s)", "crossings of a path", "greatest relative difference"});
-  for(const std::string& file : files)
+  for(const std::string& file : files) {
     compare(table, file);
+    if(!peer.empty())
+      run_peer(peer, file);
+  }
 }

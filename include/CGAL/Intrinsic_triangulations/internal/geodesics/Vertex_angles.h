@@ -100,8 +100,8 @@ Length_of<Surface> direction_error(Vertex_index v, const Length_of<Surface>& way
   return 1024 * way < longest ? rounding_unit<FT>() * longest / way : FT(0);
 }
 
-// Returns whether paths that arrive at a vertex can continue in no direction: the shadow of the
-// vertex is no wider than the tolerance of what is seen. Their direction has the given error.
+// Returns whether paths that arrive at a vertex can continue in no direction, up to rounding. Their
+// direction has the given error.
 template <typename FT>
 bool is_shadow_empty(const Vertex_angles<FT>& angles, const FT& error)
 {

@@ -19,9 +19,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where a view enters the face on the side of the origin: through the side before its `edge`, at the
-// corner opposite to it, through the side after it, or inside of the face. In this order the first
-// three lie side by side on `edge`.
+// Where a view enters the face on the side of the origin. It enters through the side before its
+// `edge`, at the corner opposite to it, through the side after it, or inside of the face. Views of
+// the first three kinds lie side by side on `edge` in this order.
 enum class Entry : std::uint8_t
 {
   before,

@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Sector_in_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_origin.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Waiting_views.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -31,7 +30,6 @@
 #include <limits>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -265,10 +263,8 @@ private:
   FT error_of_arrival(Vertex_index v) const
   {
     const Index origin = m_arrival[v.idx()].origin;
-    return direction_error(
-      v,
-      (std::max)(FT(0), FT(m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0)))),
-      m_surface);
+    const FT before = is_vertex(origin) ? m_distance[origin] : FT(0);
+    return direction_error(v, (std::max)(FT(0), FT(m_distance[v.idx()] - before)), m_surface);
   }
 
   // Ways along edges are bounds for others, and stand in for views that rounding has closed.
@@ -336,17 +332,14 @@ private:
         }
   }
 
-  // An empty one is left out.
-  void push(const View& opened)
+  // Lets a view wait at its side, unless it is empty.
+  void push(View view)
   {
-    View view = opened;
-    if(!(view.begin <= view.end))
-      return;
     view.position.imag((std::max)(view.position.imag(), FT(0)));
-    if(m_charts.across(view.edge) == null || !cut_off(view))
-      return;
-    m_handed_on.assign(1, view);
-    wait(view.edge);
+    if(view.begin <= view.end && m_charts.across(view.edge) != null && cut_off(view)) {
+      m_handed_on.assign(1, view);
+      wait(view.edge);
+    }
   }
 
   bool cut_off(View& view) const
@@ -378,7 +371,7 @@ private:
                     m_present.end());
   }
 
-  // Looks through the side `c` by all views that wait there, and returns their number.
+  // Looks through the side `c` by all waiting views, and returns their number.
   std::size_t look_through(Index c)
   {
     take_waiting(c);

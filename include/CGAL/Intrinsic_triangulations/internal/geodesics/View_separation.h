@@ -17,7 +17,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Cuts off parts of two views through one side in which all paths of one are longer than paths by
-// the other. A view of which nothing is left has an end before its begin.
+// the other. An empty part has an end before its begin.
 template <typename FT>
 class View_separation
 {
@@ -28,9 +28,9 @@ public:
     : m_a(a), m_b(b), m_slack(path_tolerance<FT>() * (CGAL::abs(a.before) + a.scale() + a.end))
   {}
 
-  // Separates views whose rays cross on this side of the edge, if the part of `b` begins before the
-  // end of the part of `a`. If a ray of `a` reaches a point on a shorter path than `b`, all rays of
-  // `b` that cross it first are on longer paths.
+  // Separates views whose rays cross before the edge, if `b` begins before the end of `a`. Suppose
+  // that a ray of `a` reaches a point on a path that is no longer than by `b`. Then all rays of `b`
+  // that cross this ray are on longer paths.
   void in_order()
   {
     if(m_a.end <= m_b.begin)
@@ -119,8 +119,8 @@ private:
   FT m_slack;
 };
 
-// Separates two views through one side. The rays of `a` come from the left of those of `b` if
-// `order` is negative, from the right if it is positive, and in no known order if it is zero.
+// Separates two views through one side. If `order` is negative, the rays of `a` come from the left
+// of all rays of `b`. If it is positive, they come from the right; zero means unknown.
 template <typename FT>
 void separate(View<FT>& a, View<FT>& b, int order)
 {

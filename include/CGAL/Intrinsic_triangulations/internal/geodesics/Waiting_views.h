@@ -18,9 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Adds a view to a list, which is in the order of begins along an edge, and separates it from those
-// at the end. The result of `order(a, b)` is negative if the rays of `a` come from the left of those
-// of `b`, positive if they come from the right, and zero if that is unknown.
+// Adds a view to a list, which is in the order of begins along an edge, and separates it from the
+// last views. The result of `order(a, b)` is as for `separate()`.
 template <typename FT, typename Order>
 void append(View<FT> view, const Order& order, std::vector<View<FT>>& list)
 {
@@ -54,7 +53,7 @@ public:
 
   explicit Waiting_views(std::size_t sides) : m_list_at(sides, null) {}
 
-  // Adds views in the order along side `c`, of which there is at least one.
+  // Adds views in the order along side `c`. \pre `views` is not empty
   void add(Index c, const std::vector<View>& views)
   {
     Index& number = m_list_at[c];
@@ -65,7 +64,7 @@ public:
       merge(views, m_list[number]);
   }
 
-  // Replaces `views` with those at side `c`, of which none is left there.
+  // Moves all views that wait at side `c` into `views`, which loses its content.
   void take(Index c, std::vector<View>& views)
   {
     views.clear();

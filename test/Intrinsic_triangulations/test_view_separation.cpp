@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Waiting_views.h>
+#include <CGAL/Random.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <complex>
+#include <limits>
+#include <vector>
+
+namespace Test_view_separation {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+typedef IT::internal::View<double> View;
+typedef IT::internal::Entry Entry;
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+View view(const std::complex<double>& position, double begin, double end, double before)
+{
+  return {position, begin, end, before, 0, 0, View::null, false, Entry::inside};
+}
+
+View random_view(CGAL::Random& random)
+{
+  const double a = random.get_double(), b = random.get_double();
+  const std::complex<double> p(random.get_double(-2, 3), random.get_double(0, 2));
+  View result = view(p, (std::min)(a, b), (std::max)(a, b), random.get_double(2, 3));
+  if(random.get_int(0, 4) == 0) {
+    result.is_parallel = true;
+    result.position = std::polar(1., random.get_double(0.1, 3));
+  }
+  return result;
+}
+
+// the least length of a path to the point of the edge at `x`; infinite if it is not seen
+double least(const std::vector<View>& views, double x)
+{
+  double result = infinity;
+  for(const View& v : views)
+    if(v.begin <= x && x <= v.end)
+      result = (std::min)(result, v.length_to(x));
+  return result;
+}
+
+const auto unknown = [](const View&, const View&) { return 0; };
+
+// No point loses a shortest path, whatever views are added in which order.
+TEST(View_separation, keeps_least_lengths)
+{
+  CGAL::Random random(1);
+  for(int i = 0; i < 3000; ++i) {
+    std::vector<View> all, list;
+    for(int k = random.get_int(2, 7); k > 0; --k) {
+      all.push_back(random_view(random));
+      IT::internal::append(all.back(), unknown, list);
+    }
+    for(int k = 0; k < 200; ++k) {
+      const double x = random.get_double(), truth = least(all, x);
+      if(truth < infinity)
+        EXPECT_NEAR(least(list, x), truth, 1e-11) << i;
+      else
+        EXPECT_EQ(least(list, x), infinity) << i;
+    }
+  }
+}
+
+// Views over the whole edge whose order is known meet in one point at most.
+TEST(View_separation, in_order_leaves_no_overlap)
+{
+  CGAL::Random random(2);
+  for(int i = 0; i < 3000; ++i) {
+    // rays through [-1, 0] and [1, 2] of the line at height 1, which cross on the way
+    const View a = view({random.get_double(0, 2), 2}, 0, 1, random.get_double(0, 2)),
+               b = view({random.get_double(-1, 1), 2}, 0, 1, random.get_double(0, 2));
+    View first = a, last = b;
+    IT::internal::separate(first, last, a.position.real() < b.position.real() ? 1 : -1);
+    const bool is_first_left = first.begin <= first.end, is_last_left = last.begin <= last.end;
+    ASSERT_TRUE(is_first_left || is_last_left);
+    if(is_first_left && is_last_left)
+      EXPECT_TRUE(first.end <= last.begin || last.end <= first.begin);
+    for(int k = 0; k < 50; ++k) {
+      const double x = random.get_double();
+      EXPECT_NEAR(least({first, last}, x), least({a, b}, x), 1e-11);
+    }
+  }
+}
+
+} // namespace Test_view_separation
