@@ -29,8 +29,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// computes exact shortest paths and distances from some points of a surface to all its points.
 ///
 /// Faces are unfolded along the views from the sources, from edge lengths alone. Views are the
-/// windows of Chen and Han \cgalCite{CH90}, with the pruning of Xin and Wang \cgalCite{XW09}. Windows
-/// of one edge are propagated together \cgalCite{QHYYZ16}.
+/// windows of Chen and Han \cgalCite{CH90}, with the pruning of Xin and Wang \cgalCite{XW09}.
+/// Windows of one edge are propagated together \cgalCite{QHYYZ16}.
 /// Views start again behind vertices at which paths can bend: with an angle sum of more than
 /// \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All distances come from the lengths of
 /// straight lines, and are accurate to rounding for every face passed.

@@ -82,9 +82,9 @@ private:
   bool m_is_border;
 };
 
-// Returns the error of the direction in which a path arrives at `v` that is straight on its last
-// part, of length `way`; zero if it is no greater than the error of angles. Directions are unknown if
-// another vertex is as near as rounding: the path may pass it on either side.
+// Returns the error of the direction in which a path arrives at `v`, whose last straight part has
+// the length `way`. It is zero if it is no greater than the error of angles. Directions are unknown
+// if another vertex is as near as rounding: the path may pass it on either side.
 template <typename Surface>
 Length_of<Surface> direction_error(Vertex_index v, const Length_of<Surface>& way,
                                    const Surface& surface)
