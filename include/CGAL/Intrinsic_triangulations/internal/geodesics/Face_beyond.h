@@ -47,8 +47,8 @@ public:
   // Returns the length up to which errors of lengths are rounding.
   FT tolerance(const View& view) const { return m_rounding + rounding_unit<FT>() * view.scale(); }
 
-  // Returns a negative number if the rays of `a` come from the left of all rays of `b`, a positive
-  // one if they come from the right, and zero if they overlap.
+  // Compares the directions from which rays come. The result is negative if rays of `a` come from
+  // the left of all rays of `b`, and positive if from the right. It is zero if they overlap.
   int order(const View& a, const View& b) const
   {
     return a.end <= b.begin + m_rounding ? -1 : b.end <= a.begin + m_rounding ? 1 : 0;
