@@ -69,25 +69,39 @@ TEST(View_separation, keeps_least_lengths)
   }
 }
 
-// Views over the whole edge whose order is known meet in one point at most.
+// the position at which the ray to the point of the edge at `x` passes the line at height 1
+double passage(const View& v, double x) { return x + (v.position.real() - x) / v.position.imag(); }
+
+View view_of_edge(CGAL::Random& random)
+{
+  return view({random.get_double(-3, 4), random.get_double(1.1, 4)}, 0, 1, random.get_double(0, 2));
+}
+
+// Views of the whole edge whose rays pass a line in known order meet in one point at most.
 TEST(View_separation, in_order_leaves_no_overlap)
 {
   CGAL::Random random(2);
-  for(int i = 0; i < 3000; ++i) {
-    // rays through [-1, 0] and [1, 2] of the line at height 1, which cross on the way
-    const View a = view({random.get_double(0, 2), 2}, 0, 1, random.get_double(0, 2)),
-               b = view({random.get_double(-1, 1), 2}, 0, 1, random.get_double(0, 2));
+  int checked = 0, split = 0;
+  while(checked < 2000) {
+    const View a = view_of_edge(random), b = view_of_edge(random);
+    const bool is_left = passage(a, 1) <= passage(b, 0);
+    if(!is_left && passage(b, 1) > passage(a, 0))
+      continue;
+    ++checked;
     View first = a, last = b;
-    IT::internal::separate(first, last, a.position.real() < b.position.real() ? 1 : -1);
-    const bool is_first_left = first.begin <= first.end, is_last_left = last.begin <= last.end;
-    ASSERT_TRUE(is_first_left || is_last_left);
-    if(is_first_left && is_last_left)
-      EXPECT_TRUE(first.end <= last.begin || last.end <= first.begin);
+    IT::internal::separate(first, last, is_left ? -1 : 1);
+    const bool is_first_seen = first.begin <= first.end, is_last_seen = last.begin <= last.end;
+    ASSERT_TRUE(is_first_seen || is_last_seen);
+    if(is_first_seen && is_last_seen) {
+      EXPECT_EQ(is_left ? first.end : last.end, is_left ? last.begin : first.begin);
+      ++split;
+    }
     for(int k = 0; k < 50; ++k) {
       const double x = random.get_double();
       EXPECT_NEAR(least({first, last}, x), least({a, b}, x), 1e-11);
     }
   }
+  EXPECT_GT(split, 100);
 }
 
 } // namespace Test_view_separation
