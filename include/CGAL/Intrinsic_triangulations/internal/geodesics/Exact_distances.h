@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The number of windows that exact distances are expected to take at most. Five scanned and
+// The number of windows that exact distances are expected to take at most. Four scanned and
 // modelled surfaces took from a twelfth to half of it. It grows as the number of edges that a
 // straight line crosses, and each of several sources has its share of the surface.
 inline double expected_windows(std::size_t vertices, std::size_t sources)
