@@ -241,7 +241,7 @@ std::vector<double> signed_distances(const Triangulation& triangulation, const S
 Distances signed_distances(const Triangulation& triangulation, const Sources& sources,
                            const Distance_options& options)
 {
-  Distances result{{}, IT::Distance_method::heat, options.time_step_factor.value_or(4)};
+  Distances result{{}, IT::Distance_method::heat, options.time_step_factor.value_or(1)};
   constexpr double greatest_factor = 1e12;
   while(result.distance.empty())
     try {
@@ -672,7 +672,7 @@ void define_distance(Command_line& line)
   add_number(
     command, "--time-step", options.time_step_factor,
     "Time for which heat flows, in squared mean edge lengths, with --method heat unless another "
-    "is given. By default 1, or 4 with --signed, times 16 until heat reaches everything",
+    "is given. By default 1, times 16 until heat reaches everything",
     positive_number());
   add_angle(command, options.refinement);
   add_direct(command, line.common());

@@ -151,7 +151,7 @@ Index Corner_data_builder::number(Index point, const Coordinates& coordinates)
     return m_first[point];
   // zero has two signs
   const Coordinates key{coordinates[0] + 0., coordinates[1] + 0., coordinates[2] + 0.};
-  const auto [other, is_new] = m_others.emplace(Key(point, key), Polygons::none);
+  const auto [other, is_new] = m_others.try_emplace(Key(point, key), Polygons::none);
   if(is_new)
     other->second = add();
   return other->second;

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -125,26 +126,26 @@ std::string_view Scanner::word()
   return result;
 }
 
-bool Scanner::accept(std::string_view expected)
+// Most words differ in their first character, so their ends are not looked for.
+template <class Is_equal>
+bool Scanner::accept_if(std::string_view expected, const Is_equal& is_equal)
 {
   skip_blanks();
-  if(rest_of_word() != expected)
+  const std::size_t n = expected.size();
+  if(remaining() < n || !std::equal(expected.begin(), expected.end(), m_position, is_equal) ||
+     (remaining() > n && !is_space(m_position[n])))
     return false;
-  m_position += expected.size();
+  m_position += n;
   return true;
 }
 
+bool Scanner::accept(std::string_view expected) { return accept_if(expected, std::equal_to<>()); }
+
 bool Scanner::accept_in_any_case(std::string_view expected)
 {
-  skip_blanks();
-  const std::string_view word = rest_of_word();
-  const auto is_equal = [](char c, char lower) {
+  return accept_if(expected, [](char lower, char c) {
     return c == lower || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower);
-  };
-  if(!std::equal(word.begin(), word.end(), expected.begin(), expected.end(), is_equal))
-    return false;
-  m_position += expected.size();
-  return true;
+  });
 }
 
 void Scanner::join_lines(char comment)

@@ -125,6 +125,9 @@ private:
 
   void skip_blanks();
   std::string_view rest_of_word() const;
+  // Reads the next word if its characters equal the characters of `expected`.
+  template <class Is_equal>
+  bool accept_if(std::string_view expected, const Is_equal& is_equal);
   template <class Number>
   Number value_beyond_range(std::string_view digits) const;
 

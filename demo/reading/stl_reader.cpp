@@ -44,7 +44,7 @@ private:
   {
     // zero has two signs
     const Coordinates key = {p[0] + 0., p[1] + 0., p[2] + 0.};
-    const auto [point, is_new] = m_index.emplace(key, m_soup.points.size());
+    const auto [point, is_new] = m_index.try_emplace(key, m_soup.points.size());
     if(is_new)
       m_soup.points.emplace_back(p[0], p[1], p[2]);
     m_soup.polygons.add_corner(point->second);

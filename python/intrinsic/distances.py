@@ -430,7 +430,7 @@ def signed_distance(
         The points of a polyline, or of several ones: vertices, or faces and barycentric
         coordinates. Two points that follow each other must be in a common face.
     time_step_factor : float
-        The time for which heat flows, in squared mean edge lengths; at first 4 if not given, and
+        The time for which heat flows, in squared mean edge lengths; at first 1 if not given, and
         more if normals do not reach all faces.
 
     Returns
@@ -457,7 +457,7 @@ def signed_distance(
 
         if factor is not None:
             return compute(factor)
-        factor = 4.0
+        factor = 1.0
         while True:
             try:
                 return compute(factor)

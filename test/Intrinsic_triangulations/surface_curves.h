@@ -68,6 +68,18 @@ inline Known_curve circle_in_square(std::size_t n, CGAL::Random& random)
                      [&](const Point& p) { return std::hypot(p.x() - x, p.y() - y) - radius; });
 }
 
+// Its curvature jumps where half circles meet line segments.
+inline Known_curve stadium_in_square(std::size_t n, CGAL::Random& random)
+{
+  const double x = random.get_double(0.45, 0.55), y = random.get_double(0.45, 0.55),
+               radius = random.get_double(0.1, 0.2);
+  return known_curve("stadium", unit_square(n, 1), 1. / static_cast<double>(n),
+                     [&](const Point& p) {
+                       const double beyond = (std::max)(0., std::abs(p.x() - x) - 0.2);
+                       return std::hypot(beyond, p.y() - y) - radius;
+                     });
+}
+
 // from border to border
 inline Known_curve line_in_square(std::size_t n, CGAL::Random& random)
 {

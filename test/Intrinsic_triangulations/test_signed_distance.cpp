@@ -312,6 +312,9 @@ TEST(Signed_heat_distance, circles)
   expect_first_order(parallels_of_torus, 0.3, 0.8);
 }
 
+// A single flow would round off the level sets, by a third of an edge length.
+TEST(Signed_heat_distance, curvature_jumps) { expect_first_order(stadium_in_square, 0.2, 1.5); }
+
 TEST(Signed_heat_distance, mean_over_the_curve_is_zero)
 {
   CGAL::Random random(3);

@@ -173,7 +173,7 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
 {
   typedef Length_of<Surface> FT;
   constexpr bool is_time_given = has_parameter<NamedParameters, internal_np::time_step_factor_t>();
-  Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np, FT(1))};
+  Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np)};
   for(;; result.time_step_factor *= 16)
     try {
       result.distance =

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Vertex_vector_heat.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
@@ -23,6 +24,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -47,11 +50,12 @@ namespace CGAL::Intrinsic_triangulations {
 /// way. Beyond the end of a curve no signed distance exists, nor if a closed curve does not
 /// separate the surface. Then the result is only smooth.
 ///
-/// Distances are approximate. Heat that flows for a longer time rounds off the level sets of curves
-/// whose curvature varies. This error is of the first order in the edge lengths. With a shorter
-/// time, the result depends on the directions of edges. This error is small, but does not vanish
-/// with the edge lengths. So the default is greater than for `Heat_distance`. Distances are zero on
-/// the curve only up to these errors. Errors are smaller on Delaunay triangulations.
+/// Distances are approximate. Heat rounds off the level sets of curves whose curvature varies, by an
+/// error that grows with the square root of the time. So normals flow for a time and for four times
+/// that, and twice the first directions less the second ones lack this error. With a short time,
+/// the result depends on the directions of edges. This error is small, but does not vanish with the
+/// edge lengths. Distances are zero on the curve only up to these errors. Errors are smaller on
+/// Delaunay triangulations.
 ///
 /// The object refers to the surface, which must not change as long as it is used.
 ///
@@ -67,16 +71,16 @@ public:
   /// the type of functions: a value for each vertex, by its index.
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  /// prepares for distances on a surface. Complexity: two sparse Cholesky factorizations, one of a
-  /// complex matrix.
+  /// prepares for distances on a surface. Complexity: three sparse Cholesky factorizations, two of
+  /// complex matrices.
   ///
   /// \param surface any number of components, with or without boundary
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{time_step_factor}
-  ///     \cgalParamDescription{the time for which heat flows, in squared mean edge lengths}
+  ///     \cgalParamDescription{the shorter time for which heat flows, in squared mean edge lengths}
   ///     \cgalParamType{a number}
-  ///     \cgalParamDefault{4}
+  ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
@@ -87,9 +91,10 @@ public:
                                 const NamedParameters& np = CGAL::parameters::default_values())
     : m_surface(internal::view_of(surface)),
       m_components(surface.mesh()),
-      m_flow(m_surface, m_components, internal::checked_time_step_factor<FT>(np, FT(4))),
+      m_flow(m_surface, m_components, internal::checked_time_step_factor<FT>(np)),
       m_divergence(divergence_matrix(surface)),
-      m_poisson(surface)
+      m_poisson(internal::Heat_method<FT>::poisson_solver(surface, m_flow.order(),
+                                                          boost::static_property_map<bool>(false)))
   {}
 
   /// computes the signed distance of every vertex to a curve; infinite on a component without a
@@ -101,7 +106,10 @@ public:
   Vector distances(const Surface_curve<FT>& curve) const
   {
     const std::vector<FT> length = length_on_components(curve);
-    Vector result = m_poisson.solve(-(m_divergence * normals(curve, length)));
+    auto [normals, rounded] = m_flow.spread(curve);
+    normalize(normals, length);
+    normalize(rounded, length);
+    Vector result = m_poisson.solve(m_divergence * (rounded - 2 * normals));
     subtract_mean(result, curve, length);
     return result;
   }
@@ -120,11 +128,10 @@ private:
     return result;
   }
 
-  // of unit length; zero where normals from several sides cancel exactly
-  Vector normals(const Surface_curve<FT>& curve, const std::vector<FT>& length) const
+  // Scales normals on faces to unit length; they are zero where several cancel exactly.
+  void normalize(Vector& field, const std::vector<FT>& length) const
   {
     using std::hypot;
-    Vector field = m_flow.spread(curve);
     std::vector<char> is_zero(m_components.size(), 1);
     for(Face_index f : m_surface.mesh().faces()) {
       auto vector = field.template segment<2>(2 * Eigen::Index(f.idx()));
@@ -140,7 +147,6 @@ private:
     for(std::size_t c = 0; c < length.size(); ++c)
       if(is_zero[c] && length[c] > 0)
         throw Numerical_error("the normals of the curve cancel everywhere");
-    return field;
   }
 
   // A lesser norm has lost digits.
@@ -177,7 +183,7 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the signed distance of every vertex to a curve (see `Signed_heat_distance`).
-/// Complexity: two sparse Cholesky factorizations.
+/// Complexity: three sparse Cholesky factorizations.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param curve segments, with the negative side on their left
 /// \param np as for `Signed_heat_distance`

@@ -28,12 +28,12 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename FT, typename NamedParameters>
-FT checked_time_step_factor(const NamedParameters& np, const FT& standard = FT(1))
+FT checked_time_step_factor(const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef Intrinsic_triangulations::internal_np::time_step_factor_t Tag;
-  const FT factor(choose_parameter(get_parameter(np, Tag()), standard));
+  const FT factor(choose_parameter(get_parameter(np, Tag()), FT(1)));
   if(!(factor > 0) || !CGAL::is_finite(factor))
     throw Invalid_input("the time step factor is not positive and finite");
   return factor;

@@ -21,6 +21,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -77,7 +78,7 @@ private:
   std::vector<FT> m_angle, m_scale; // of each halfedge, at its source
 };
 
-// Heat flow of tangent vectors at vertices, from and to faces.
+// Heat flow of tangent vectors at vertices, from and to faces, for a time and for four times that.
 template <typename Surface>
 class Vertex_vector_heat
 {
@@ -86,21 +87,57 @@ public:
   typedef std::complex<FT> Complex;
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  // `factor` is the time in squared mean edge lengths
+  // `factor` is the shorter time in squared mean edge lengths
   Vertex_vector_heat(const Surface& surface, const Mesh_components& components, const FT& factor)
     : m_surface(surface),
       m_frames(surface),
-      m_factorization(
-        plus_diagonal(connection_laplacian(surface.mesh(), nonnegative_weights(surface), m_frames),
-                      decay_rates(surface, factor, components)),
-        "heat flow of vectors")
+      m_short(matrix(components, factor), "heat flow of vectors"),
+      m_long(matrix(components, 4 * factor), m_short.order(), "heat flow of vectors")
   {}
 
-  // Returns the heat from the unit normals on the right of the segments of a curve. It is the mean
-  // on each face, with components as in gradient_matrix(), times a common factor.
-  Vector spread(const Surface_curve<FT>& curve) const
+  // the order of the vertices, which serves other matrices of the surface too
+  const Elimination_order& order() const { return m_short.order(); }
+
+  // Returns the heat from the unit normals on the right of the segments of a curve, after the
+  // shorter time and after the longer one. It is the mean on each face, with components as in
+  // gradient_matrix(), times a common factor.
+  std::array<Vector, 2> spread(const Surface_curve<FT>& curve) const
   {
-    const Field heat = m_factorization.solve(normalized(moments(curve)));
+    const Field sources = normalized(moments(curve));
+    return {means_on_faces(m_short.solve(sources)), means_on_faces(m_long.solve(sources))};
+  }
+
+private:
+  typedef Eigen::Matrix<Complex, Eigen::Dynamic, 1> Field;
+
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
+
+  Eigen::SparseMatrix<Complex> matrix(const Mesh_components& components, const FT& factor) const
+  {
+    return plus_diagonal(connection_laplacian(mesh(), weights(components, factor), m_frames),
+                         decay_rates(m_surface, factor, components));
+  }
+
+  // Returns cotan weights less the entries of the mass matrix, divided by the time. Halfway between
+  // the consistent and the lumped mass matrix, a hat function times the next one has the integral
+  // A / 24 on a face of area A. On uniform meshes, errors are then of the fourth order instead of
+  // the second. So the flow depends less on the directions and the sizes of edges. Negative weights
+  // are left out.
+  std::vector<FT> weights(const Mesh_components& components, const FT& factor) const
+  {
+    const std::vector<FT> time = time_steps(m_surface, factor, components);
+    std::vector<FT> result = cotan_weights(m_surface);
+    for(Face_index f : mesh().faces())
+      for(Halfedge_index h : sides(f, mesh()))
+        result[mesh().edge(h).idx()] -=
+          Face_metric<FT>(f, m_surface).area() / (24 * time[components[mesh().source(h).idx()]]);
+    for(FT& w : result)
+      w = (std::max)(w, FT(0));
+    return result;
+  }
+
+  Vector means_on_faces(const Field& heat) const
+  {
     Vector result = Vector::Zero(2 * Eigen::Index(mesh().num_faces()));
     for(Face_index f : mesh().faces()) {
       const auto h = sides(f, mesh());
@@ -113,11 +150,6 @@ public:
     }
     return result;
   }
-
-private:
-  typedef Eigen::Matrix<Complex, Eigen::Dynamic, 1> Field;
-
-  const Delta_complex& mesh() const { return m_surface.mesh(); }
 
   // The integrals of the normals of a curve against hat functions; zero where they cancel up to
   // rounding.
@@ -151,7 +183,7 @@ private:
 
   Surface m_surface; // a view
   Vertex_frames<Surface> m_frames;
-  Factorization<Complex> m_factorization;
+  Factorization<Complex> m_short, m_long;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
