@@ -2,23 +2,33 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances by heat to circles on a square, signed and not, and to a point inside a face: mean
-// errors in edge lengths, and CPU times beside those of the distance to a vertex. Usage:
-// benchmark_signed_distance [greatest number of cells along a side]
+// Distances by heat to circles on a square, signed and not: mean errors in edge lengths, and CPU
+// times beside the times of the distance to a vertex. Then signed distances to plane sections of
+// meshes: mean and greatest errors in percent of the greatest exact distance. Usage:
+// benchmark_signed_distance [greatest number of cells along a side] [MESH...]
 
 #include "../Table.h"
 #include "measure.h"
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/level_set.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <string>
 #include <vector>
 
 namespace {
@@ -49,19 +59,13 @@ Mesh square(int n)
 }
 
 // Where a function that is linear on faces is zero, with negative values on the left.
-IT::Surface_curve<double> level_set(const IT::Delta_complex& mesh, const Eigen::VectorXd& value)
+template <typename Surface>
+IT::Surface_curve<double> zeros(const Surface& surface, const Eigen::VectorXd& value)
 {
   IT::Surface_curve<double> result;
-  for(IT::Face_index f : mesh.faces()) {
-    const auto h = IT::sides(f, mesh);
-    const auto at = [&](std::size_t k) { return value[mesh.source(h[k % 3]).idx()]; };
-    for(std::size_t k = 0; k < 3; ++k)
-      if((at(k) < 0) != (at(k + 1) < 0) && (at(k) < 0) != (at(k + 2) < 0)) {
-        const auto p = IT::barycentric_coordinates(k, at(k) / (at(k) - at(k + 1)));
-        const auto q = IT::barycentric_coordinates((k + 2) % 3, at(k + 2) / (at(k + 2) - at(k)));
-        result.push_back(at(k) < 0 ? IT::Curve_segment<double>{f, p, q}
-                                   : IT::Curve_segment<double>{f, q, p});
-      }
+  for(const auto& path : IT::level_set(surface, Eigen::VectorXd(-value), 0.)) {
+    const auto part = IT::curve_through(surface, path.places);
+    result.insert(result.end(), part.begin(), part.end());
   }
   return result;
 }
@@ -81,7 +85,7 @@ void measure(const Table& table, int n)
   IT::make_Delaunay(tri);
   const auto surface = tri.intrinsic();
   const Eigen::VectorXd exact = distances_from(mesh, 0.52, 0.47).array() - 0.3;
-  const auto curve = level_set(tri.mesh(), exact);
+  const auto curve = zeros(surface, exact);
   const auto error = [&](const Eigen::VectorXd& d, const Eigen::VectorXd& truth) {
     return (d - truth).cwiseAbs().mean() * n;
   };
@@ -98,6 +102,39 @@ void measure(const Table& table, int n)
             plain.median());
 }
 
+// The height over a plane that halves the bounding box.
+Eigen::VectorXd heights(const Mesh& mesh, int axis)
+{
+  Eigen::VectorXd result(static_cast<Eigen::Index>(mesh.number_of_vertices()));
+  for(Mesh::Vertex_index v : mesh.vertices())
+    result[v.idx()] = mesh.point(v)[axis];
+  return result.array() - (result.minCoeff() + result.maxCoeff()) / 2;
+}
+
+void measure(const std::string& file, int axis)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
+    return;
+  IT::Intrinsic_triangulation<> tri(mesh);
+  const Eigen::VectorXd height = heights(mesh, axis);
+  const auto curve = zeros(tri.input(), height);
+  IT::Shortest_paths paths(tri.input());
+  paths.add_source(curve);
+  paths.run();
+  IT::make_Delaunay(tri);
+  const auto on_delaunay = IT::curve_across(IT::Correspondence(tri), IT::Side::input, curve);
+  Eigen::VectorXd error = IT::signed_heat_distance(tri.intrinsic(), on_delaunay);
+  double greatest = 0;
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    error[v.idx()] -= std::copysign(paths.distance(IT::Vertex_index(v.idx())), height[v.idx()]);
+    greatest = std::max(greatest, paths.distance(IT::Vertex_index(v.idx())));
+  }
+  std::cout << std::setw(8) << 100 * error.cwiseAbs().mean() / greatest << std::setw(10)
+            << 100 * error.cwiseAbs().maxCoeff() / greatest << "  "
+            << "xyz"[axis] << ' ' << file << std::endl;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -109,4 +146,9 @@ int main(int argc, char* argv[])
                     0);
   for(int n = 16; n <= greatest; n *= 2)
     measure(table, n);
+  if(argc > 2)
+    std::cout << std::fixed << std::setprecision(3) << "errors in percent\n    mean  greatest\n";
+  for(int i = 2; i < argc; ++i)
+    for(int axis = 0; axis < 3; ++axis)
+      measure(argv[i], axis);
 }

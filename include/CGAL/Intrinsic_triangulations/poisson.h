@@ -86,16 +86,22 @@ public:
     for(Eigen::Index v = 0; v < result.size(); ++v)
       if(m_is_fixed[index(v)])
         result[v] = values[v];
-    Vector rest = moments - m_area.cwiseProduct(free_means(moments));
+    const Vector density = free_means(moments);
+    Vector rest = moments;
     if(m_has_fixed)
       rest -= m_laplacian * result;
     Vector unknowns(m_unknowns.cols());
-    for(Eigen::Index i = 0; i < unknowns.size(); ++i)
-      unknowns[i] = rest[vertex_of_unknown(i)];
+    for(Eigen::Index i = 0; i < unknowns.size(); ++i) {
+      const Eigen::Index v = vertex_of_unknown(i);
+      unknowns[i] = rest[v] - m_area[v] * density[component(v)];
+    }
     unknowns = m_factorization.solve(unknowns);
     for(Eigen::Index i = 0; i < unknowns.size(); ++i)
       result[vertex_of_unknown(i)] += unknowns[i];
-    return result - free_means(m_area.cwiseProduct(result));
+    const Vector mean = free_means(m_area.cwiseProduct(result));
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      result[v] -= mean[component(v)];
+    return result;
   }
 
   /// solves with zero at the vertices where values are prescribed.
@@ -131,6 +137,7 @@ private:
     : m_components(components),
       m_laplacian(laplacian),
       m_area(area),
+      m_total_area(sums(area)),
       m_is_fixed(is_fixed),
       m_has_fixed(std::find(is_fixed.begin(), is_fixed.end(), char(1)) != is_fixed.end()),
       m_order(order),
@@ -191,31 +198,36 @@ private:
     return result;
   }
 
-  // For each vertex the mean over its component of a density with these moments, zero where values
-  // are prescribed.
+  Eigen::Index component(Eigen::Index v) const
+  {
+    return static_cast<Eigen::Index>(m_components[index(v)]);
+  }
+
+  // Adds up moments on each component.
+  Vector sums(const Vector& moments) const
+  {
+    Vector result = Vector::Zero(static_cast<Eigen::Index>(m_components.size()));
+    for(Eigen::Index v = 0; v < moments.size(); ++v)
+      result[component(v)] += moments[v];
+    return result;
+  }
+
+  // Returns the mean on each component of a density with these moments, zero where values are
+  // prescribed.
   Vector free_means(const Vector& moments) const
   {
-    const auto component = [&](Eigen::Index v) {
-      return static_cast<Eigen::Index>(m_components[index(v)]);
-    };
-    Vector mean = Vector::Zero(static_cast<Eigen::Index>(m_components.size())), area = mean;
-    for(Eigen::Index v = 0; v < moments.size(); ++v) {
-      mean[component(v)] += moments[v];
-      area[component(v)] += m_area[v];
-    }
-    for(Eigen::Index c = 0; c < mean.size(); ++c)
-      mean[c] = !m_is_anchored[index(c)] && area[c] > 0
-                  ? FT(internal::Digits<FT>::few(mean[c] / area[c]))
-                  : FT(0);
-    Vector result(moments.size());
-    for(Eigen::Index v = 0; v < moments.size(); ++v)
-      result[v] = mean[component(v)];
+    Vector result = sums(moments);
+    for(Eigen::Index c = 0; c < result.size(); ++c)
+      result[c] = !m_is_anchored[index(c)] && m_total_area[c] > 0
+                    ? FT(internal::Digits<FT>::few(result[c] / m_total_area[c]))
+                    : FT(0);
     return result;
   }
 
   Mesh_components m_components;
   Matrix m_laplacian;
-  Vector m_area; // a third of the area around each vertex
+  Vector m_area;       // a third of the area around each vertex
+  Vector m_total_area; // of each component
   std::vector<char> m_is_fixed;
   bool m_has_fixed;
   Elimination_order m_order;       // of all vertices

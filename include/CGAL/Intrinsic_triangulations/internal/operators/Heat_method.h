@@ -94,7 +94,7 @@ public:
     for(const Face& face : m_faces) {
       const auto [x, y] = face.unit_gradient(heat);
       for(std::size_t k = 0; k < 3; ++k)
-        result[face.corner[k]] -= (face.side[k][0] * x + face.side[k][1] * y) / 2;
+        result[face.corner[k]] -= face.weight * (face.side[k][0] * x + face.side[k][1] * y);
     }
     return result;
   }
@@ -152,36 +152,40 @@ private:
   }
 
   // A face with an area. `side[k]` is the gradient of the hat function of `corner[k]`, times the
-  // doubled area and the factor of the operators.
+  // doubled area, over the longest side. `weight` is half the longest side, times the factor of the
+  // operators.
   struct Face
   {
     std::array<Eigen::Index, 3> corner;
     std::array<std::array<FT, 2>, 3> side;
+    FT weight;
 
     Face(const Face_metric<FT>& metric, Halfedge_index h, const Delta_complex& mesh,
          const FT& share)
-      : corner{index(mesh.target(mesh.next(h))), index(mesh.source(h)), index(mesh.target(h))}
+      : corner{index(mesh.target(mesh.next(h))), index(mesh.source(h)), index(mesh.target(h))},
+        weight((std::max)({metric.length(0), metric.length(1), metric.length(2)}))
     {
       for(std::size_t k = 0; k < 3; ++k)
-        side[k] = {share * metric.turned_side(k)[0], share * metric.turned_side(k)[1]};
+        side[k] = {metric.turned_side(k)[0] / weight, metric.turned_side(k)[1] / weight};
+      weight *= share / 2;
     }
 
     // The direction of the gradient of the heat; zero if the gradient is. Numbers are scaled, since
-    // heat and its squares take all of the range of `FT`.
+    // heat and its squares take all of the range of `FT`. Precondition: heat is zero or normal.
     std::array<FT, 2> unit_gradient(const Vector& heat) const
     {
       const FT a = heat[corner[0]], b = heat[corner[1]], c = heat[corner[2]];
       const FT unit = (std::max)({CGAL::abs(a), CGAL::abs(b), CGAL::abs(c)});
       if(!(unit > 0))
         return {FT(0), FT(0)};
-      const FT u = a / unit, v = b / unit, w = c / unit;
+      const FT inverse = 1 / unit, u = a * inverse, v = b * inverse, w = c * inverse;
       const FT x = u * side[0][0] + v * side[1][0] + w * side[2][0],
                y = u * side[0][1] + v * side[1][1] + w * side[2][1];
-      const FT greatest = (std::max)(CGAL::abs(x), CGAL::abs(y));
-      if(!(greatest > 0))
+      const FT squared = x * x + y * y;
+      if(!(squared > 0))
         return {FT(0), FT(0)};
-      const FT p = x / greatest, q = y / greatest, norm = CGAL::sqrt(FT(p * p + q * q));
-      return {p / norm, q / norm};
+      const FT scale = 1 / CGAL::sqrt(squared);
+      return {scale * x, scale * y};
     }
 
     static Eigen::Index index(Vertex_index v) { return static_cast<Eigen::Index>(v.idx()); }

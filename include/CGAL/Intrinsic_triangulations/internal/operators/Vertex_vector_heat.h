@@ -118,11 +118,11 @@ private:
                          decay_rates(m_surface, factor, components));
   }
 
-  // Returns cotan weights less the entries of the mass matrix, divided by the time. Halfway between
-  // the consistent and the lumped mass matrix, a hat function times the next one has the integral
-  // A / 24 on a face of area A. On uniform meshes, errors are then of the fourth order instead of
-  // the second. So the flow depends less on the directions and the sizes of edges. Negative weights
-  // are left out.
+  // Returns cotan weights less the entries of the mass matrix over the time. The mass matrix is
+  // halfway between the consistent and the lumped one. On uniform meshes, its errors are then of
+  // the fourth order instead of the second. A face of area A adds A / 24 to entries off the
+  // diagonal. So the flow depends less on the directions and sizes of edges. Negative weights are
+  // left out.
   std::vector<FT> weights(const Mesh_components& components, const FT& factor) const
   {
     const std::vector<FT> time = time_steps(m_surface, factor, components);
