@@ -50,8 +50,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// way. Beyond the end of a curve no signed distance exists, nor if a closed curve does not
 /// separate the surface. Then the result is only smooth.
 ///
-/// Distances are approximate. Heat rounds off the level sets of curves whose curvature varies, by an
-/// error that grows with the square root of the time. So normals flow for a time and for four times
+/// Distances are approximate. Heat rounds off the level sets of curves whose curvature varies. This
+/// error grows with the square root of the time. So normals flow for a time and for four times
 /// that, and twice the first directions less the second ones lack this error. With a short time,
 /// the result depends on the directions of edges. This error is small, but does not vanish with the
 /// edge lengths. Distances are zero on the curve only up to these errors. Errors are smaller on
