@@ -109,7 +109,7 @@ public:
     auto [normals, rounded] = m_flow.spread(curve);
     normalize(normals, length);
     normalize(rounded, length);
-    Vector result = m_poisson.solve(m_divergence * (rounded - 2 * normals));
+    Vector result = m_poisson.solve(m_divergence * (rounded - FT(2) * normals));
     subtract_mean(result, curve, length);
     return result;
   }

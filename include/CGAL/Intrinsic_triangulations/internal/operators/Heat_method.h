@@ -178,13 +178,13 @@ private:
       const FT unit = (std::max)({CGAL::abs(a), CGAL::abs(b), CGAL::abs(c)});
       if(!(unit > 0))
         return {FT(0), FT(0)};
-      const FT inverse = 1 / unit, u = a * inverse, v = b * inverse, w = c * inverse;
+      const FT inverse = FT(1) / unit, u = a * inverse, v = b * inverse, w = c * inverse;
       const FT x = u * side[0][0] + v * side[1][0] + w * side[2][0],
                y = u * side[0][1] + v * side[1][1] + w * side[2][1];
       const FT squared = x * x + y * y;
       if(!(squared > 0))
         return {FT(0), FT(0)};
-      const FT scale = 1 / CGAL::sqrt(squared);
+      const FT scale = FT(1) / CGAL::sqrt(squared);
       return {scale * x, scale * y};
     }
 

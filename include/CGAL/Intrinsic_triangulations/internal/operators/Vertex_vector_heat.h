@@ -92,7 +92,7 @@ public:
     : m_surface(surface),
       m_frames(surface),
       m_short(matrix(components, factor), "heat flow of vectors"),
-      m_long(matrix(components, 4 * factor), m_short.order(), "heat flow of vectors")
+      m_long(matrix(components, FT(4) * factor), m_short.order(), "heat flow of vectors")
   {}
 
   // the order of the vertices, which serves other matrices of the surface too
@@ -129,8 +129,8 @@ private:
     std::vector<FT> result = cotan_weights(m_surface);
     for(Face_index f : mesh().faces())
       for(Halfedge_index h : sides(f, mesh()))
-        result[mesh().edge(h).idx()] -=
-          Face_metric<FT>(f, m_surface).area() / (24 * time[components[mesh().source(h).idx()]]);
+        result[mesh().edge(h).idx()] -= Face_metric<FT>(f, m_surface).area() /
+                                        (FT(24) * time[components[mesh().source(h).idx()]]);
     for(FT& w : result)
       w = (std::max)(w, FT(0));
     return result;
