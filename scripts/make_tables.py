@@ -47,7 +47,9 @@ RUNS = [
     Run(f"{IT}/shortest_paths", "benchmark_shortest_paths", CGAL_MESHES),
     Run(f"{IT}/edge_paths", "benchmark_edge_paths --paths 300 @" + ALL, "the surfaces of " + ALL,
         rows=("armadillo", "all")),
-    Run(f"{IT}/signed_distance", "benchmark_signed_distance 128", GENERATED),
+    Run(f"{IT}/signed_distance {IT}/signed_sections",
+        "benchmark_signed_distance 128 {meshes}/fandisk.off {meshes}/camel.off {meshes}/armadillo.off "
+        "{meshes}/ChineseDragon-10kv.off", MIXED),
     Run(f"{IT}/soups {IT}/irregular_soups", "benchmark_tufted", CGAL_MESHES + ", and soups made from them"),
     Run(f"{IT}/flip_to", "benchmark_flip_to", CGAL_MESHES),
     Run(f"{IT}/convex_polyhedra", "benchmark_convex_polyhedron", GENERATED),

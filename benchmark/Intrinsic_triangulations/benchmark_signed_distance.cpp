@@ -26,8 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iomanip>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -111,7 +109,7 @@ Eigen::VectorXd heights(const Mesh& mesh, int axis)
   return result.array() - (result.minCoeff() + result.maxCoeff()) / 2;
 }
 
-void measure(const std::string& file, int axis)
+void measure(const Table& table, const std::string& file, int axis)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh))
@@ -130,9 +128,8 @@ void measure(const std::string& file, int axis)
     error[v.idx()] -= std::copysign(paths.distance(IT::Vertex_index(v.idx())), height[v.idx()]);
     greatest = std::max(greatest, paths.distance(IT::Vertex_index(v.idx())));
   }
-  std::cout << std::setw(8) << 100 * error.cwiseAbs().mean() / greatest << std::setw(10)
-            << 100 * error.cwiseAbs().maxCoeff() / greatest << "  "
-            << "xyz"[axis] << ' ' << file << std::endl;
+  table.row(name_of(file), std::string(1, "xyz"[axis]), 100 * error.cwiseAbs().mean() / greatest,
+            100 * error.cwiseAbs().maxCoeff() / greatest);
 }
 
 } // namespace
@@ -146,9 +143,8 @@ int main(int argc, char* argv[])
                     0);
   for(int n = 16; n <= greatest; n *= 2)
     measure(table, n);
-  if(argc > 2)
-    std::cout << std::fixed << std::setprecision(3) << "errors in percent\n    mean  greatest\n";
+  const Table of_sections({"mesh", "section across", "mean error (%)", "greatest error (%)"}, 2);
   for(int i = 2; i < argc; ++i)
     for(int axis = 0; axis < 3; ++axis)
-      measure(argv[i], axis);
+      measure(of_sections, argv[i], axis);
 }
