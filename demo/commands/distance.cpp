@@ -62,7 +62,7 @@ struct Distance_options : Output_options
 
 constexpr const char* distance_help =
   R"(Distances are exact by default (lengths of shortest paths, up to rounding), as long as that is
-expected to take less than two seconds: up to 31,000 vertices with one source, more with several.
+expected to take less than two seconds: up to 65,000 vertices with one source, more with several.
 Beyond that, for triangles that are not a surface, with --signed and with --method heat, they are
 approximate: heat has an error of about two percent on average on evenly distributed vertices, and
 more on coarse or uneven ones. The last line and the statistics name the method; with heat they have

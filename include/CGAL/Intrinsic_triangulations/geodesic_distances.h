@@ -243,7 +243,7 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 ///
 /// Exact distances are accurate to rounding. They are computed by default if they are expected to
 /// take no more than \f$2^{23}\f$ windows, which is about two seconds. On a surface with \f$n\f$
-/// vertices and \f$k\f$ sources, \f$1.5 n \sqrt{n / k}\f$ are expected. So heat begins at 31,000
+/// vertices and \f$k\f$ sources, \f$n/2 \sqrt{n / k}\f$ are expected. So heat begins at 65,000
 /// vertices with one source. A search that takes four times as many is given up for heat. The
 /// method does not depend on the machine.
 ///

@@ -20,13 +20,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The number of windows that exact distances are expected to take at most. Four scanned and
-// modelled surfaces took from a twelfth to half of it. It grows as the number of edges that a
+// The number of windows that exact distances are expected to take. Four scanned and modelled
+// surfaces took from a quarter of it to a little more. It grows as the number of edges that a
 // straight line crosses, and each of several sources has its share of the surface.
 inline double expected_windows(std::size_t vertices, std::size_t sources)
 {
   const auto n = static_cast<double>(vertices);
-  return 1.5 * n * std::sqrt(n / static_cast<double>((std::max)(sources, std::size_t(1))));
+  return n / 2 * std::sqrt(n / static_cast<double>((std::max)(sources, std::size_t(1))));
 }
 
 // Lengths of shortest paths to all vertices, in linear memory, and up to which length they are
