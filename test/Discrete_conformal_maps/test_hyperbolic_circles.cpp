@@ -117,13 +117,13 @@ TEST(Hyperbolic_circles, have_the_angles_and_derivatives_of_fifty_digits)
       energy.evaluate(w);
       const std::vector<Number> gradient = precise_gradient(energy);
       for(std::size_t v = 0; v < radii.size(); ++v) {
-        if(!energy.surface().mesh().is_isolated(Vertex_index(Delta_complex::size_type(v)))) {
+        const Vertex_index vertex{Delta_complex::size_type(v)};
+        if(!energy.surface().mesh().is_isolated(vertex)) {
           EXPECT_NEAR(energy.gradient()[int(v)], double(gradient[v]), 1e-12);
         }
         // the radius before and after
         const Number r = Number(scale) * Number(radii[v]), t = r * exp(Number(w[int(v)]));
-        EXPECT_NEAR(double(energy.surface().scaled_radius(Vertex_index(v)) - t / (1 + t * t)), 0,
-                    1e-40);
+        EXPECT_NEAR(double(energy.surface().scaled_radius(vertex) - t / (1 + t * t)), 0, 1e-40);
       }
       const Eigen::MatrixXd Hessian = energy.Hessian();
       EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-13 * (1 + Hessian.norm()));

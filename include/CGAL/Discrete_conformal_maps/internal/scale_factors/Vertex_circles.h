@@ -74,11 +74,12 @@ public:
 
   // Flips to the weighted Delaunay triangulation, with squared radii as weights, by exact
   // decisions if `is_exact`. Returns the number of flips.
-  // \throws Invalid_input if a circle is hidden by others
+  // \throws Invalid_input if circles at the ends of an edge meet, or hide a circle
   template <typename Visitor>
   std::size_t flip(Triangulation& t, const Originals& original, bool is_exact,
                    Visitor& visitor) const
   {
+    check(t, original, [&t](Edge_index e) { return t.length(e); });
     const auto radius = boost::make_function_property_map<Vertex_index>(
       [&](Vertex_index v) { return m_radii[original[v.idx()].idx()]; });
     const auto weight = boost::make_function_property_map<Vertex_index>(
