@@ -3,15 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../Intrinsic_triangulations/more_generators.h"
+#include "circles.h"
 #include "finite_differences.h"
-#include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/certify.h>
 #include <CGAL/Discrete_conformal_maps/charts.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
-#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/weighted_laplacian.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -19,50 +18,12 @@
 
 namespace Test_decorated_maps {
 
-using namespace Test_surfaces;
+using namespace Test_circles;
 using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
                                            boost::multiprecision::et_off>;
 using Numbers = Eigen::VectorXd;
-using Radii = std::vector<double>;
-
-auto as_radii(const Radii& radii)
-{
-  return boost::make_function_property_map<Vertex_index>(
-    [&radii](Vertex_index v) { return radii[v.idx()]; });
-}
-
-// Random parts of half the distance to the nearest vertex: no two of the circles meet. A third of
-// the vertices have none.
-Radii random_radii(Triangulation t, double part, unsigned int seed)
-{
-  IT::make_Delaunay(t);
-  std::mt19937 random(seed);
-  Radii result;
-  for(Vertex_index v : t.mesh().vertices()) {
-    double least = std::numeric_limits<double>::infinity();
-    for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
-      least = (std::min)(least, t.length(t.mesh().edge(h)));
-    });
-    const double factor = std::uniform_real_distribution<double>(0.2, 1)(random);
-    result.push_back(random() % 3 == 0 || t.mesh().is_isolated(v) ? 0 : part * factor * least / 2);
-  }
-  return result;
-}
 
 // ---- The energy ----
-
-template <typename FT>
-DCM::Conformal_energy<FT> energy_of(Triangulation t, const Radii& radii)
-{
-  IT::make_weighted_Delaunay(t, boost::make_function_property_map<Vertex_index>(
-                                  [&](Vertex_index v) { return radii[v.idx()] * radii[v.idx()]; }));
-  const auto tangent = boost::make_function_property_map<Edge_index>([&](Edge_index e) {
-    return IT::tangent_length(FT(t.length(e)), FT(radii[t.mesh().vertex(e, 0).idx()]),
-                              FT(radii[t.mesh().vertex(e, 1).idx()]));
-  });
-  const Numbers target = Numbers::Zero(Eigen::Index(radii.size()));
-  return {t.mesh(), tangent, target, DCM::Flipping::to_Delaunay, {radii.begin(), radii.end()}};
-}
 
 std::vector<Quad> precise_gradient(const DCM::Conformal_energy<Quad>& energy)
 {
@@ -82,7 +43,8 @@ TEST(Decorated_energy, Hessian_is_the_derivative_of_the_gradient)
     for(const double bound : {0., 2.}) {
       if(s.triangulation.mesh().number_of_vertices() > 12)
         continue;
-      auto energy = energy_of<Quad>(s.triangulation, random_radii(s.triangulation, 0.9, 3));
+      auto energy = energy_of<DCM::Conformal_energy<Quad>>(s.triangulation,
+                                                           random_radii(s.triangulation, 0.9, 3));
       const Numbers u = random_numbers(energy.size(), bound, 17);
       energy.evaluate(u);
       const Eigen::MatrixXd Hessian = energy.Hessian();
@@ -100,7 +62,8 @@ TEST(Decorated_energy, Hessian_is_the_derivative_of_the_gradient)
 TEST(Decorated_energy, scaled_triangles_are_weighted_Delaunay)
 {
   for(const Named_triangulation& s : traced(closed_surfaces())) {
-    auto energy = energy_of<double>(s.triangulation, random_radii(s.triangulation, 1, 5));
+    auto energy = energy_of<DCM::Conformal_energy<double>>(s.triangulation,
+                                                           random_radii(s.triangulation, 1, 5));
     energy.evaluate(random_numbers(energy.size(), 2, 19));
     EXPECT_EQ(energy.number_of_flat_faces(), 0u);
     // the Hessian is the Laplacian of the scaled surface, by independent formulas

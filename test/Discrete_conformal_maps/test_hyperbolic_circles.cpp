@@ -2,71 +2,28 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "circles.h"
 #include "finite_differences.h"
-#include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
-#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace Test_hyperbolic_circles {
 
-using namespace Test_surfaces;
+using namespace Test_circles;
 using DCM::Hyperbolic_conformal_map;
 using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                              boost::multiprecision::et_off>;
 using Numbers = Eigen::VectorXd;
-using Radii = std::vector<double>;
 template <typename FT>
 using Energy = DCM::Hyperbolic_conformal_energy<FT>;
 
-auto as_map(const Radii& radii)
-{
-  return boost::make_function_property_map<Vertex_index>(
-    [&radii](Vertex_index v) { return radii[v.idx()]; });
-}
-
-// Parts of half of the distance to the nearest vertex. A third of the vertices have no circle.
-Radii random_radii(Triangulation t, double part, unsigned int seed)
-{
-  IT::make_Delaunay(t);
-  std::mt19937 random(seed);
-  Radii result;
-  for(Vertex_index v : t.mesh().vertices()) {
-    double least = std::numeric_limits<double>::infinity();
-    for_each_outgoing_halfedge(v, t.mesh(), [&](Halfedge_index h) {
-      least = (std::min)(least, t.length(t.mesh().edge(h)));
-    });
-    const double factor = std::uniform_real_distribution<double>(0.2, 1)(random);
-    result.push_back(random() % 3 == 0 ? 0 : part * factor * least / 2);
-  }
-  return result;
-}
-
 // ---- The energy ----
-
-// With lengths multiplied by `scale`.
-template <typename FT>
-Energy<FT> energy_of(Triangulation t, const Radii& radii, double scale)
-{
-  IT::make_weighted_Delaunay(t, boost::make_function_property_map<Vertex_index>(
-                                  [&](Vertex_index v) { return radii[v.idx()] * radii[v.idx()]; }));
-  const auto tangent = boost::make_function_property_map<Edge_index>([&](Edge_index e) {
-    return FT(FT(scale) * IT::tangent_length(FT(t.length(e)),
-                                             FT(radii[t.mesh().vertex(e, 0).idx()]),
-                                             FT(radii[t.mesh().vertex(e, 1).idx()])));
-  });
-  std::vector<FT> scaled;
-  for(const double r : radii)
-    scaled.push_back(FT(scale) * FT(r));
-  const Numbers target = Numbers::Zero(Eigen::Index(radii.size()));
-  return {t.mesh(), tangent, target, DCM::Flipping::to_Delaunay, scaled};
-}
 
 // Returns the angle defects of triangles of which distances of centers follow from the laws of
 // cosines and of inversive distances, in the triangulation of the energy.
@@ -112,7 +69,7 @@ TEST(Hyperbolic_circles, have_the_angles_and_derivatives_of_fifty_digits)
   for(const Named_triangulation& s : traced(small_surfaces()))
     for(const double scale : {0.01, 0.3}) {
       const Radii radii = random_radii(s.triangulation, 0.95, 3);
-      auto energy = energy_of<Number>(s.triangulation, radii, scale);
+      auto energy = energy_of<Energy<Number>>(s.triangulation, radii, scale);
       const Numbers w = random_variables(radii, scale, 17);
       energy.evaluate(w);
       const std::vector<Number> gradient = precise_gradient(energy);
@@ -142,7 +99,7 @@ TEST(Hyperbolic_circles, end_where_a_circle_is_a_half_plane)
 {
   const Triangulation t(octahedron());
   const Radii radii(6, t.length(Edge_index(0)) / 3);
-  auto energy = energy_of<double>(t, radii, 1);
+  auto energy = energy_of<Energy<double>>(t, radii, 1);
   energy.evaluate(Numbers::Constant(6, -std::log(radii[0]) - 1e-3));
   EXPECT_TRUE(energy.gradient().allFinite());
   energy.evaluate(Numbers::Constant(6, -std::log(radii[0])));
@@ -155,7 +112,7 @@ TEST(Hyperbolic_circles, do_not_depend_on_where_the_search_starts)
   const Radii radii = random_radii(t, 1, 5);
   Numbers first;
   for(unsigned int seed = 1; seed <= 5; ++seed) {
-    auto energy = energy_of<double>(t, radii, 0.1);
+    auto energy = energy_of<Energy<double>>(t, radii, 0.1);
     Numbers w = random_variables(radii, 0.1, seed);
     DCM::Default_minimization_visitor visitor;
     const auto result =
@@ -173,7 +130,7 @@ Hyperbolic_conformal_map decorated(const Triangulation& t, const Radii& radii)
 {
   const std::vector<double> length = lengths_of(t);
   return DCM::uniformize_hyperbolic(t.mesh(),
-                                    length_parameter(length).vertex_radius_map(as_map(radii)));
+                                    length_parameter(length).vertex_radius_map(as_radii(radii)));
 }
 
 double cosh_of_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
@@ -309,7 +266,7 @@ TEST(Hyperbolic_circles, may_have_boundaries_cones_and_prescribed_radii)
     return DCM::uniformize_hyperbolic(t.mesh(),
                                       length_parameter(lengths)
                                         .vertex_condition_map(Test_surfaces::as_map(conditions))
-                                        .vertex_radius_map(as_map(radii)));
+                                        .vertex_radius_map(as_radii(radii)));
   };
   // by symmetry, equal circles that touch, with eight regular triangles of angle alpha
   const double alpha = pi / 5;
@@ -337,7 +294,7 @@ TEST(Hyperbolic_circles, are_not_known_on_the_sphere)
   const Radii radii(6, 0.1);
   const std::vector<double> lengths = lengths_of(t);
   EXPECT_THROW(
-    DCM::map_to_sphere(t.mesh(), length_parameter(lengths).vertex_radius_map(as_map(radii))),
+    DCM::map_to_sphere(t.mesh(), length_parameter(lengths).vertex_radius_map(as_radii(radii))),
     IT::Invalid_input);
 }
 

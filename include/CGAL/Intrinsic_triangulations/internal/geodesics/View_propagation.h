@@ -270,12 +270,10 @@ private:
   // Ways along edges are bounds for others, and stand in for views that rounding has closed.
   void open_views(Vertex_index v)
   {
-    const Arrival& arrival = m_arrival[v.idx()];
-    const bool is_source = arrival.origin == null;
+    const bool is_source = m_arrival[v.idx()].origin == null;
     const FT before = m_distance[v.idx()];
-    const bool is_at_source = arrival.view == null && arrival.origin == null;
-    const FT error = is_at_source ? FT(0) : error_of_arrival(v);
-    const bool is_all_seen = is_at_source || error >= 1;
+    const FT error = is_source ? FT(0) : error_of_arrival(v);
+    const bool is_all_seen = is_source || error >= 1;
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
             {null, Index(v.idx()), h, is_source});

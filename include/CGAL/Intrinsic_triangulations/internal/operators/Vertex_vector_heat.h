@@ -127,10 +127,12 @@ private:
   {
     const std::vector<FT> time = time_steps(m_surface, factor, components);
     std::vector<FT> result = cotan_weights(m_surface);
-    for(Face_index f : mesh().faces())
+    for(Face_index f : mesh().faces()) {
+      const std::size_t component = components[mesh().source(mesh().halfedge(f)).idx()];
+      const FT entry = Face_metric<FT>(f, m_surface).area() / (FT(24) * time[component]);
       for(Halfedge_index h : sides(f, mesh()))
-        result[mesh().edge(h).idx()] -= Face_metric<FT>(f, m_surface).area() /
-                                        (FT(24) * time[components[mesh().source(h).idx()]]);
+        result[mesh().edge(h).idx()] -= entry;
+    }
     for(FT& w : result)
       w = (std::max)(w, FT(0));
     return result;
