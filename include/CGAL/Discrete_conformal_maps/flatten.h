@@ -9,7 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <utility>
@@ -130,10 +131,10 @@ Planar_conformal_map flatten(const Graph& g,
     CGAL::parameters::is_default_parameter<NamedParameters,
                                            internal_np::vertex_condition_map_t>::value;
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  const auto conditions =
-    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0));
-  return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             is_free, np, internal::Free_shape(), internal::vertex_circles(g, np));
+  internal::Map_parameters parameters =
+    internal::map_parameters(g, input.mesh(), np, Vertex_condition::log_scale(0));
+  parameters.cones = internal::cone_choice(is_free, np);
+  return internal::flattened(std::move(input), parameters, internal::Free_shape(), np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

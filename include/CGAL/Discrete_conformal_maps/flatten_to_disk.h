@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Circular_boundary.h>
 
 #include <cstddef>
@@ -71,12 +71,11 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   if(internal::vertex_circles(g, np).exist())
     throw Intrinsic_triangulations::Invalid_input("no disk is known for circles at the vertices");
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  std::vector<Vertex_condition> conditions =
-    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
+  internal::Map_parameters parameters =
+    internal::map_parameters(g, input.mesh(), np, Vertex_condition());
   internal::Circular_boundary boundary(input, rounds);
-  boundary.prescribe([&](Vertex_index v, const auto& c) { conditions[v.idx()] = c; });
-  return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             false, np, std::move(boundary));
+  boundary.prescribe([&](Vertex_index v, const auto& c) { parameters.conditions[v.idx()] = c; });
+  return internal::flattened(std::move(input), parameters, boundary, np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Rectangular_boundary.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -92,12 +92,11 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
   std::vector<char> is_corner;
   for(auto v : vertices(g))
     is_corner.push_back(given.count(v) != 0);
-  std::vector<Vertex_condition> conditions =
-    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
+  internal::Map_parameters parameters =
+    internal::map_parameters(g, input.mesh(), np, Vertex_condition());
   internal::Rectangular_boundary boundary(input.mesh(), is_corner);
-  boundary.prescribe(conditions);
-  return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             false, np, std::move(boundary), internal::vertex_circles(g, np));
+  boundary.prescribe(parameters.conditions);
+  return internal::flattened(std::move(input), parameters, boundary, np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -9,13 +9,11 @@
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
-#include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
 
@@ -65,21 +63,13 @@ template <typename Graph, typename NamedParameters = CGAL::parameters::Default_n
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  if(internal::vertex_circles(g, np).exist())
-    throw Intrinsic_triangulations::Invalid_input("no sphere is known for circles at the vertices");
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  const std::vector<Vertex_condition> conditions(input.mesh().num_vertices());
-  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                        internal::Exactness exactness) {
-    internal::Doubled_problem problem(std::move(surface), conditions, Flipping::to_Delaunay,
-                                      exactness);
-    problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-    internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(problem, visitor);
-    return mapping.run();
-  };
-  return internal::with_digits_as_needed(std::move(input), find);
+  const internal::Map_parameters parameters =
+    internal::map_parameters(g, input.mesh(), np, Vertex_condition());
+  return internal::mapped_to_sphere(std::move(input), parameters,
+                                    internal::Any_visitor::of(visitor));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

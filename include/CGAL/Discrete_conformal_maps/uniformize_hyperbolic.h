@@ -9,14 +9,9 @@
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
-#include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
-
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Discrete_conformal_maps {
 
@@ -84,35 +79,12 @@ Hyperbolic_conformal_map
 uniformize_hyperbolic(const Graph& g,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
-  bool is_doubled = false;
-  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  const auto conditions =
-    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
-  const internal::Vertex_circles circles = internal::vertex_circles(g, np);
-  const auto uniformized = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                               internal::Exactness exactness) {
-    internal::Doubled_problem problem(std::move(surface), conditions, Flipping::to_Delaunay,
-                                      exactness, circles);
-    problem.check_hyperbolic();
-    problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-    internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
-      problem, visitor);
-    uniformization.find_scale_factors(
-      choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()));
-    is_doubled = !problem.has_no_copies();
-    return uniformization.finish();
-  };
-  Hyperbolic_conformal_map map =
-    internal::with_digits_as_needed(std::move(input), uniformized, !circles.exist());
-  // Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
-  if(is_doubled && map.status() == Map_status::not_glued)
-    map = uniformized(Intrinsic_triangulations::Intrinsic_triangulation<>(g, np),
-                      internal::Exactness::lengths);
-  return map;
+  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  return internal::uniformized(
+    input, internal::map_parameters(g, input.mesh(), np, Vertex_condition::curvature(0)),
+    internal::Any_visitor::of(visitor));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -10,16 +10,13 @@
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Intrinsic_triangulations/internal/compiled/make_Delaunay.h>
 
-#include <vector>
-
 #if !defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD)
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Planar_conformal_map
-flattened(Intrinsic_triangulations::Intrinsic_triangulation<>, const std::vector<Vertex_condition>&,
-          const std::vector<double>&, bool, const CGAL::parameters::Default_named_parameters&,
-          Free_shape, const Vertex_circles&);
+flattened(Intrinsic_triangulations::Intrinsic_triangulation<>, const Map_parameters&,
+          const Least_squares_layout&, const Free_shape&, Any_visitor);
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

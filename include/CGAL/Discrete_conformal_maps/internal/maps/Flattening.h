@@ -8,14 +8,13 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
-#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_choice.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -29,7 +28,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,11 +44,10 @@ inline std::vector<Map_promise> planar_promises(const Plane_picture& picture)
 }
 
 // The steps from a doubled problem to a map.
-template <typename Visitor>
 class Flattening
 {
 public:
-  Flattening(Doubled_problem& problem, Visitor& visitor)
+  Flattening(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {}
 
@@ -58,8 +55,7 @@ public:
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
   // Cones are placed for a finite bound of scale factors, at the first call before the others.
-  template <typename Minimizer>
-  void find_scale_factors(const Minimizer& minimizer, const Cone_choice& choice)
+  void find_scale_factors(const Any_minimizer& minimizer, const Cone_choice& choice)
   {
     const double bound = choice.maximum_log_scale;
     m_visitor.start(Flattening_stage::cones);
@@ -89,7 +85,7 @@ public:
   // the last minimization
   const Minimization_result& minimization() const { return m_scale.result(); }
 
-  Visitor& visitor() const { return m_visitor; }
+  Any_visitor& visitor() const { return m_visitor; }
 
   // Calls `search()`, which finds scale factors. A numerical error ends the search.
   template <typename Search>
@@ -346,7 +342,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Visitor& m_visitor;
+  Any_visitor& m_visitor;
   Flat_scale_factors m_scale;
   Map_builder m_builder;
   Planar_layout m_layout;
@@ -357,63 +353,51 @@ private:
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };
 
-// scale factors to start from
-template <typename Graph, typename NamedParameters>
-std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
-{
-  using CGAL::parameters::get_parameter;
-  std::vector<double> result;
-  for([[maybe_unused]] auto v : vertices(g))
-    if constexpr(CGAL::parameters::is_default_parameter<
-                   NamedParameters, internal_np::initial_log_scale_map_t>::value)
-      result.push_back(0);
-    else
-      result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
-  return result;
-}
-
-// Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
-// `is_free` says whether nothing is prescribed.
-template <typename NamedParameters, typename Shape>
+// Maps a surface to the plane, as `flatten()` documents, with a boundary of this shape.
+template <typename Layout_model, typename Shape>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                               const std::vector<Vertex_condition>& conditions,
-                               const std::vector<double>& log_scale, bool is_free,
-                               const NamedParameters& np, Shape shape,
-                               const Vertex_circles& circles = Vertex_circles())
+                               const Map_parameters& parameters, const Layout_model& layout,
+                               const Shape& shape, Any_visitor visitor)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Default_flattening_visitor silent;
-  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
     Shape own_shape = shape;
-    Doubled_problem problem(
-      std::move(surface), conditions,
-      choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay), exactness,
-      circles);
-    problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
-    Flattening<std::remove_reference_t<decltype(visitor)>> flattening(problem, visitor);
-    flattening.start_from(log_scale);
+    Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
+                            exactness, parameters.circles);
+    problem.set_concurrency(parameters.concurrency);
+    Flattening flattening(problem, visitor);
+    flattening.start_from(parameters.log_scale);
     flattening.attempt([&] {
       own_shape.solve(problem, flattening, [&] {
-        flattening.find_scale_factors(
-          choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
-          cone_choice(is_free, np));
+        flattening.find_scale_factors(parameters.minimizer, parameters.cones);
       });
     });
-    if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
-                                                        internal_np::layout_t>::value)
-      return flattening.finish(Least_squares_layout(), own_shape);
-    else
-      return flattening.finish(Named_layout{get_parameter(np, internal_np::layout)}, own_shape);
+    return flattening.finish(layout, own_shape);
   };
-  const bool is_exact = choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
-  if(is_exact && circles.exist())
+  const bool has_circles = parameters.circles.exist();
+  if(!parameters.has_exact_decisions)
+    return with_digits_as_needed(std::move(input), find, !has_circles);
+  if(has_circles)
     throw Intrinsic_triangulations::Invalid_input("decisions about circles cannot be exact");
-  if(is_exact)
-    return find(std::move(input), Exactness::decisions);
-  return with_digits_as_needed(std::move(input), find, !circles.exist());
+  return find(std::move(input), Exactness::decisions);
+}
+
+// The same, with the visitor and the layout of the named parameters.
+template <typename NamedParameters, typename Shape>
+Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
+                               const Map_parameters& parameters, const Shape& shape,
+                               const NamedParameters& np)
+{
+  Default_flattening_visitor silent;
+  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
+                                                      internal_np::layout_t>::value)
+    return flattened(std::move(input), parameters, Least_squares_layout(), shape,
+                     Any_visitor::of(visitor));
+  else
+    return flattened(std::move(input), parameters,
+                     Named_layout{CGAL::parameters::get_parameter(np, internal_np::layout)}, shape,
+                     Any_visitor::of(visitor));
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

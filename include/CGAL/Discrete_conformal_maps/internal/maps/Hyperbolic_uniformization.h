@@ -11,6 +11,8 @@
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_faces.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
@@ -32,18 +34,16 @@ namespace CGAL::Discrete_conformal_maps::internal {
 using Intrinsic_triangulations::Tree_cotree;
 
 // The steps from a doubled problem to a map, whose group is the group of the whole double.
-template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
-  Hyperbolic_uniformization(Doubled_problem& problem, Visitor& visitor)
+  Hyperbolic_uniformization(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {
     m_builder.set_hyperbolic();
   }
 
-  template <typename Minimizer>
-  void find_scale_factors(const Minimizer& minimizer)
+  void find_scale_factors(const Any_minimizer& minimizer)
   {
     m_visitor.start(Flattening_stage::optimize);
     if(!m_builder.attempt([&] { m_scale.minimize(minimizer, tolerance::curvature, m_visitor); }))
@@ -64,7 +64,7 @@ public:
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
       m_builder.find_crowded([this](Halfedge_index h) { return length_in_disk(h); });
-    auto map = m_builder.template map<Hyperbolic_conformal_map>(std::move(m_layout));
+    auto map = m_builder.map<Hyperbolic_conformal_map>(std::move(m_layout));
     m_builder.judge(map, m_errors.greatest(), std::move(promises));
     return map;
   }
@@ -294,7 +294,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Visitor& m_visitor;
+  Any_visitor& m_visitor;
   Hyperbolic_scale_factors m_scale;
   Map_builder m_builder;
   Hyperbolic_layout m_layout;
@@ -302,6 +302,30 @@ private:
   std::vector<char> m_has_cone;                     // for each component
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
 };
+
+// Gives a surface a hyperbolic metric, as `uniformize_hyperbolic()` documents. Rounded lengths of a
+// double are not symmetric: generators of its group multiply the difference. So a map that is not
+// glued is searched again with exact lengths.
+inline Hyperbolic_conformal_map
+uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
+            const Map_parameters& parameters, Any_visitor visitor)
+{
+  bool is_doubled = false;
+  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                        Exactness exactness) {
+    Doubled_problem problem(std::move(surface), parameters.conditions, Flipping::to_Delaunay,
+                            exactness, parameters.circles);
+    problem.check_hyperbolic();
+    problem.set_concurrency(parameters.concurrency);
+    Hyperbolic_uniformization uniformization(problem, visitor);
+    uniformization.find_scale_factors(parameters.minimizer);
+    is_doubled = !problem.has_no_copies();
+    return uniformization.finish();
+  };
+  Hyperbolic_conformal_map map = with_digits_as_needed(input, find, !parameters.circles.exist());
+  return is_doubled && map.status() == Map_status::not_glued ? find(input, Exactness::lengths)
+                                                             : std::move(map);
+}
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

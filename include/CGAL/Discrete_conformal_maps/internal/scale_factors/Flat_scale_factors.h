@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_choice.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_exchange.h>
@@ -91,20 +92,19 @@ public:
     return true;
   }
 
-  // `minimizer`, but it ends when the scale factors of the minimum are certainly out of bounds, so
-  // that a cone can be added. The minimum is not as far away as half of Newton's last step.
-  auto ending_beyond(double bound, const Newton_minimizer& minimizer) const
+  // Returns `minimizer`, but if it is Newton's method, it ends when the scale factors of the minimum
+  // are certainly out of bounds, so that a cone can be added. The minimum is not as far away as
+  // half of Newton's last step.
+  Any_minimizer ending_beyond(double bound, const Any_minimizer& minimizer) const
   {
-    return minimizer
-      .ending_where([this, bound](const Vector& change, double step) {
+    const auto* newton = minimizer.target<Newton_minimizer>();
+    if(!newton)
+      return minimizer;
+    return newton
+      ->ending_where([this, bound](const Vector& change, double step) {
         return certainly_beyond(bound, values() + change, step) != none;
       })
       .correcting_steps(std::isfinite(bound) ? tolerance::corrections : 0);
-  }
-  template <typename Minimizer>
-  const Minimizer& ending_beyond(double, const Minimizer& minimizer) const
-  {
-    return minimizer;
   }
 
 private:

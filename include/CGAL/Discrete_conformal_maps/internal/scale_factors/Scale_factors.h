@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Abstract_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
@@ -234,8 +235,10 @@ private:
       Vector x = Vector::Zero(m_u.size());
       before = norm;
       // the digits of x end at this point
+      Energy_reference<Energy<FT>> any_energy(energy);
+      const Newton_minimizer minimizer(tolerance::reduction * norm);
       norm =
-        Newton_minimizer(tolerance::reduction * norm)(energy, x, domain(), visitor).gradient_norm;
+        minimizer(static_cast<Abstract_energy&>(any_energy), x, domain(), visitor).gradient_norm;
     }
   }
 
@@ -382,7 +385,9 @@ private:
   {
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
-    const Minimization_result last = minimizer(energy, x, domain(), visitor);
+    Energy_reference<Energy<FT>> any_energy(energy);
+    const Minimization_result last =
+      minimizer(static_cast<Abstract_energy&>(any_energy), x, domain(), visitor);
     m_result = last.after(m_result);
     m_has_layout =
       m_problem.flipping() == Flipping::to_Delaunay || energy.energy().number_of_flat_faces() == 0;
