@@ -10,6 +10,7 @@
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
+#include "reading/map_names.h"
 #include "writing/Mesh_writer.h"
 #include "writing/flat_triangles.h"
 #include "writing/matrix_market.h"
@@ -152,20 +153,6 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
     throw Program_error(
       "--max-area-distortion is for --cones greedy or exchanged; leave out one of them");
   return options;
-}
-
-DCM::Layout layout_named(const std::string& name)
-{
-  return name == "spectral"      ? DCM::Layout::spectral
-         : name == "incremental" ? DCM::Layout::incremental
-                                 : DCM::Layout::least_squares;
-}
-
-DCM::Cones cones_named(const std::string& name)
-{
-  return name == "greedy"      ? DCM::Cones::greedy
-         : name == "exchanged" ? DCM::Cones::exchanged
-                               : DCM::Cones::none;
 }
 
 class Flatten_command

@@ -6,6 +6,8 @@
 #include "Watch.h"
 #include "bindings.h"
 
+#include "reading/map_names.h"
+
 #include <CGAL/Discrete_conformal_maps/charts.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
@@ -52,20 +54,6 @@ struct Flattening_options
   bool keeps_triangulation = false, is_exact = false;
   double maximum_log_scale, maximum_area_distortion, mollification;
 };
-
-DCM::Cones cones_named(const std::string& name)
-{
-  return name == "greedy"      ? DCM::Cones::greedy
-         : name == "exchanged" ? DCM::Cones::exchanged
-                               : DCM::Cones::none;
-}
-
-DCM::Layout layout_named(const std::string& name)
-{
-  return name == "spectral"      ? DCM::Layout::spectral
-         : name == "incremental" ? DCM::Layout::incremental
-                                 : DCM::Layout::least_squares;
-}
 
 // The condition at each vertex: a logarithmic scale factor, or a curvature.
 std::vector<DCM::Vertex_condition> conditions_of(const Index_array& has_log_scale,

@@ -44,10 +44,11 @@ inline std::vector<Map_promise> planar_promises(const Plane_picture& picture)
 }
 
 // The steps from a doubled problem to a map.
+template <typename Visitor>
 class Flattening
 {
 public:
-  Flattening(Doubled_problem& problem, Any_visitor& visitor)
+  Flattening(Doubled_problem& problem, Visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {}
 
@@ -85,7 +86,7 @@ public:
   // the last minimization
   const Minimization_result& minimization() const { return m_scale.result(); }
 
-  Any_visitor& visitor() const { return m_visitor; }
+  Visitor& visitor() const { return m_visitor; }
 
   // Calls `search()`, which finds scale factors. A numerical error ends the search.
   template <typename Search>
@@ -342,7 +343,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Any_visitor& m_visitor;
+  Visitor& m_visitor;
   Flat_scale_factors m_scale;
   Map_builder m_builder;
   Planar_layout m_layout;
@@ -354,10 +355,10 @@ private:
 };
 
 // Maps a surface to the plane, as `flatten()` documents, with a boundary of this shape.
-template <typename Layout_model, typename Shape>
+template <typename Layout_model, typename Shape, typename Visitor>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                const Map_parameters& parameters, const Layout_model& layout,
-                               const Shape& shape, Any_visitor visitor)
+                               const Shape& shape, Visitor visitor)
 {
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
@@ -365,7 +366,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
     Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
                             exactness, parameters.circles);
     problem.set_concurrency(parameters.concurrency);
-    Flattening flattening(problem, visitor);
+    Flattening<Visitor> flattening(problem, visitor);
     flattening.start_from(parameters.log_scale);
     flattening.attempt([&] {
       own_shape.solve(problem, flattening, [&] {

@@ -34,10 +34,11 @@ namespace CGAL::Discrete_conformal_maps::internal {
 using Intrinsic_triangulations::Tree_cotree;
 
 // The steps from a doubled problem to a map, whose group is the group of the whole double.
+template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
-  Hyperbolic_uniformization(Doubled_problem& problem, Any_visitor& visitor)
+  Hyperbolic_uniformization(Doubled_problem& problem, Visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {
     m_builder.set_hyperbolic();
@@ -64,7 +65,7 @@ public:
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
       m_builder.find_crowded([this](Halfedge_index h) { return length_in_disk(h); });
-    auto map = m_builder.map<Hyperbolic_conformal_map>(std::move(m_layout));
+    auto map = m_builder.template map<Hyperbolic_conformal_map>(std::move(m_layout));
     m_builder.judge(map, m_errors.greatest(), std::move(promises));
     return map;
   }
@@ -294,7 +295,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Any_visitor& m_visitor;
+  Visitor& m_visitor;
   Hyperbolic_scale_factors m_scale;
   Map_builder m_builder;
   Hyperbolic_layout m_layout;
@@ -306,9 +307,10 @@ private:
 // Gives a surface a hyperbolic metric, as `uniformize_hyperbolic()` documents. Rounded lengths of a
 // double are not symmetric: generators of its group multiply the difference. So a map that is not
 // glued is searched again with exact lengths.
-inline Hyperbolic_conformal_map
+template <typename Visitor>
+Hyperbolic_conformal_map
 uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
-            const Map_parameters& parameters, Any_visitor visitor)
+            const Map_parameters& parameters, Visitor visitor)
 {
   bool is_doubled = false;
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
@@ -317,7 +319,7 @@ uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
                             exactness, parameters.circles);
     problem.check_hyperbolic();
     problem.set_concurrency(parameters.concurrency);
-    Hyperbolic_uniformization uniformization(problem, visitor);
+    Hyperbolic_uniformization<Visitor> uniformization(problem, visitor);
     uniformization.find_scale_factors(parameters.minimizer);
     is_doubled = !problem.has_no_copies();
     return uniformization.finish();

@@ -29,10 +29,11 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The steps from a closed or doubled surface to its map.
+template <typename Visitor>
 class Sphere_mapping
 {
 public:
-  Sphere_mapping(Doubled_problem& problem, Any_visitor& visitor)
+  Sphere_mapping(Doubled_problem& problem, Visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas(problem)), m_builder(problem)
   {
     check();
@@ -50,7 +51,7 @@ public:
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
       m_builder.find_crowded([this](Halfedge_index h) { return m_builder.scaled_length(h); });
-    auto map = m_builder.map<Spherical_conformal_map>(std::move(m_layout));
+    auto map = m_builder.template map<Spherical_conformal_map>(std::move(m_layout));
     m_builder.judge(map, m_errors.greatest(), std::move(m_promises));
     return map;
   }
@@ -129,7 +130,7 @@ private:
     if(!m_layout.exists)
       return;
     for(Vertex_index v : m_builder.mesh().vertices()) {
-      const auto p = m_layout.position_in<Extended>(v);
+      const auto p = m_layout.template position_in<Extended>(v);
       m_layout.position.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
@@ -264,7 +265,7 @@ private:
   const Point& at(Vertex_index v) const { return m_layout.position[v.idx()]; }
 
   Doubled_problem& m_problem;
-  Any_visitor& m_visitor;
+  Visitor& m_visitor;
   std::vector<double> m_mass;
   Map_builder m_builder;
   Spherical_layout m_layout;
@@ -273,9 +274,9 @@ private:
 };
 
 // Maps a surface to the sphere, as `map_to_sphere()` documents.
-inline Spherical_conformal_map
-mapped_to_sphere(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                 const Map_parameters& parameters, Any_visitor visitor)
+template <typename Visitor>
+Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_triangulation<> input,
+                                         const Map_parameters& parameters, Visitor visitor)
 {
   if(parameters.circles.exist())
     throw Intrinsic_triangulations::Invalid_input("no sphere is known for circles at the vertices");
@@ -284,7 +285,7 @@ mapped_to_sphere(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                         Exactness exactness) {
     Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness);
     problem.set_concurrency(parameters.concurrency);
-    return Sphere_mapping(problem, visitor).run();
+    return Sphere_mapping<Visitor>(problem, visitor).run();
   };
   return with_digits_as_needed(std::move(input), find);
 }
