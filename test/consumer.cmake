@@ -13,7 +13,7 @@ add_test(NAME consumer.build_and_run
       "${CMAKE_CURRENT_BINARY_DIR}/consumer/build"
     --build-generator "${CMAKE_GENERATOR}"
     --build-options "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
-      -DCMAKE_BUILD_TYPE=Debug
+      -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
     --test-command consumer)
 set_tests_properties(consumer.install PROPERTIES FIXTURES_SETUP installed)
 set_tests_properties(consumer.build_and_run PROPERTIES FIXTURES_REQUIRED installed)
