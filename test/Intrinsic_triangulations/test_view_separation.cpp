@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <limits>
 #include <vector>
@@ -65,6 +66,37 @@ TEST(View_separation, keeps_least_lengths)
         EXPECT_NEAR(least(list, x), truth, 1e-11) << i;
       else
         EXPECT_EQ(least(list, x), infinity) << i;
+    }
+  }
+}
+
+View scaled(View v, double factor)
+{
+  if(!v.is_parallel)
+    v.position *= factor;
+  v.begin *= factor;
+  v.end *= factor;
+  v.before *= factor;
+  return v;
+}
+
+// Powers of two change no digit of a number, so no part is left or lost at any scale.
+TEST(View_separation, is_the_same_at_all_scales)
+{
+  for(const double factor : {std::ldexp(1, -100), std::ldexp(1, 60), std::ldexp(1, 100)}) {
+    CGAL::Random random(3);
+    for(int i = 0; i < 3000; ++i) {
+      std::vector<View> list, large;
+      for(int k = random.get_int(2, 7); k > 0; --k) {
+        const View v = random_view(random);
+        IT::internal::append(v, unknown, list);
+        IT::internal::append(scaled(v, factor), unknown, large);
+      }
+      ASSERT_EQ(large.size(), list.size()) << i;
+      for(std::size_t k = 0; k < list.size(); ++k) {
+        EXPECT_EQ(large[k].begin, list[k].begin * factor) << i;
+        EXPECT_EQ(large[k].end, list[k].end * factor) << i;
+      }
     }
   }
 }

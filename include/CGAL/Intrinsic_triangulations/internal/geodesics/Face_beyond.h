@@ -64,7 +64,7 @@ public:
     result.begin = from * m_charts.length(edge);
     result.end = to * m_charts.length(edge);
     if(!(result.end - result.begin > tolerance(view))) {
-      result.end = result.begin - 1;
+      result.close();
       return result;
     }
     result = in_next_frame(result, edge, is_left, m_apex, m_charts);

@@ -49,6 +49,9 @@ struct View
   bool is_parallel = false;
   Entry entry = Entry::inside;
 
+  // Empties the part of the edge, for coordinates of any size.
+  void close() { end = -std::numeric_limits<FT>::infinity(); }
+
   // Returns the length of the path to the point `z`.
   FT length_to(const Vector& z) const
   {

@@ -88,7 +88,7 @@ private:
   static void close_if_empty(View& v)
   {
     if(v.begin == v.end)
-      v.end = v.begin - 1;
+      v.close();
   }
 
   static void cut(View& v, const FT& from, const FT& to)
