@@ -508,7 +508,8 @@ class LogMap:
         length, in the unit of V. Angles are scaled to a full turn at the source, and start at the
         first edge of the source. Infinite without a path.
     is_straight : (n,) bool array
-        Whether the shortest path is straight, so that `exp_map()` leads to the vertex.
+        Whether the shortest path is straight. Then `exp_map()` leads to the vertex, unless the path
+        touches the boundary or a vertex of more than 360 degrees.
     """
 
     vectors: NDArray[np.complex128]

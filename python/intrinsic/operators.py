@@ -25,8 +25,8 @@ def laplacian(
 ) -> Any:
     """Return the cotangent Laplacian of the intrinsic Delaunay triangulation.
 
-    All entries off the diagonal are not positive, up to rounding, so that a maximum principle
-    holds.
+    Entries off the diagonal are not positive, up to rounding, except for border edges opposite to
+    obtuse angles. So a maximum principle holds at inner vertices.
 
     Parameters
     ----------

@@ -312,6 +312,33 @@ TEST(Shortest_paths, bend_at_the_boundary)
   EXPECT_EQ(path.length, 2);
 }
 
+// Distances in a square are known, and powers of two change no digit of them.
+TEST(Shortest_paths, are_the_same_at_all_scales)
+{
+  std::vector<double> expected;
+  for(const int exponent : {0, -100, 60, 100}) {
+    const double s = std::ldexp(1, exponent);
+    const Mesh mesh = grid(6, 6, [s](double x, double y) {
+      return Point(s * (3 * x - 1.7 * y), s * (1.7 * x + 3 * y), 0);
+    });
+    const Triangulation t(mesh);
+    std::vector<double> found;
+    for(const auto v : vertices(mesh)) {
+      Paths paths(t.input());
+      paths.add_source(v);
+      paths.run();
+      for(const auto w : vertices(mesh)) {
+        found.push_back(paths.distance(w) / s);
+        const double truth = std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))) / s;
+        EXPECT_NEAR(found.back(), truth, 1e-12) << exponent;
+      }
+    }
+    if(exponent == 0)
+      expected = found;
+    EXPECT_EQ(found, expected) << exponent;
+  }
+}
+
 // A source that is added later counts, and only where it is nearer.
 TEST(Shortest_paths, sources_one_after_the_other)
 {

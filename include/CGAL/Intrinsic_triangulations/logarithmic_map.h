@@ -30,7 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// describes a shortest path.
 enum class Logarithm_status
 {
-  straight,   ///< it is a straight line: the exponential map leads to its end
+  straight,   ///< it is a straight line: the exponential map leads to its end, unless the line
+              ///< touches the boundary or a vertex of negative curvature
   bent,       ///< it bends at a vertex, and no straight line to its end is as short
   unreachable ///< there is none
 };
@@ -211,8 +212,11 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// views from the source. `trace_geodesic()` of the vector ends at `target`, unless the path
 /// bends. It bends at a vertex with an angle sum of more than \f$2\pi\f$, or of more than
 /// \f$\pi\f$ on the boundary. Behind such a vertex, points may exist to which no straight line
-/// leads. A straight path may touch the boundary; `At_boundary::slide` continues along it. Of
-/// several shortest paths any one is taken.
+/// leads. Of several shortest paths any one is taken.
+///
+/// A straight path may touch such a vertex, with an angle of \f$\pi\f$ on one side.
+/// `trace_geodesic()` halves the angle at the vertex, and leaves the path. A straight path may also
+/// run along the boundary, and `At_boundary::slide` follows it.
 ///
 /// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
