@@ -10,13 +10,15 @@ underscore in FAMILY_INDEX.off."""
 import argparse
 import json
 import math
+import random
 import statistics
+import tempfile
 from pathlib import Path
 
 from run import run
 
-CALLS = {"plane": "flatten -o OUT.obj", "disk": "flatten --boundary disk -o OUT.obj",
-         "rectangle": "flatten --boundary rectangle -o OUT.obj", "sphere": "sphere -o OUT.ply",
+CALLS = {"plane": "flatten -o OUT.obj", "circles": "flatten --radii RADII -o OUT.obj",
+         "disk": "flatten --boundary disk -o OUT.obj", "rectangle": "flatten --boundary rectangle -o OUT.obj", "sphere": "sphere -o OUT.ply",
          "uniformize": "uniformize -o OUT.obj"}
 
 # The greatest errors of a success, whatever the program has promised.
@@ -26,17 +28,25 @@ COLUMNS = ["surfaces", "maps", "found", "crowded", "failed", "too slow", "contra
            "median steps", "most steps", "curvature error", "cross-ratio error", "seconds"]
 
 
-def topology(path):
-    """Returns Euler characteristic and number of boundary loops of a mesh in the format OFF."""
+def boundary(path):
+    """Returns Euler characteristic, points, and sides of the boundary of a mesh in the format OFF."""
     numbers = path.read_text().split()[1:]
     vertices, faces = int(numbers[0]), int(numbers[1])
+    coordinates = list(map(float, numbers[3:3 + 3 * vertices]))
     corners = list(map(int, numbers[3 + 3 * vertices:]))
     sides = set()
     for i in range(0, 4 * faces, 4):
         a, b, c = corners[i + 1:i + 4]
         sides |= {(a, b), (b, c), (c, a)}
-    border = {a: b for b, a in sides if (a, b) not in sides}
-    characteristic = vertices - (len(sides) + len(border)) // 2 + faces
+    border = sorted((a, b) for b, a in sides if (a, b) not in sides)
+    points = [tuple(coordinates[i:i + 3]) for i in range(0, 3 * vertices, 3)]
+    return vertices - (len(sides) + len(border)) // 2 + faces, points, border
+
+
+def topology(path):
+    """Returns Euler characteristic and number of boundary loops of a mesh."""
+    characteristic, _, sides = boundary(path)
+    border = dict(sides)
     loops = 0
     while border:
         loops += 1
@@ -50,8 +60,42 @@ def suitable_calls(path):
     """Returns names of maps. Spheres and disks are uniformized by the map to the sphere."""
     kind = topology(path)
     if kind == (1, 1):
-        return ["plane", "disk", "rectangle", "sphere"]
-    return ["plane", "sphere" if kind == (2, 0) else "uniformize"]
+        return ["plane", "circles", "disk", "rectangle", "sphere"]
+    return ["plane", "circles", "sphere" if kind == (2, 0) else "uniformize"]
+
+
+def distance_to_segment(p, q, r):
+    """Returns the distance of a point p from the segment between q and r."""
+    along, from_q = [[b - a for a, b in zip(q, x)] for x in (r, p)]
+    t = sum(a * b for a, b in zip(along, from_q)) / sum(a * a for a in along)
+    return math.dist(from_q, [min(max(t, 0), 1) * a for a in along])
+
+
+def random_radii(points, sides):
+    """Returns radii of circles that do not meet, nor cross the sides of the boundary: random parts of distances in
+    space, which are no longer than on the surface."""
+    rng = random.Random(len(points))
+    border = {v for side in sides for v in side}
+    order = sorted(range(len(points)), key=lambda v: points[v])
+    result = [0.0] * len(points)
+    for i, v in enumerate(order):
+        least = math.inf
+        for step in (-1, 1):
+            k = i + step
+            while 0 <= k < len(order) and abs(points[order[k]][0] - points[v][0]) < least:
+                least = min(least, math.dist(points[order[k]], points[v]))
+                k += step
+        least /= 2
+        if v not in border:
+            least = min([least, *(distance_to_segment(points[v], points[a], points[b]) for a, b in sides)])
+        result[v] = least * rng.uniform(0, 0.99)
+    return result
+
+
+def write_radii(path, file):
+    """Writes random radii for the vertices of a mesh."""
+    points, sides = boundary(path)[1:]
+    file.write_text("".join(f"{v} {r!r}\n" for v, r in enumerate(random_radii(points, sides))))
 
 
 def is_within(error, bound):
@@ -126,7 +170,11 @@ def survey(arguments):
             if (path.name, name) in known:
                 continue
             command, *options = CALLS[name].split()
-            row = run(arguments.program, path, arguments.timeout, command, options)
+            with tempfile.NamedTemporaryFile("w", suffix=".txt") as radii:
+                if "RADII" in options:
+                    write_radii(path, Path(radii.name))
+                options = [radii.name if o == "RADII" else o for o in options]
+                row = run(arguments.program, path, arguments.timeout, command, options)
             row.update(map=name, family=family(path))
             rows.append(row)
             if arguments.rows:

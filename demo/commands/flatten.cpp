@@ -172,7 +172,7 @@ public:
     m_visitor.iterations = 0;
     m_conditions = m_run.timed("build", [&] {
       m_mollification = mollification(m_run);
-      m_radii = vertex_radii(m_options, m_run.input());
+      m_radii = vertex_radii(m_options.radii, m_run.input());
       return flattening_conditions(m_options, mesh());
     });
     Planar_map map = solved();
@@ -209,7 +209,6 @@ private:
   {
     const auto conditions =
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
-    m_radii.resize(m_conditions.size(), 0.); // no circles unless one has a radius
     const auto radii =
       boost::make_iterator_property_map(m_radii.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
@@ -313,15 +312,6 @@ void describe_overlap(Statistics& statistics, const Planar_map& map)
     statistics["overlapping_charts"].push_back({pair.first, pair.second});
 }
 
-// Adds the radii of circles in the plane.
-void add_radii(Output_mesh& mesh, const Planar_map& map, const Map_part& part)
-{
-  std::vector<double> radii(part.vertices().size(), 0.);
-  for(const Mesh::Vertex_index v : part.mapped_mesh().vertices())
-    radii[v] = map.scaled_radius(DCM::Vertex_index(v.idx()));
-  mesh.point_data.push_back({"radius", std::move(radii)});
-}
-
 } // namespace
 
 std::string summary_of(const Planar_map&, const Statistics& s)
@@ -344,7 +334,7 @@ Output_mesh described_mesh(Statistics& statistics, const Planar_map& map, const 
 {
   Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
   if(map.has_radii())
-    add_radii(result, map, part);
+    add_radii(result, part, [&map](auto v) { return map.scaled_radius(v); });
   describe_minimization(statistics, map, output);
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);
@@ -382,8 +372,7 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
     ->capture_default_str();
   command.add_option("--boundary-values", options.boundary_values,
                      "File of values at vertices for --boundary scale or curvature");
-  command.add_option("--radii", options.radii,
-                     "Circles at vertices: a file of radii, or a property of vertices in the mesh");
+  add_radii(command, options.radii);
 }
 
 } // namespace

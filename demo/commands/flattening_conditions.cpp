@@ -104,18 +104,23 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
   return result;
 }
 
-std::vector<double> vertex_radii(const Flatten_options& options, const Input_mesh& input)
+void add_radii(CLI::App& command, std::string& source)
 {
-  std::vector<double> result;
-  if(options.radii.empty())
+  command.add_option("--radii", source,
+                     "Circles at vertices: a file of radii, or a property of vertices in the mesh");
+}
+
+std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input)
+{
+  std::vector<double> result(input.mesh.number_of_vertices(), 0.);
+  if(source.empty())
     return result;
   if(!input.repairs.empty())
     throw Program_error("--radii: the mesh had to be repaired, and its vertices differ from the "
                         "file; give a mesh that needs no repair");
-  if(const Point_function* property = input.data.function(options.radii))
+  if(const Point_function* property = input.data.function(source))
     return property->values;
-  result.resize(input.mesh.number_of_vertices(), 0.);
-  for(const Vertex_value& x : read_vertex_values(options.radii, result.size()))
+  for(const Vertex_value& x : read_vertex_values(source, result.size()))
     result[x.vertex] = x.value;
   return result;
 }

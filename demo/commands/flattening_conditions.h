@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_FLATTENING_CONDITIONS_H
 #define INTRINSIC_FLATTENING_CONDITIONS_H
 
+#include "commands/Command_line.h"
 #include "commands/options.h"
 #include "reading/Input_mesh.h"
 #include "reading/Polygon_soup.h"
@@ -39,9 +40,11 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// The radii of the circles at the vertices, zero where a file says nothing; none without --radii.
-// Throws Program_error if the file is wrong.
-std::vector<double> vertex_radii(const Flatten_options& options, const Input_mesh& input);
+// The radii of the circles at the vertices, from a property of vertices or a file; zero where a file
+// says nothing, and everywhere if `source` is empty. Throws Program_error if the file is wrong.
+std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input);
+
+void add_radii(CLI::App& command, std::string& source);
 
 // Whether the word after --boundary names a shape, which the library finds the angles for.
 bool is_shape(const std::string& boundary);

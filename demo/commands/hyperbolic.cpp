@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <functional>
 #include <sstream>
+#include <vector>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
@@ -33,7 +34,8 @@ others there is `intrinsic uniformize`. --component K and --largest choose one. 
 geodesics. The double of the surface is laid out; the output is the part of the mesh.
 
 The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With
---homogeneous they are x t, y t, t, in Klein's disk, where the map is exact.
+--homogeneous they are x t, y t, t, in Klein's disk, where the map is exact. With --radii, circles
+are mapped to circles, and "radius" in .ply and .vtp is hyperbolic.
 
 Statistics: the area, which is 2 pi (2 genus - 2 + boundaries); for each component its genus,
 boundaries and area, and the motions z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of
@@ -56,13 +58,16 @@ Cones cones_of(const Conditions& conditions, const Mesh& mesh)
   return result;
 }
 
-Hyperbolic_map uniformized(Command_run& run, double epsilon, const Conditions& conditions)
+Hyperbolic_map uniformized(Command_run& run, double epsilon, const Conditions& conditions,
+                           const std::vector<double>& radii)
 {
   const Mesh& mesh = run.input().mesh;
   Stage_visitor visitor{run};
-  const auto condition =
-    boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
+  const auto index = get(boost::vertex_index, mesh);
+  const auto condition = boost::make_iterator_property_map(conditions.begin(), index);
+  const auto radius = boost::make_iterator_property_map(radii.begin(), index);
   return DCM::uniformize_hyperbolic(mesh, DCM::parameters::vertex_condition_map(condition)
+                                            .vertex_radius_map(radius)
                                             .concurrency_tag(CGAL::Parallel_if_available_tag())
                                             .mollification(epsilon)
                                             .visitor(std::ref(visitor)));
@@ -148,7 +153,10 @@ Output_mesh described_mesh(Statistics& statistics, const Hyperbolic_map& map, co
   statistics["groups"] = Statistics::array();
   for(std::size_t c = 0; c < map.number_of_components(); ++c)
     statistics["groups"].push_back(description(map, c));
-  return flat_mesh(map, part, output.cones, output.is_homogeneous);
+  Output_mesh result = flat_mesh(map, part, output.cones, output.is_homogeneous);
+  if(map.has_radii())
+    add_radii(result, part, [&map](auto v) { return map.circle_radius(v); });
+  return result;
 }
 
 namespace {
@@ -224,15 +232,17 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
   return attempt(run, [&] {
     const Mesh& mesh = run.input().mesh;
     double epsilon = 0;
+    std::vector<double> radii;
     const Conditions conditions = run.timed("build", [&] {
       epsilon = mollification(run);
+      radii = vertex_radii(options.radii, run.input());
       return options.cones.empty() ? Conditions(mesh.number_of_vertices())
                                    : prescribed_curvatures(options.cones, mesh);
     });
     const Cones cones = cones_of(conditions, mesh);
     if(options.depth && !cones.empty())
       throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
-    return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions));
+    return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions, radii));
   });
 }
 
@@ -246,6 +256,7 @@ void define_hyperbolic(Command_line& line)
   add_texture_output(command, options);
   command.add_option("--cones", options.cones,
                      "File of angle defects; zero everywhere if not given");
+  add_radii(command, options.radii);
   add_tiling(command, options);
   add_keep_going(command, line.common());
   add_components(command, line.common());

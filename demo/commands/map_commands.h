@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What commands that map surfaces have in common.
@@ -25,6 +26,7 @@
 struct Hyperbolic_options : Texture_options
 {
   std::string cones;        // a file; empty for none
+  std::string radii;        // a property of vertices or a file; empty for no circles
   std::string picture;      // an SVG file
   std::optional<int> depth; // of the tiling in the picture; three if not given
 };
@@ -92,6 +94,16 @@ void describe_crowding(Command_run& run, Statistics& statistics, const Conformal
 // numbers of flips and the size of the output.
 void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_part& part,
                     const Output_mesh& result);
+
+// Adds the radii of the circles in the image, zero at vertices of the subdivision alone.
+template <class Radius>
+void add_radii(Output_mesh& mesh, const Map_part& part, const Radius& radius)
+{
+  std::vector<double> radii(part.vertices().size(), 0.);
+  for(const Mesh::Vertex_index v : part.mapped_mesh().vertices())
+    radii[v] = radius(CGAL::Discrete_conformal_maps::Vertex_index(v.idx()));
+  mesh.point_data.push_back({"radius", std::move(radii)});
+}
 
 // Shows the common subdivision of a map on a page, with scale factors, the curvature of the input
 // and the distortion of the map, and histograms of the angles of the input and its intrinsic

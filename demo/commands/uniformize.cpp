@@ -7,17 +7,22 @@
 #include "Program_error.h"
 #include "commands/attempts.h"
 #include "commands/component_maps.h"
+#include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
@@ -30,7 +35,7 @@ constexpr const char* uniformize_help =
   a torus       flat, as with `intrinsic flatten --cones none`
   a cylinder    with two boundaries and no handles: flat, with straight boundaries
   hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
---svg and --tiles are for hyperbolic surfaces, --homogeneous for these and flat ones.
+--svg and --tiles are for hyperbolic surfaces, --homogeneous and --radii for these and flat ones.
 
 Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
 generators of its lattice in the fundamental domain of the modular group, as real and imaginary
@@ -46,11 +51,15 @@ choose one; --view, --picture and --svg show only one.
 Example:
   intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
 
-DCM::Uniformization uniformized(Command_run& run, const Mesh& mesh, double epsilon)
+DCM::Uniformization uniformized(Command_run& run, const Mesh& mesh, double epsilon,
+                                const std::vector<double>& radii)
 {
   Stage_visitor visitor{run};
+  const auto radius =
+    boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh));
   return DCM::uniformize(mesh, DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
                                  .mollification(epsilon)
+                                 .vertex_radius_map(radius)
                                  .visitor(std::ref(visitor)));
 }
 
@@ -82,12 +91,29 @@ std::string add(Component_maps& maps, const Component_mesh& component, Statistic
   return result.spherical() ? summary : type + ": " + summary;
 }
 
+// The radii at the vertices of a component.
+std::vector<double> part_of(const std::vector<double>& radii, const Component_mesh& component)
+{
+  std::vector<double> result;
+  for(const Mesh::Vertex_index v : component.vertices)
+    result.push_back(radii[v]);
+  return result;
+}
+
 double right_end(const Mesh& mesh)
 {
   double result = 0;
   for(const Mesh::Vertex_index v : mesh.vertices())
     result = (std::max)(result, mesh.point(v).x());
   return result;
+}
+
+// The mollification and the radii of circles.
+std::pair<double, std::vector<double>> built(Command_run& run, const Hyperbolic_options& options)
+{
+  return run.timed("build", [&] {
+    return std::make_pair(mollification(run), vertex_radii(options.radii, run.input()));
+  });
 }
 
 // Spheres stand beside the mesh, if other components are there.
@@ -108,9 +134,11 @@ int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_for
   if(has_other_ones)
     maps.set_first_center(right_end(run.input().mesh) + 1.5);
   run.plan({{"build"}, map_stages(has_flat_ones)});
-  const double epsilon = run.timed("build", [&] { return mollification(run); });
-  maps.for_each([&](const Component_mesh& component, Statistics& statistics) {
-    return add(maps, component, statistics, uniformized(run, component.mesh, epsilon),
+  const auto [epsilon, radii] = built(run, options);
+  maps.for_each([&, epsilon = epsilon, &radii = radii](const Component_mesh& component,
+                                                       Statistics& statistics) {
+    return add(maps, component, statistics,
+               uniformized(run, component.mesh, epsilon, part_of(radii, component)),
                map_output(options, format));
   });
   return maps.finish(map_output(options, format));
@@ -139,8 +167,8 @@ int map_surface(Command_run& run, const Hyperbolic_options& options, Mesh_format
   run.statistics()["surface_type"] = DCM::to_string(type);
   check_options(options, type);
   run.plan({{"build"}, map_stages(is_flat(type))});
-  const double epsilon = run.timed("build", [&] { return mollification(run); });
-  const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon);
+  const auto [epsilon, radii] = built(run, options);
+  const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon, radii);
   const Map_output output = map_output(options, format);
   if(result.modulus)
     run.statistics()["modulus"] = description(*result.modulus);
@@ -166,6 +194,7 @@ void define_uniformize(Command_line& line)
     "uniformize", "Compute the conformal metric of constant curvature that suits the topology",
     uniformize, uniformize_help);
   add_texture_output(command, options);
+  add_radii(command, options.radii);
   add_tiling(command, options);
   add_keep_going(command, line.common());
   add_components(command, line.common());

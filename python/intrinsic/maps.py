@@ -200,6 +200,12 @@ class HyperbolicMap(ConformalMap):
         """The greatest hyperbolic distance of a point from the center of the disk."""
         return float(self._core.radius())
 
+    @property
+    def radii(self) -> Floats:
+        """The hyperbolic radius of the circle at each vertex, (n,); zero without a circle."""
+        radii: Floats = self._core.radii()
+        return radii
+
 
 AnyMap = TypeVar("AnyMap", bound=ConformalMap)
 
@@ -228,6 +234,15 @@ def _vertex_values(values: Any, n: int, name: str) -> tuple[Integers, Floats]:
         vertices = integers(list(values.keys()), (None,), f"the vertices of {name}", n, "vertices")
         return vertices, floats(list(values.values()), (len(vertices),), f"the values of {name}")
     return np.arange(n), floats(values, (n,), name)
+
+
+def _one_for_each(on: _core.Surface, values: Any, name: str) -> Floats:
+    """Return a value for each vertex; zero if none is given."""
+    result = np.zeros(on.number_of_vertices())
+    if values is not None:
+        vertices, given = _vertex_values(values, len(result), name)
+        result[vertices] = given
+    return result
 
 
 _SHAPES = ("disk", "rectangle")
@@ -376,10 +391,7 @@ def flatten(
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
     kind, values = _conditions(on, cones, boundary, boundary_values)
-    radius = np.zeros(on.number_of_vertices())
-    if radii is not None:
-        vertices, given = _vertex_values(radii, len(radius), "radii")
-        radius[vertices] = given
+    radius = _one_for_each(on, radii, "radii")
 
     def compute(slack: float) -> FlatMap:
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,
@@ -426,14 +438,15 @@ def to_sphere(
 
 
 def to_hyperbolic(
-    V: Any, F: ArrayLike | None = None, *, cones: Any = None, lengths: ArrayLike | None = None,
-    mollify: float | str = "auto", progress: Progress | None = None,
+    V: Any, F: ArrayLike | None = None, *, cones: Any = None, radii: Any = None,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+    progress: Progress | None = None,
 ) -> HyperbolicMap:
     """Map a surface to the hyperbolic plane, discretely conformally.
 
     Parameters
     ----------
-    V, F, lengths, mollify, progress
+    V, F, radii, lengths, mollify, progress
         As of `flatten()`. Every component has genus two or more, or enough boundaries or cones.
     cones : mapping or (n,) floats
         Angle defects, in radians; zero if not given.
@@ -444,12 +457,10 @@ def to_hyperbolic(
     """
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
-    curvatures = np.zeros(on.number_of_vertices())
-    if cones is not None:
-        vertices, defects = _vertex_values(cones, len(curvatures), "cones")
-        curvatures[vertices] = defects
+    curvatures = _one_for_each(on, cones, "cones")
+    radius = _one_for_each(on, radii, "radii")
     return attempt(mollify, lambda slack: _checked(
-        HyperbolicMap(on, _core.to_hyperbolic(on, curvatures, slack, progress))))
+        HyperbolicMap(on, _core.to_hyperbolic(on, curvatures, radius, slack, progress))))
 
 
 @dataclass(frozen=True)
@@ -473,15 +484,15 @@ class Uniformization:
 
 
 def uniformize(
-    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    V: Any, F: ArrayLike | None = None, *, radii: Any = None, lengths: ArrayLike | None = None,
     mollify: float | str = "auto", progress: Progress | None = None,
 ) -> Uniformization:
     """Give a connected surface the conformal metric of constant curvature that suits its topology.
 
     Parameters
     ----------
-    V, F, lengths, mollify, progress
-        As of `flatten()`.
+    V, F, radii, lengths, mollify, progress
+        As of `flatten()`. Spheres and disks cannot have radii.
 
     Returns
     -------
@@ -499,9 +510,10 @@ def uniformize(
     """
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
+    radius = _one_for_each(on, radii, "radii")
 
     def compute(slack: float) -> Uniformization:
-        kind, core, modulus = _core.uniformize(on, slack, progress)
+        kind, core, modulus = _core.uniformize(on, radius, slack, progress)
         return Uniformization(kind, _checked(_bound(on, core)), modulus)
 
     return attempt(mollify, compute)

@@ -124,6 +124,7 @@ mapped_to_sphere(const Shared_surface& surface, double mollification, const py::
 
 std::unique_ptr<Bound_hyperbolic_map> mapped_to_hyperbolic(const Shared_surface& surface,
                                                            const Number_array& curvatures,
+                                                           const Number_array& radii,
                                                            double mollification,
                                                            const py::object& progress)
 {
@@ -132,12 +133,13 @@ std::unique_ptr<Bound_hyperbolic_map> mapped_to_hyperbolic(const Shared_surface&
     std::vector<DCM::Vertex_condition> conditions;
     for(const double c : vector_of(curvatures))
       conditions.push_back(DCM::Vertex_condition::curvature(c));
-    const auto condition = boost::make_iterator_property_map(
-      conditions.begin(), get(boost::vertex_index, surface->mesh));
+    const auto index = get(boost::vertex_index, surface->mesh);
+    const auto condition = boost::make_iterator_property_map(conditions.begin(), index);
     auto map =
       with_lengths(*surface,
                    DCM::parameters::mollification(mollification)
                      .vertex_condition_map(condition)
+                     .vertex_radius_map(boost::make_iterator_property_map(radii.data(), index))
                      .visitor(std::ref(watch)),
                    [&](const auto& np) { return DCM::uniformize_hyperbolic(surface->mesh, np); });
     return std::make_unique<Bound_hyperbolic_map>(
@@ -325,13 +327,17 @@ py::object bound(const Shared_surface& surface, Map map, std::size_t iterations)
 }
 
 // The type of the surface, the map, and the modulus or None.
-py::tuple uniformized(const Shared_surface& surface, double mollification,
-                      const py::object& progress)
+py::tuple uniformized(const Shared_surface& surface, const Number_array& radii,
+                      double mollification, const py::object& progress)
 {
   Watch watch(progress, "build");
   DCM::Uniformization result = released([&] {
+    const auto radius =
+      boost::make_iterator_property_map(radii.data(), get(boost::vertex_index, surface->mesh));
     return with_lengths(*surface,
-                        DCM::parameters::mollification(mollification).visitor(std::ref(watch)),
+                        DCM::parameters::mollification(mollification)
+                          .vertex_radius_map(radius)
+                          .visitor(std::ref(watch)),
                         [&](const auto& np) { return DCM::uniformize(surface->mesh, np); });
   });
   py::object map = std::visit(
@@ -364,6 +370,10 @@ void bind_maps(py::module_& module)
   bind_map<DCM::Hyperbolic_conformal_map>(module, "HyperbolicMap")
     .def("area", [](const Bound_hyperbolic_map& self) { return self.map.area(); })
     .def("radius", [](const Bound_hyperbolic_map& self) { return self.map.radius(); })
+    .def("radii",
+         [](const Bound_hyperbolic_map& self) {
+           return at_vertices(self, [&](auto v) { return self.map.circle_radius(v); });
+         })
     .def("subdivision", &flat_subdivision<DCM::Hyperbolic_conformal_map>);
   module.def("flatten",
              [](const Shared_surface& surface, const std::string& cones, double maximum_log_scale,

@@ -228,6 +228,47 @@ class Uniform(unittest.TestCase):
         self.assertAlmostEqual(m.area, 4 * np.pi, 6)  # 2 pi (2 genus - 2)
         self.assertLess(np.linalg.norm(m.subdivision.image, axis=1).max(), 1)
 
+    def test_circles(self):
+        V, F = support.meshes()["two_handles"]
+        sides = np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]])
+        lengths = np.linalg.norm(V[sides[:, 0]] - V[sides[:, 1]], axis=1)
+        radii = np.full(len(V), np.inf)
+        np.minimum.at(radii, sides[:, 0], lengths / 2.5)
+        radii[::3] = 0
+        m = intrinsic.to_hyperbolic(V, F, radii=radii)
+        self.assertEqual(m.status, "success")
+        self.assertAlmostEqual(m.area, 4 * np.pi, 6)
+        np.testing.assert_allclose(np.tanh(m.radii), 2 * radii * np.exp(m.log_scale), rtol=1e-12)
+        # sides that were not flipped keep their inversive distances
+        compared = 0
+        order = {tuple(s): n for s, n in zip(np.sort(sides, axis=1), lengths)}
+        S = m.subdivision
+        for face, z in zip(S.F, S.uv):
+            for k in range(3):
+                side = tuple(sorted((int(face[k]), int(face[(k + 1) % 3]))))
+                r, s = (radii[list(side)] if side in order else (0, 0))
+                p, q = z[k], z[(k + 1) % 3]
+                if r * s == 0 or max(p @ p, q @ q) > 0.9:
+                    continue
+                a, b = m.radii[list(side)]
+                cosh = 1 + 2 * (p - q) @ (p - q) / ((1 - p @ p) * (1 - q @ q))
+                after = (cosh - np.cosh(a) * np.cosh(b)) / (np.sinh(a) * np.sinh(b))
+                before = (order[side] ** 2 - r ** 2 - s ** 2) / (2 * r * s)
+                self.assertAlmostEqual(after / before, 1, 6)
+                compared += 1
+        self.assertGreater(compared, 20)
+        same = intrinsic.uniformize(V, F, radii=dict(enumerate(radii))).map
+        np.testing.assert_array_equal(same.subdivision.image, S.image)
+        zero = intrinsic.to_hyperbolic(V, F, radii=np.zeros(len(V)))
+        np.testing.assert_array_equal(zero.subdivision.image,
+                                      intrinsic.to_hyperbolic(V, F).subdivision.image)
+        np.testing.assert_array_equal(zero.radii, 0)
+        for wrong in ({0: -1}, {1: 10}, {len(V): 0}):
+            with self.assertRaises(intrinsic.InputError):
+                intrinsic.to_hyperbolic(V, F, radii=wrong)
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.uniformize(*support.meshes()["cube"], radii={0: 0.1})
+
     def test_torus_from_lengths(self):
         # A rectangle of 1 x 2 with its sides glued, in 3 x 4 squares of two faces.
         n, m = 3, 4

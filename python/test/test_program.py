@@ -163,6 +163,12 @@ class Program(unittest.TestCase):
         m = intrinsic.to_hyperbolic(V, F)
         assert_array_equal(m.subdivision.image, files["out.obj"].texture)
         self.assertEqual(m.area, stats["area"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "radii.txt")
+            path.write_text("".join(f"{v} 0.01\n" for v in range(len(V))))
+            _, files, _ = run_program("hyperbolic", V, F, "--radii", str(path), output="out.obj")
+        m = intrinsic.to_hyperbolic(V, F, radii=np.full(len(V), 0.01))
+        assert_array_equal(m.subdivision.image, files["out.obj"].texture)
 
     def test_info(self):
         for V, F in self.each():

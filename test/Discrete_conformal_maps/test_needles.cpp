@@ -281,6 +281,40 @@ TEST(Needles, may_have_circles)
     }
 }
 
+// Scale factors do not depend on the start of the search, from five starts.
+TEST(Needles, with_circles_have_one_map)
+{
+  for(const double d : {1e-8, 1e-17}) {
+    Portable_random random(3);
+    const Mesh sphere = with_vertices_at_origin(sphere_at_origin(40, random), d, random);
+    const std::vector<double> radii = short_radii(sphere, random);
+    Conditions conditions(radii.size()); // four cones
+    for(std::size_t v : {5u, 10u, 15u, 20u})
+      conditions[v] = Vertex_condition::curvature(pi);
+    const auto map_from = [&](double spread) {
+      std::vector<double> start;
+      for(std::size_t v = 0; v < radii.size(); ++v)
+        start.push_back(spread * random.get_double(-1, 1));
+      const auto values_of = [](const std::vector<double>& values) {
+        return boost::make_function_property_map<Vertex_index>(
+          [&values](Vertex_index v) { return values[v.idx()]; });
+      };
+      return DCM::flatten(sphere, DCM::parameters::vertex_radius_map(values_of(radii))
+                                    .initial_log_scale_map(values_of(start))
+                                    .vertex_condition_map(Test_surfaces::as_map(conditions)));
+    };
+    const Planar_conformal_map first = map_from(0);
+    check_success(first);
+    for(int i = 0; i < 5; ++i) {
+      const Planar_conformal_map map = map_from(2);
+      check_success(map);
+      for(Vertex_index v : sphere.vertices())
+        EXPECT_NEAR(map.log_scale(v) - map.log_scale(Vertex_index(0)),
+                    first.log_scale(v) - first.log_scale(Vertex_index(0)), 1e-8);
+    }
+  }
+}
+
 // A cone can be placed at one of several near vertices.
 TEST(Needles, may_have_cones)
 {

@@ -120,6 +120,14 @@ TEST(Pack_circles, touch_on_random_spheres)
   }
 }
 
+// Flips an edge unless that joins two vertices twice.
+void flip(Mesh::Halfedge_index h, Mesh& mesh)
+{
+  const auto a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(mesh.opposite(h)));
+  if(a != b && !mesh.halfedge(a, b).is_valid())
+    CGAL::Euler::flip_edge(h, mesh);
+}
+
 TEST(Pack_circles, touch_after_random_flips)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {
@@ -128,13 +136,32 @@ TEST(Pack_circles, touch_after_random_flips)
     for(int i = 0; i < 10000; ++i) {
       const Mesh::Halfedge_index h(
         static_cast<Mesh::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
-      const auto a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(mesh.opposite(h)));
-      if(a != b && !mesh.halfedge(a, b).is_valid())
-        CGAL::Euler::flip_edge(h, mesh);
+      flip(h, mesh);
     }
     const Circle_packing packing = DCM::pack_circles(mesh);
     EXPECT_EQ(packing.status(), DCM::Map_status::success) << seed;
     check_tangencies(packing, mesh);
+  }
+}
+
+// Vertices in random faces: circles shrink fast. With flips of some edges they do so less.
+TEST(Pack_circles, touch_in_nested_triangulations)
+{
+  for(unsigned int seed = 0; seed < 12; ++seed) {
+    CGAL::Random random(seed);
+    Mesh mesh = tetrahedron();
+    const auto edge = [&] {
+      return Mesh::Halfedge_index(
+        static_cast<Mesh::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
+    };
+    while(mesh.number_of_vertices() < 8u << seed % 6u)
+      CGAL::Euler::add_center_vertex(edge(), mesh);
+    for(std::size_t i = 0; i < (seed % 3) * mesh.number_of_edges(); ++i)
+      flip(edge(), mesh);
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status(), DCM::Map_status::success) << seed;
+    check_tangencies(packing, mesh);
+    check_disjoint(packing, mesh);
   }
 }
 

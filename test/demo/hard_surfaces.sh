@@ -77,15 +77,15 @@ expect_counts() { # PROGRAM COUNTS: maps, found, crowded, failed, too slow, cont
   counts=$(grep '^| all' table | head -1 | tr -d ' ' | cut -d'|' -f4-10)
   [ "$counts" = "$2" ] || fail "$1: $counts instead of $2"
 }
-expect_counts right '8|8|0|0|0|0|0'
-expect_counts liar '8|8|0|0|0|8|0'
-expect_counts lost '8|8|0|0|0|8|0'
-expect_counts crowded '8|0|8|0|0|0|0'
-expect_counts mollified '8|8|0|0|0|0|8'
-expect_counts fails '8|0|0|8|0|0|0'
+expect_counts right '11|11|0|0|0|0|0'
+expect_counts liar '11|11|0|0|0|11|0'
+expect_counts lost '11|11|0|0|0|11|0'
+expect_counts crowded '11|0|11|0|0|0|0'
+expect_counts mollified '11|11|0|0|0|0|11'
+expect_counts fails '11|0|0|11|0|0|0'
 [ ! -s right.txt ] || fail 'complaints about what is right'
 grep -q '^polygons_0.off disk: max_curvature_error 0.001' liar.txt || fail 'what is contradictory'
-for map in plane disk rectangle sphere; do
+for map in plane circles disk rectangle sphere; do
   grep -q "^polygons_0.off $map: failure" fails.txt || fail "no $map of a polygon"
 done
 grep -q '^limbs_0.off disk' fails.txt && fail 'a disk of a sphere'

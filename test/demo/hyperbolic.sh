@@ -43,6 +43,20 @@ plate()
     }' >"$1.mesh.off"
 }
 
+# join A B: both meshes as components of one.
+join()
+{
+  awk 'FNR == 2 { n[++file] = $1; faces += $2 }
+    FNR > 2 { if(FNR - 2 <= n[file]) point[++points] = $0
+      else face[++m] = $1 " " $2 + from " " $3 + from " " $4 + from }
+    FNR == 2 && file == 2 { from = n[1] }
+    END {
+      print "OFF\n" points, m, 0
+      for(i = 1; i <= points; ++i) print point[i]
+      for(i = 1; i <= m; ++i) print face[i]
+    }' "$1" "$2"
+}
+
 # Closed surfaces: the area is that of Gauss and Bonnet.
 for holes in 2 3; do
   plate plate$holes $holes
@@ -95,6 +109,28 @@ refuses 'the surface is a sphere, which is hyperbolic only with cones: use unifo
 for v in 0 1 2 3; do echo "$v 1"; done >few.mesh.txt
 refuses 'its area would be -8.56637 (Gauss-Bonnet)' \
   hyperbolic regular.mesh.off -o plate.obj --cones few.mesh.txt
+
+# Its circles that touch at midpoints still do so: by symmetry, radii are half of the side of a
+# regular triangle with three angles of pi / 6.
+for v in 0 1 2 3; do echo "$v $(awk 'BEGIN { printf "%.17g", sqrt(2) }')"; done >circles.mesh.txt
+expect 0 hyperbolic regular.mesh.off -o plate.ply --cones cones.mesh.txt --radii circles.mesh.txt
+claim "r = list(ply('plate.ply').vertex['radius'])" \
+  'near(r[:4], [acosh(1 / (2 * sin(pi / 12)))] * 4, 1e-10)'
+# Radii of zero leave the bytes.
+awk '{ print $1, 0 }' circles.mesh.txt >zeros.mesh.txt
+expect 0 hyperbolic plate2.mesh.off -o plate.ply
+expect 0 hyperbolic plate2.mesh.off -o zero.ply --radii zeros.mesh.txt
+cmp plate.ply zero.ply
+for v in $(seq 0 3 40); do echo "$v 0.4"; done >circles.mesh.txt
+expect 0 hyperbolic plate2.mesh.off -o plate.ply --radii circles.mesh.txt --stats plate.json
+claim "s = json('plate.json')" 'near(s.area, 4 * pi, 1e-9)' "p = ply('plate.ply').vertex" \
+  "u, r = [list(p[k]) for k in ('log_scale', 'radius')]" "n = sum(x > 0 for x in r)" 'n == 14' \
+  'near(r[:41:3], [atanh(0.8 * exp(x)) for x in u[:41:3]], 1e-12)'
+expect 0 uniformize plate2.mesh.off -o zero.ply --radii circles.mesh.txt
+cmp plate.ply zero.ply
+refuses 'no sphere is known for circles at the vertices' \
+  uniformize regular.mesh.off --radii circles.mesh.txt -o plate.ply
+rm zero.ply plate.ply
 
 # A component with boundary has its own genus and area, not those of its double: with geodesic
 # boundaries, 2 pi (2 genus - 2 + boundaries), by Gauss and Bonnet.
@@ -163,6 +199,20 @@ awk -v m=80 -v n=40 -v pi=$pi 'BEGIN {
 expect 0 uniformize torus.mesh.off -o plate.obj --stats plate.json
 claim "s = json('plate.json')" "s.surface_type == 'torus'" 'near(s.modulus[0], 0, 1e-9)' \
   'near(s.modulus[1], sqrt(8), 0.02)'
+
+# Circles on it are mapped as by flatten. Beside another component they keep their vertices.
+for v in $(seq 0 2 3199); do echo "$v 0.03"; done >circles.mesh.txt
+expect 0 uniformize torus.mesh.off -o a.ply --radii circles.mesh.txt --stats plate.json
+expect 0 flatten torus.mesh.off -o b.ply --radii circles.mesh.txt --cones none
+claim "near(json('plate.json').modulus[0], 0, 1e-9)" \
+  "a, b = [list(ply(f).vertex['radius']) for f in ('a.ply', 'b.ply')]" 'a == b' \
+  'near([x > 0 for x in a[:4]], [1, 0, 1, 0], 0)'
+join regular.mesh.off torus.mesh.off >both.mesh.off
+awk '{ print $1 + 4, $2 }' circles.mesh.txt >moved.mesh.txt
+expect 0 uniformize both.mesh.off -o b.ply --radii moved.mesh.txt
+claim "a, b = [list(ply(f).vertex['radius']) for f in ('a.ply', 'b.ply')]" 'b[:4] == [0] * 4' \
+  'b[4:3204] == a[:3200]'
+rm a.ply b.ply
 
 # A cylinder, a disk, and what is hyperbolic.
 awk -v n=12 -v pi=$pi -v OFMT=%.17g 'BEGIN {

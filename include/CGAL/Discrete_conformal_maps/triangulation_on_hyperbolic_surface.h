@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_TRIANGULATION_ON_HYPERBOLIC_SURFACE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_TRIANGULATION_ON_HYPERBOLIC_SURFACE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#if __has_include(<CGAL/Triangulation_on_hyperbolic_surface_2.h>) || defined(DOXYGEN_RUNNING)
+#include <CGAL/Triangulation_on_hyperbolic_surface_2.h>
+
+namespace CGAL::Discrete_conformal_maps {
+
+namespace internal {
+
+// Returns where the apex of the face of `h` lies in the Poincare disk, as seen from the source of
+// `side`, a side of this face: at an angle from the edge of `h`, which is real.
+inline std::complex<double> apex_seen_from(Halfedge_index side, double sign,
+                                           const Hyperbolic_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const auto sinh_half = [&](Halfedge_index h) { return std::sinh(map.length(mesh.edge(h)) / 2); };
+  const Hyperbolic_triangle<double> face(
+    {sinh_half(side), sinh_half(mesh.next(side)), sinh_half(mesh.prev(side))});
+  const Halfedge_index to_apex = sign > 0 ? mesh.prev(side) : side;
+  return std::polar(std::tanh(map.length(mesh.edge(to_apex)) / 2), sign * face.angle(0));
+}
+
+// Returns the cross ratio (d - b) (c - a) / ((d - a) (c - b)) of an edge. It leads from c to a, and
+// b and d are the apexes on its left and right. They lie around c in the origin of the disk.
+inline std::complex<double> cross_ratio(Halfedge_index h, const Hyperbolic_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const std::complex<double> a = std::tanh(map.length(mesh.edge(h)) / 2),
+                             b = apex_seen_from(h, 1, map),
+                             d = apex_seen_from(mesh.next(mesh.opposite(h)), -1, map);
+  return (d - b) * a / ((d - a) * b);
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// returns \f$T_3\f$ as a triangulation on a hyperbolic surface of CGAL. It represents a component,
+/// or the double of a component with boundary. Without circles it is Delaunay up to rounding.
+///
+/// The function exists if CGAL has the package `Triangulation_on_hyperbolic_surface_2`, since
+/// version 6.1.
+///
+/// Cross ratios of edges are rounded. They follow from lengths around the edge in double precision,
+/// so that distances from the origin of the disk do not count. The anchor is the first face, with
+/// its positions in the disk. CGAL derives all other positions from cross ratios, and adds up their
+/// errors. With an exact number type, the numbers are exactly these roundings.
+///
+/// \tparam Traits a model of `HyperbolicSurfaceTraits_2`, whose `FT` is constructed from `double`
+/// \param map a map that is laid out
+/// \param component the component
+///
+/// Complexity: linear, except for checks of CGAL.
+/// \throws Intrinsic_triangulations::Invalid_input if the component has cones, which hyperbolic
+///   surfaces of CGAL have not
+/// \pre `map.is_laid_out()`
+template <typename Traits>
+CGAL::Triangulation_on_hyperbolic_surface_2<Traits>
+triangulation_on_hyperbolic_surface(const Hyperbolic_conformal_map& map, std::size_t component = 0)
+{
+  typedef CGAL::Triangulation_on_hyperbolic_surface_2<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+  if(map.group(component).relation.empty())
+    throw Intrinsic_triangulations::Invalid_input(
+      "a triangulation on a hyperbolic surface has no cones");
+  const Delta_complex& mesh = map.ideal().mesh();
+  typename Triangulation::Combinatorial_map_with_cross_ratios darts;
+  std::vector<typename Triangulation::Dart_descriptor> dart(mesh.number_of_halfedges());
+  typename Triangulation::Anchor anchor;
+  bool has_anchor = false;
+  for(Face_index f : mesh.faces()) {
+    if(map.component(f) != component)
+      continue;
+    const auto side = sides(f, mesh);
+    auto next = darts.make_combinatorial_polygon(3);
+    for(Halfedge_index h : side) {
+      dart[h.idx()] = next;
+      next = darts.template beta<1>(next);
+    }
+    if(has_anchor)
+      continue;
+    has_anchor = true;
+    anchor.dart = next;
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::complex<double> z = map.position(side[k]);
+      anchor.vertices[k] = typename Traits::Hyperbolic_point_2(FT(z.real()), FT(z.imag()));
+    }
+  }
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    if(map.component(mesh.face(h)) != component)
+      continue;
+    const std::complex<double> ratio = internal::cross_ratio(h, map);
+    darts.template sew<2>(dart[h.idx()], dart[mesh.opposite(h).idx()]);
+    darts.template set_attribute<1>(
+      dart[h.idx()], darts.template create_attribute<1>(
+                       typename Traits::Complex(FT(ratio.real()), FT(ratio.imag()))));
+  }
+  return Triangulation(darts, anchor);
+}
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL has hyperbolic surfaces
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_TRIANGULATION_ON_HYPERBOLIC_SURFACE_H
