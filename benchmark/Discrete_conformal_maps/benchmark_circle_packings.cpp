@@ -36,8 +36,7 @@ double tangency_error(const DCM::Circle_packing& packing, const Mesh& mesh)
     const auto a = circle(0), b = circle(1);
     const double chord =
       std::hypot(a.center[0] - b.center[0], a.center[1] - b.center[1], a.center[2] - b.center[2]);
-    const double error =
-      std::abs(2 * std::asin((std::min)(1., chord / 2)) - (a.angle + b.angle));
+    const double error = std::abs(2 * std::asin((std::min)(1., chord / 2)) - (a.angle + b.angle));
     result = error <= result ? result : error; // NaN is kept
   }
   return result;

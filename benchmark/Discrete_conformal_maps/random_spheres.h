@@ -23,8 +23,8 @@ inline constexpr std::array<const char*, 3> random_sphere_names{
 template <typename Random>
 Mesh::Halfedge_index random_halfedge(const Mesh& mesh, Random& random)
 {
-  return Mesh::Halfedge_index(static_cast<Mesh::size_type>(
-    random.get_int(0, static_cast<int>(mesh.number_of_halfedges()))));
+  return Mesh::Halfedge_index(
+    static_cast<Mesh::size_type>(random.get_int(0, static_cast<int>(mesh.number_of_halfedges()))));
 }
 
 // Tries to flip random edges, as often as that, and keeps the triangulation simplicial.

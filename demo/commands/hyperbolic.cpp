@@ -242,7 +242,8 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
     const Cones cones = cones_of(conditions, mesh);
     if(options.depth && !cones.empty())
       throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
-    return finish(run, map_output(options, format, cones), uniformized(run, epsilon, conditions, radii));
+    return finish(run, map_output(options, format, cones),
+                  uniformized(run, epsilon, conditions, radii));
   });
 }
 

@@ -122,11 +122,9 @@ mapped_to_sphere(const Shared_surface& surface, double mollification, const py::
   });
 }
 
-std::unique_ptr<Bound_hyperbolic_map> mapped_to_hyperbolic(const Shared_surface& surface,
-                                                           const Number_array& curvatures,
-                                                           const Number_array& radii,
-                                                           double mollification,
-                                                           const py::object& progress)
+std::unique_ptr<Bound_hyperbolic_map>
+mapped_to_hyperbolic(const Shared_surface& surface, const Number_array& curvatures,
+                     const Number_array& radii, double mollification, const py::object& progress)
 {
   Watch watch(progress, "build");
   return released([&] {

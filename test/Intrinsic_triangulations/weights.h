@@ -35,7 +35,7 @@ inline auto map_of(const std::vector<double>& weights)
 }
 
 inline std::vector<double> random_numbers(std::size_t n, double least, double greatest,
-                                   CGAL::Random& random)
+                                          CGAL::Random& random)
 {
   std::vector<double> result(n);
   std::generate(result.begin(), result.end(), [&] { return random.get_double(least, greatest); });

@@ -23,8 +23,9 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// Returns where the apex of the face of `h` lies in the Poincare disk, as seen from the source of
-// `side`, a side of this face: at an angle from the edge of `h`, which is real.
+// Returns the position of the apex of a face in the Poincare disk. A vertex of the edge is in the
+// origin, and the edge is real. `side` leaves this vertex in the face, and `sign` is the side of
+// the edge on which the face lies.
 inline std::complex<double> apex_seen_from(Halfedge_index side, double sign,
                                            const Hyperbolic_conformal_map& map)
 {
