@@ -40,8 +40,9 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// The radii of the circles at the vertices, from a property of vertices or a file; zero where a file
-// says nothing, and everywhere if `source` is empty. Throws Program_error if the file is wrong.
+// The radii of the circles at the vertices, from a property of vertices or a file: zero where a
+// file says nothing, and everywhere if `source` is empty. Throws Program_error if the file is
+// wrong.
 std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input);
 
 void add_radii(CLI::App& command, std::string& source);
