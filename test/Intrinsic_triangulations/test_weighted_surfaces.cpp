@@ -201,36 +201,26 @@ std::vector<double> least_squares_of_lengths(Triangulation t)
   return result;
 }
 
-constexpr std::uintmax_t largest_file =
-#ifdef LARGEST_DATA_MESH
-  LARGEST_DATA_MESH;
-#else
-  100000;
-#endif
+constexpr std::uintmax_t largest_file = 100000;
 
-// Weights of any sign, which hide some of the vertices.
+// Weights of any sign, too small to hide a vertex.
 TEST(Weighted_Delaunay, of_data_meshes_holds_in_fifty_digits)
 {
   CGAL::Random random(10);
-  std::size_t meshes = 0, hidden_vertices = 0;
-  double least = 0;
+  std::size_t meshes = 0;
   for_each_data_mesh(largest_file, [&](const Mesh& mesh) {
     Triangulation t(mesh);
     std::vector<double> weights = least_squares_of_lengths(t);
     for(double& w : weights)
-      w *= std::isfinite(w) ? random.get_double(-2, 2) : 0;
+      w *= std::isfinite(w) ? random.get_double(-0.5, 0.5) : 0;
     const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
     EXPECT_TRUE(IT::is_weighted_Delaunay(t, result.weight_map()));
     EXPECT_TRUE(t.is_valid());
-    const double excess = least_dual_edge(t, result.weights);
-    std::cout << mesh.number_of_vertices() << ' ' << result.flips << ' '
-              << result.hidden_vertices.size() << ' ' << excess << std::endl;
-    EXPECT_GT(excess, -1e-9);
-    least = (std::min)(least, excess);
-    hidden_vertices += result.hidden_vertices.size();
+    EXPECT_TRUE(result.hidden_vertices.empty());
+    EXPECT_GT(least_dual_edge(t, result.weights), -1e-9);
     ++meshes;
   });
-  std::cout << meshes << ' ' << hidden_vertices << ' ' << least << std::endl;
+  EXPECT_GT(meshes, 60u);
 }
 
 // Circles that do not meet, by exact decisions.
@@ -238,7 +228,6 @@ TEST(Weighted_Delaunay, of_data_meshes_is_exact_for_circles)
 {
   CGAL::Random random(11);
   std::size_t meshes = 0;
-  double least = 1;
   for_each_data_mesh(largest_file, [&](const Mesh& mesh) {
     Triangulation t(mesh);
     std::vector<double> radii = least_squares_of_lengths(t), weights;
@@ -251,12 +240,10 @@ TEST(Weighted_Delaunay, of_data_meshes_is_exact_for_circles)
     const auto result = IT::internal::flip_exactly_with_circles(t, map_of(radii), visitor);
     EXPECT_TRUE(result.hidden_vertices.empty());
     EXPECT_TRUE(t.is_valid());
-    const double excess = least_dual_edge(t, weights);
-    EXPECT_GT(excess, -1e-30);
-    least = (std::min)(least, excess);
+    EXPECT_GT(least_dual_edge(t, weights), -1e-30);
     ++meshes;
   });
-  std::cout << meshes << ' ' << least << std::endl;
+  EXPECT_GT(meshes, 60u);
 }
 
 } // namespace Test_weighted_surfaces
