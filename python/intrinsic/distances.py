@@ -114,7 +114,7 @@ def distance(
         kind = "heat"
     T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
     with T._lock:
-        values, about = _core.distances(T._core, *_sources(sources, T), kind, factor)
+        values, about = _core.distances(T._core, *_sources(sources, T), kind, factor, progress)
     values = values[: T._core.number_of_input_vertices()]
     return Distances(values, about["method"], about.get("relative_error")) if full else values
 

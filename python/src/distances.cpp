@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <functional>
 #include <optional>
 
 namespace {
@@ -127,12 +128,15 @@ py::dict description_of(const IT::Geodesic_distances<double>& distances)
 
 py::tuple distances(const Bound_triangulation& self, const Index_array& vertices,
                     const Index_array& faces, const Number_array& coordinates,
-                    const std::string& method, std::optional<double> time_step_factor)
+                    const std::string& method, std::optional<double> time_step_factor,
+                    const py::object& progress)
 {
+  Watch watch(progress, "windows");
   IT::Geodesic_distances<double> result = released([&] {
     const auto sources =
       sources_across(self, sources_of(vertices, faces, coordinates, self.triangulation()));
-    const auto np = IT::parameters::distance_method(method_named(method));
+    const auto np =
+      IT::parameters::distance_method(method_named(method)).visitor(std::ref(watch));
     const std::vector<Point> points = vertex_positions(self);
     if(points.empty())
       return measured(self, sources, time_step_factor, np);
@@ -176,14 +180,14 @@ class Bound_paths
   typedef std::decay_t<decltype(std::declval<const Triangulation&>().input())> Input;
 
 public:
-  Bound_paths(const Bound_triangulation& self, const Sources& sources)
+  Bound_paths(const Bound_triangulation& self, const Sources& sources, Watch& watch)
     : m_input(self.triangulation().input()), m_paths(m_input)
   {
     for(const IT::Vertex_index v : sources.vertices)
       m_paths.add_source(v);
     for(const Location& p : sources.points)
       m_paths.add_source(p);
-    m_paths.run();
+    m_paths.run(IT::parameters::visitor(std::ref(watch)));
   }
 
   std::vector<double> distances(const std::vector<Location>& points) const
@@ -224,9 +228,11 @@ py::tuple shortest_path(const Bound_triangulation& self, const Index_array& face
                         const Number_array& coordinates)
 {
   const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  Watch watch(py::none(), "windows");
   const auto path = released([&] {
     const auto ends = locations_of(faces, coordinates, mesh.number_of_faces());
-    return IT::shortest_path(self.triangulation().input(), ends.at(0), ends.at(1));
+    return IT::shortest_path(self.triangulation().input(), ends.at(0), ends.at(1),
+                             IT::parameters::visitor(std::ref(watch)));
   });
   return path_arrays(path, mesh);
 }
@@ -328,12 +334,14 @@ py::tuple logarithms(const Bound_triangulation& self, std::int64_t source)
 {
   std::vector<std::complex<double>> vectors;
   std::vector<std::int64_t> statuses;
+  Watch watch(py::none(), "windows");
   released([&] {
     const IT::Vertex_index v = checked_vertex(source, self.triangulation());
     if(self.triangulation().input_mesh().is_isolated(v))
       throw Element_error("InputError", "vertex " + std::to_string(source) + " has no face",
                           {{"vertex", {std::size_t(source)}}});
-    for(const auto& logarithm : IT::logarithmic_map(self.triangulation().input(), v)) {
+    for(const auto& logarithm : IT::logarithmic_map(self.triangulation().input(), v,
+                                                    IT::parameters::visitor(std::ref(watch)))) {
       vectors.push_back(logarithm.vector);
       statuses.push_back(static_cast<std::int64_t>(logarithm.status));
     }
@@ -411,9 +419,10 @@ void bind_distances(py::module_& module)
   py::class_<Bound_paths>(module, "Paths")
     .def(py::init([](const Bound_triangulation& on, const Index_array& vertices,
                      const Index_array& faces, const Number_array& coordinates) {
+           Watch watch(py::none(), "windows");
            return released([&] {
              return std::make_unique<Bound_paths>(
-               on, sources_of(vertices, faces, coordinates, on.triangulation()));
+               on, sources_of(vertices, faces, coordinates, on.triangulation()), watch);
            });
          }),
          py::keep_alive<1, 2>())
