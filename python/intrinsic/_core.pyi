@@ -65,14 +65,10 @@ class Heat:
     def distances(
         self, on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats
     ) -> Floats: ...
-
-class Paths:
-    def __init__(
-        self, on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats
-    ) -> None: ...
-    def distances_of_vertices(self) -> Floats: ...
-    def distances(self, faces: Integers, coordinates: Floats) -> Floats: ...
-    def path(self, faces: Integers, coordinates: Floats) -> tuple[float, Integers, Floats]: ...
+    def distances_from_each(
+        self, on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats,
+        is_parallel: bool,
+    ) -> Floats: ...
 
 class Simplification:
     def __init__(
@@ -96,6 +92,10 @@ def distances(
     on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats, method: str,
     time_step_factor: float | None, progress: Progress,
 ) -> tuple[Floats, dict[str, Any]]: ...
+def distances_from_each(
+    on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats,
+    is_parallel: bool, progress: Progress,
+) -> Floats: ...
 def shortest_path(
     on: Triangulation, faces: Integers, coordinates: Floats
 ) -> tuple[float, Integers, Floats]: ...

@@ -120,6 +120,8 @@ class Interruption(unittest.TestCase):
         try:
             for call in (lambda: intrinsic.distance(T, None, 0, "exact"),
                          lambda: solver.distance(0),
+                         lambda: solver.from_each([0, 1, 2]),
+                         lambda: solver.from_each([0, 1, 2], parallel=True),
                          lambda: intrinsic.path(T, None, 0, far),
                          lambda: intrinsic.log_map(T, None, 0)):
                 with self.assertRaises(KeyboardInterrupt):

@@ -9,9 +9,9 @@
 #include "unfolding.h"
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/logarithmic_map.h>
-#include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
