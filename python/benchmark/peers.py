@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Prints a table of small tasks by `intrinsic` and, if they can be imported, by potpourri3d and
-pygeodesic, in one process. Times of the processor in ms, the median of five; each task includes
+pygeodesic, in one process. Times of the processor in ms, the median of three; each task includes
 what the call needs besides arrays, unless it says "next".
 
 usage: PYTHONPATH=build/python:PEERS python3 python/benchmark/peers.py MESH.off ...
@@ -37,9 +37,9 @@ def read_off(path):
 
 
 def milliseconds(*calls):
-    """Return the median time of each call; calls follow each other in each of five rounds."""
+    """Return the median time of each call; calls follow each other in each of three rounds."""
     times = [[] for _ in calls]
-    for _ in range(5):
+    for _ in range(3):
         for call, of_call in zip(calls, times):
             start = time.process_time()
             if call is not None:
