@@ -59,6 +59,10 @@ RUNS = [
         "a generated torus", target="intrinsic"),
     Run(f"{IT}/python_calls", "env PYTHONPATH={build}/python {python} python/benchmark/overhead.py",
         "a generated sphere", target="intrinsic_python"),
+    # $PYTHON_PEERS is the path of the modules potpourri3d and pygeodesic.
+    Run(f"{IT}/python_peers", "env PYTHONPATH={build}/python:$PYTHON_PEERS {python} python/benchmark/peers.py "
+        "{meshes}/armadillo.off {meshes}/lion-head.off {meshes}/refined_elephant.off", CGAL_MESHES,
+        target="intrinsic_python", long=True),
     Run(f"{DCM}/flatten", "benchmark_flatten", MIXED),
     Run(f"{DCM}/flatten_Eigen", "benchmark_flatten_Eigen {meshes}/armadillo.off 130000", MIXED),
     Run(f"{DCM}/sphere", "benchmark_sphere", MIXED),

@@ -20,8 +20,10 @@ public:
     : m_soup(soup), m_halfedge(soup.polygons.number_of_corners())
   {}
 
+  // If the connectivity is no surface, the mesh must not be used.
   Mesh operator()()
   {
+    m_edges.reserve(m_halfedge.size() / 2);
     number_ascending_sides();
     sort_edges();
     number_descending_sides();
@@ -32,6 +34,21 @@ public:
     set_faces();
     link_border();
     return std::move(m_mesh);
+  }
+
+  static bool has_proper_triangles(const Polygon_soup& soup)
+  {
+    return std::all_of(soup.polygons.begin(), soup.polygons.end(), [&](const auto& p) {
+      return p.size() == 3 && p[0] != p[1] && p[1] != p[2] && p[2] != p[0] &&
+             std::max({p[0], p[1], p[2]}) < soup.points.size();
+    });
+  }
+
+  // Returns whether `mesh`, which has been built, is a surface: no two faces run along an edge in
+  // one direction, and each vertex has one fan.
+  bool is_surface(const Mesh& mesh) const
+  {
+    return m_is_linked && number_of_halfedges_in_fans(mesh) == mesh.num_halfedges();
   }
 
 private:
@@ -56,7 +73,7 @@ private:
       }
   }
 
-  // By the smaller vertex in linear time, then by the larger one.
+  // By the smaller vertex in linear time, then by the larger one if they are many.
   void sort_edges()
   {
     m_first.assign(m_soup.points.size() + 2, 0);
@@ -67,15 +84,39 @@ private:
     m_sorted.resize(m_edges.size());
     for(Index e = 0; e < m_edges.size(); ++e)
       m_sorted[m_first[m_edges[e][0] + 1]++] = {m_edges[e][1], e};
-    for(std::size_t v = 0; v < m_soup.points.size(); ++v)
-      std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1]);
+    for(std::size_t v = 0; v < m_soup.points.size(); ++v) {
+      const auto begin = m_sorted.begin() + m_first[v], end = m_sorted.begin() + m_first[v + 1];
+      if(are_many(v))
+        std::sort(begin, end);
+      m_is_linked = m_is_linked && !has_edge_twice(begin, end, are_many(v));
+    }
+  }
+
+  bool are_many(std::size_t v) const { return m_first[v + 1] - m_first[v] > 8; }
+
+  template <class Iterator>
+  static bool has_edge_twice(Iterator begin, Iterator end, bool are_sorted)
+  {
+    const auto is_same = [](const Numbered_end& a, const Numbered_end& b) {
+      return a.first == b.first;
+    };
+    if(are_sorted)
+      return std::adjacent_find(begin, end, is_same) != end;
+    for(; begin != end; ++begin)
+      if(std::any_of(begin + 1, end, [&](const Numbered_end& x) { return is_same(x, *begin); }))
+        return true;
+    return false;
   }
 
   // The number of an edge from the smaller vertex `v` to `w`; a new one if no face ascends there.
   Index edge(Index v, Index w)
   {
+    auto e = m_sorted.begin() + m_first[v];
     const auto end = m_sorted.begin() + m_first[v + 1];
-    const auto e = std::lower_bound(m_sorted.begin() + m_first[v], end, Numbered_end(w, 0));
+    if(are_many(v))
+      e = std::lower_bound(e, end, Numbered_end(w, 0));
+    else
+      e = std::find_if(e, end, [w](const Numbered_end& x) { return x.first == w; });
     if(e != end && e->first == w)
       return e->second;
     m_edges.push_back({v, w});
@@ -117,27 +158,50 @@ private:
       Mesh::Halfedge_index previous = *(end - 1);
       m_mesh.set_halfedge(Mesh::Face_index(f), *first);
       for(; first != end; previous = *first++) {
+        m_is_linked = m_is_linked && m_mesh.is_border(*first);
         m_mesh.set_face(*first, Mesh::Face_index(f));
         m_mesh.set_next(previous, *first);
       }
     }
   }
 
-  // At most one border halfedge leaves a vertex.
+  // At most one border halfedge leaves a vertex of a surface.
   void link_border()
   {
+    if(m_halfedge.size() == m_mesh.num_halfedges())
+      return;
     std::vector<Mesh::Halfedge_index> leaving(m_soup.points.size());
     for(const Mesh::Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.is_border(h))
-        leaving[m_mesh.source(h)] = h;
+      if(m_mesh.is_border(h)) {
+        Mesh::Halfedge_index& of_source = leaving[m_mesh.source(h)];
+        m_is_linked = m_is_linked && !of_source.is_valid();
+        of_source = h;
+      }
     for(const Mesh::Halfedge_index h : leaving)
       if(h.is_valid())
         m_mesh.set_next(h, leaving[m_mesh.target(h)]);
   }
 
+  // Counts those that the turn around a vertex meets, from its halfedge on.
+  static std::size_t number_of_halfedges_in_fans(const Mesh& mesh)
+  {
+    std::size_t result = 0;
+    for(Index v = 0; v < mesh.num_vertices(); ++v)
+      if(const Mesh::Halfedge_index first = mesh.halfedge(Mesh::Vertex_index(v));
+         first.is_valid()) {
+        Mesh::Halfedge_index h = first;
+        do {
+          h = mesh.opposite(mesh.next(h));
+          ++result;
+        } while(h != first);
+      }
+    return result;
+  }
+
   const Polygon_soup& m_soup;
   Mesh m_mesh;
   std::vector<Mesh::Halfedge_index> m_halfedge; // that leaves each corner
+  bool m_is_linked = true; // no edge is for two sides, and no vertex has two border halfedges
   std::vector<Edge> m_edges;
   std::vector<Index> m_first;         // of each smaller vertex, in the next
   std::vector<Numbered_end> m_sorted; // of those edges along which a face ascends
@@ -164,3 +228,14 @@ void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& p
 }
 
 Mesh mesh_of(const Polygon_soup& soup) { return Mesh_builder(soup)(); }
+
+std::optional<Mesh> surface_of(const Polygon_soup& soup)
+{
+  if(!Mesh_builder::has_proper_triangles(soup))
+    return std::nullopt;
+  Mesh_builder builder(soup);
+  std::optional<Mesh> result = builder();
+  if(!builder.is_surface(*result))
+    result.reset();
+  return result;
+}

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& p
 // corner: barycentric coordinates are in the order of the soup.
 // Precondition: the diagnosis of the soup is valid, except for faces that are not triangles.
 Mesh mesh_of(const Polygon_soup& soup);
+
+// Returns `mesh_of(soup)` if the soup is a surface of triangles. Otherwise, returns none: a
+// diagnosis names the defects of connectivity, and takes longer. Lengths are not looked at.
+std::optional<Mesh> surface_of(const Polygon_soup& soup);
 
 // The corners of a face in the order of barycentric coordinates, from the source of its halfedge.
 template <class Any_mesh, class Faces>

@@ -114,7 +114,7 @@ def distance(
         kind = "heat"
     T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
     with T._lock:
-        values, about = _core.distances(T._core, *_sources(sources, T), kind, factor)
+        values, about = _core.distances(T._core, *_sources(sources, T), kind, factor, progress)
     values = values[: T._core.number_of_input_vertices()]
     return Distances(values, about["method"], about.get("relative_error")) if full else values
 
@@ -175,13 +175,37 @@ class DistanceSolver:
             n = T._core.number_of_input_vertices()
             if self._heat is not None:
                 return self._heat.distances(T._core, *given)[:n]
-            return _core.Paths(T._core, *given).distances_of_vertices()
+            return _core.distances(T._core, *given, "exact", None, None)[0][:n]
+
+    def from_each(self, sources: Any, *, parallel: bool = False) -> Floats:
+        """Return the distances (k, n) of each vertex from each of k sources.
+
+        Parameters
+        ----------
+        sources : (k,) integers, or pair of (k,) integers and (k, 3) floats
+            Vertices, or points as faces and barycentric coordinates. Heat from several sources is
+            solved for in one pass, which takes less time than one after the other.
+        parallel : bool
+            Whether several threads are used. The result is the same, to the bit.
+
+        Returns
+        -------
+        (k, n) float array
+            In the unit of V; infinite where a source cannot reach a vertex.
+        """
+        T = self._on
+        with T._lock:
+            given = _sources(sources, T)
+            if self._heat is None:
+                return _core.distances_from_each(T._core, *given, bool(parallel), None)
+            n = T._core.number_of_input_vertices()
+            return self._heat.distances_from_each(T._core, *given, bool(parallel))[:, :n]
 
 
 def all_pairs(
     V: Any, F: ArrayLike | None = None, *, coarse: int | None = None,
     lengths: ArrayLike | None = None, mollify: float | str = "auto",
-    progress: Progress | None = None,
+    parallel: bool = False, progress: Progress | None = None,
 ) -> Floats:
     """Return the geodesic distances between all pairs of vertices.
 
@@ -193,8 +217,10 @@ def all_pairs(
         Distances are computed between so many vertices of a simplified surface, and prolonged to
         all pairs. Distances that are short compared with coarse edges are too large. All are exact
         if it is not given.
+    parallel : bool
+        Whether several threads are used. The result is the same, to the bit.
     progress : callable
-        Is called with "all_pairs" and the number of rows.
+        Is called with "all_pairs" and the number of rows, after every 64 rows.
 
     Returns
     -------
@@ -219,21 +245,23 @@ def all_pairs(
             raise ArrayError("coarse is for a mesh, not for a Triangulation")
         small = simplify(V, F, coarse, lengths=lengths, mollify=mollify)
         P = small.prolongation
-        among = _distances_between_all(small.triangulation(), progress)
+        among = _distances_between_all(small.triangulation(), parallel, progress)
         result: Floats = P @ (P @ among).T
         return result
-    return _distances_between_all(_input_of(V, F, lengths, mollify), progress)
+    return _distances_between_all(_input_of(V, F, lengths, mollify), parallel, progress)
 
 
-def _distances_between_all(T: Triangulation, progress: Progress | None) -> Floats:
+def _distances_between_all(
+    T: Triangulation, parallel: bool, progress: Progress | None
+) -> Floats:
     n = T._core.number_of_input_vertices()
     result = np.empty((n, n))
-    for row in range(n):
+    for first in range(0, n, 64):
+        rows = np.arange(first, min(first + 64, n))
         with T._lock:
-            paths = _core.Paths(T._core, np.array([row]), *_NO_POINTS)
-            result[row] = paths.distances_of_vertices()
+            result[rows] = _core.distances_from_each(T._core, rows, *_NO_POINTS, bool(parallel), None)
         if progress is not None:
-            progress("all_pairs", row + 1)
+            progress("all_pairs", first + len(rows))
     return result
 
 

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -76,86 +78,19 @@ void add_faces(const Index_array& faces, Polygon_soup& soup)
   }
 }
 
-// Determines in little time whether a mesh is surely a surface with good lengths: only others have
-// to be diagnosed. `mesh_of()` gives a mesh of any triangles whose corners exist and differ, but it
-// is a surface only if all that is checked here holds.
-class Quick_check
+// Returns whether the squares of lengths are in the range of numbers, and far from its ends.
+bool has_good_lengths(const Mesh& mesh)
 {
-public:
-  Quick_check(const Polygon_soup& soup, const Mesh& mesh) : m_soup(soup), m_mesh(mesh) {}
-
-  static bool has_proper_corners(const Polygon_soup& soup)
-  {
-    return std::all_of(soup.polygons.begin(), soup.polygons.end(), [&](const auto& p) {
-      return p[0] != p[1] && p[1] != p[2] && p[2] != p[0] &&
-             std::max({p[0], p[1], p[2]}) < soup.points.size();
-    });
+  constexpr double least = 0x1p-200, greatest = 0x1p200; // squared
+  for(Mesh::size_type e = 0; e < mesh.num_edges(); ++e) {
+    const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Edge_index(e));
+    const double square =
+      CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+    if(!(square > least && square < greatest))
+      return false;
   }
-
-  bool is_surface() const { return faces_have_sides() && vertices_have_one_fan(); }
-
-  // Squares of these lengths are in the range of numbers, and far from its ends.
-  bool has_good_lengths() const
-  {
-    constexpr double least = 0x1p-200, greatest = 0x1p200; // squared
-    return std::all_of(m_mesh.edges().begin(), m_mesh.edges().end(), [&](Mesh::Edge_index e) {
-      const Mesh::Halfedge_index h = m_mesh.halfedge(e);
-      const double square =
-        CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)));
-      return square > least && square < greatest;
-    });
-  }
-
-private:
-  // No side belongs to two faces.
-  bool faces_have_sides() const
-  {
-    for(const Mesh::Face_index f : m_mesh.faces()) {
-      Mesh::Halfedge_index h = m_mesh.halfedge(f);
-      for(const Polygons::Index v : m_soup.polygons[f.idx()]) {
-        if(!h.is_valid() || m_mesh.face(h) != f || m_mesh.source(h).idx() != v)
-          return false;
-        h = m_mesh.next(h);
-      }
-      if(h != m_mesh.halfedge(f))
-        return false;
-    }
-    return true;
-  }
-
-  bool vertices_have_one_fan() const
-  {
-    std::vector<Polygons::Index> corners(m_mesh.number_of_vertices(), 0);
-    for(const Polygons::Index v : m_soup.polygons.corners())
-      ++corners[v];
-    std::vector<Mesh::Vertex_index> neighbor_of(m_mesh.number_of_vertices());
-    return std::all_of(m_mesh.vertices().begin(), m_mesh.vertices().end(),
-                       [&](Mesh::Vertex_index v) {
-                         return corners[v] == 0 || has_one_fan(v, corners[v], neighbor_of);
-                       });
-  }
-
-  // Whether a turn around `v` meets so many faces, and no neighbor twice.
-  bool has_one_fan(Mesh::Vertex_index v, std::size_t faces,
-                   std::vector<Mesh::Vertex_index>& neighbor_of) const
-  {
-    const Mesh::Halfedge_index first = m_mesh.halfedge(v);
-    Mesh::Halfedge_index h = first;
-    std::size_t met = 0;
-    do {
-      Mesh::Vertex_index& last = neighbor_of[m_mesh.source(h)];
-      if(last == v || !m_mesh.next(h).is_valid())
-        return false;
-      last = v;
-      met += m_mesh.is_border(h) ? 0 : 1;
-      h = m_mesh.opposite(m_mesh.next(h));
-    } while(h != first);
-    return met == faces;
-  }
-
-  const Polygon_soup& m_soup;
-  const Mesh& m_mesh;
-};
+  return true;
+}
 
 // The length of the side opposite to the corner at which the side before `h` starts.
 class Side_lengths
@@ -207,12 +142,8 @@ Surface surface_of_points(const Number_array& points, const Index_array& faces,
     for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
       soup.points.emplace_back(p[0], p[1], p[2]);
     add_faces(faces, soup);
-    if(Quick_check::has_proper_corners(soup)) {
-      Surface result{mesh_of(soup), {}};
-      const Quick_check quick(soup, result.mesh);
-      if(quick.is_surface() && quick.has_good_lengths())
-        return result;
-    }
+    if(std::optional<Mesh> mesh = surface_of(soup); mesh && has_good_lengths(*mesh))
+      return Surface{std::move(*mesh), {}};
     check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {
       return are_zero_lengths_allowed && kind == Defect_kind::ZERO_LENGTH_EDGE;
     });

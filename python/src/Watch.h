@@ -64,6 +64,17 @@ public:
   void after_renumbering() {}
   void before_exact_refinement() {}
 
+  // ---- A model of `WindowVisitor` ----
+
+  void after_windows(std::size_t number)
+  {
+    m_windows += number;
+    if(m_windows >= windows_of_step) {
+      m_windows = 0;
+      long_step();
+    }
+  }
+
   // ---- A model of `SimplificationVisitor` ----
 
   template <class Star>
@@ -87,10 +98,12 @@ private:
   void look_at_clock();
   void call_python();
 
+  static constexpr std::size_t windows_of_step = 4096; // about a millisecond
+
   pybind11::object m_progress;
   std::string m_stage;
   Clock::time_point m_last;
-  std::size_t m_steps = 0, m_iterations = 0;
+  std::size_t m_steps = 0, m_iterations = 0, m_windows = 0;
 };
 
 #endif // INTRINSIC_PYTHON_WATCH_H

@@ -8,6 +8,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <array>
@@ -44,6 +45,14 @@ py::array array_of(std::vector<std::array<T, columns>> rows)
 {
   const auto n = static_cast<py::ssize_t>(rows.size());
   return owning_array(std::move(rows), {n, py::ssize_t(columns)}, py::dtype::of<T>());
+}
+
+// Returns an array that owns a matrix: a row for each of its columns. Nothing is copied.
+inline py::array array_of_columns(Eigen::MatrixXd matrix)
+{
+  auto* const owned = new Eigen::MatrixXd(std::move(matrix));
+  const py::capsule owner(owned, [](void* p) { delete static_cast<Eigen::MatrixXd*>(p); });
+  return py::array(py::dtype::of<double>(), {owned->cols(), owned->rows()}, owned->data(), owner);
 }
 
 // Returns what the constructors of scipy take: the entries, their inner indices, where each row or

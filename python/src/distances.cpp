@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
+#include <CGAL/Intrinsic_triangulations/distances_from_each.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
@@ -30,6 +31,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <functional>
 #include <optional>
 
 namespace {
@@ -60,6 +62,28 @@ Sources sources_of(const Index_array& vertices, const Index_array& faces,
     result.vertices.push_back(checked_vertex(v, triangulation));
   result.points = locations_of(faces, coordinates, triangulation.input_mesh().number_of_faces());
   return result;
+}
+
+Sources one_source(IT::Vertex_index v) { return {{v}, {}}; }
+Sources one_source(const Location& p) { return {{}, {p}}; }
+
+// Returns `set_of(source)` for each of the sources.
+template <class Make>
+auto separated(const Sources& sources, const Make& set_of)
+{
+  std::vector<decltype(set_of(IT::Vertex_index()))> result;
+  for(const IT::Vertex_index v : sources.vertices)
+    result.push_back(set_of(v));
+  for(const Location& p : sources.points)
+    result.push_back(set_of(p));
+  return result;
+}
+
+// Calls `use(tag)` with the tag of one thread or of several.
+template <class Use>
+auto with_concurrency(bool is_parallel, const Use& use)
+{
+  return is_parallel ? use(CGAL::Parallel_if_available_tag()) : use(CGAL::Sequential_tag());
 }
 
 // On the intrinsic triangulation.
@@ -127,12 +151,14 @@ py::dict description_of(const IT::Geodesic_distances<double>& distances)
 
 py::tuple distances(const Bound_triangulation& self, const Index_array& vertices,
                     const Index_array& faces, const Number_array& coordinates,
-                    const std::string& method, std::optional<double> time_step_factor)
+                    const std::string& method, std::optional<double> time_step_factor,
+                    const py::object& progress)
 {
+  Watch watch(progress, "windows");
   IT::Geodesic_distances<double> result = released([&] {
     const auto sources =
       sources_across(self, sources_of(vertices, faces, coordinates, self.triangulation()));
-    const auto np = IT::parameters::distance_method(method_named(method));
+    const auto np = IT::parameters::distance_method(method_named(method)).visitor(std::ref(watch));
     const std::vector<Point> points = vertex_positions(self);
     if(points.empty())
       return measured(self, sources, time_step_factor, np);
@@ -164,52 +190,47 @@ public:
     }));
   }
 
+  py::array distances_from_each(const Bound_triangulation& on, const Index_array& vertices,
+                                const Index_array& faces, const Number_array& coordinates,
+                                bool is_parallel) const
+  {
+    return array_of_columns(released([&] {
+      const auto sources =
+        separated(sources_of(vertices, faces, coordinates, on.triangulation()),
+                  [&](auto source) { return sources_across(on, one_source(source)); });
+      return with_concurrency(is_parallel, [&](const auto& tag) {
+        return m_heat.distances_from_each(sources, IT::parameters::concurrency_tag(tag));
+      });
+    }));
+  }
+
 private:
   IT::Heat_distance<double> m_heat;
 };
 
-// ---- Windows for many points ----
+// ---- Exact distances from each of many sources ----
 
-// The shortest paths from some sources to all points.
-class Bound_paths
+py::array distances_from_each(const Bound_triangulation& self, const Index_array& vertices,
+                              const Index_array& faces, const Number_array& coordinates,
+                              bool is_parallel, const py::object& progress)
 {
-  typedef std::decay_t<decltype(std::declval<const Triangulation&>().input())> Input;
+  Watch watch(progress, "windows");
+  return array_of_columns(released([&] {
+    const auto input = self.triangulation().input();
+    const auto sources =
+      separated(sources_of(vertices, faces, coordinates, self.triangulation()), [&](auto source) {
+        IT::Distance_sources<std::decay_t<decltype(input)>> result(input);
+        result.add(source);
+        return result;
+      });
+    return with_concurrency(is_parallel, [&](const auto& tag) {
+      return IT::distances_from_each(input, sources,
+                                     IT::parameters::visitor(std::ref(watch)).concurrency_tag(tag));
+    });
+  }));
+}
 
-public:
-  Bound_paths(const Bound_triangulation& self, const Sources& sources)
-    : m_input(self.triangulation().input()), m_paths(m_input)
-  {
-    for(const IT::Vertex_index v : sources.vertices)
-      m_paths.add_source(v);
-    for(const Location& p : sources.points)
-      m_paths.add_source(p);
-    m_paths.run();
-  }
-
-  std::vector<double> distances(const std::vector<Location>& points) const
-  {
-    std::vector<double> result;
-    for(const Location& p : points)
-      result.push_back(m_paths.distance(p));
-    return result;
-  }
-
-  std::vector<double> distances_of_vertices() const
-  {
-    std::vector<double> result;
-    for(const IT::Vertex_index v : m_input.mesh().vertices())
-      result.push_back(m_paths.distance(v));
-    return result;
-  }
-
-  IT::Surface_path<double> path(const Location& p) const { return m_paths.path(p); }
-  std::size_t number_of_faces() const { return m_input.mesh().number_of_faces(); }
-  const IT::Delta_complex& mesh() const { return m_input.mesh(); }
-
-private:
-  Input m_input;
-  IT::Shortest_paths<Input> m_paths;
-};
+// ---- Paths ----
 
 py::tuple path_arrays(const IT::Surface_path<double>& path, const IT::Delta_complex& mesh)
 {
@@ -224,9 +245,11 @@ py::tuple shortest_path(const Bound_triangulation& self, const Index_array& face
                         const Number_array& coordinates)
 {
   const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  Watch watch(py::none(), "windows");
   const auto path = released([&] {
     const auto ends = locations_of(faces, coordinates, mesh.number_of_faces());
-    return IT::shortest_path(self.triangulation().input(), ends.at(0), ends.at(1));
+    return IT::shortest_path(self.triangulation().input(), ends.at(0), ends.at(1),
+                             IT::parameters::visitor(std::ref(watch)));
   });
   return path_arrays(path, mesh);
 }
@@ -328,12 +351,14 @@ py::tuple logarithms(const Bound_triangulation& self, std::int64_t source)
 {
   std::vector<std::complex<double>> vectors;
   std::vector<std::int64_t> statuses;
+  Watch watch(py::none(), "windows");
   released([&] {
     const IT::Vertex_index v = checked_vertex(source, self.triangulation());
     if(self.triangulation().input_mesh().is_isolated(v))
       throw Element_error("InputError", "vertex " + std::to_string(source) + " has no face",
                           {{"vertex", {std::size_t(source)}}});
-    for(const auto& logarithm : IT::logarithmic_map(self.triangulation().input(), v)) {
+    for(const auto& logarithm : IT::logarithmic_map(self.triangulation().input(), v,
+                                                    IT::parameters::visitor(std::ref(watch)))) {
       vectors.push_back(logarithm.vector);
       statuses.push_back(static_cast<std::int64_t>(logarithm.status));
     }
@@ -396,6 +421,7 @@ py::array transported(const Bound_triangulation& self, const Index_array& vertic
 void bind_distances(py::module_& module)
 {
   module.def("distances", &distances);
+  module.def("distances_from_each", &distances_from_each);
   module.def("shortest_path", &shortest_path);
   module.def("geodesic_through", &geodesic_through);
   module.def("geodesics_between", &geodesics_between);
@@ -407,31 +433,6 @@ void bind_distances(py::module_& module)
     .def(py::init([](const Bound_triangulation& on, double time_step_factor) {
       return released([&] { return std::make_unique<Bound_heat>(on, time_step_factor); });
     }))
-    .def("distances", &Bound_heat::distances);
-  py::class_<Bound_paths>(module, "Paths")
-    .def(py::init([](const Bound_triangulation& on, const Index_array& vertices,
-                     const Index_array& faces, const Number_array& coordinates) {
-           return released([&] {
-             return std::make_unique<Bound_paths>(
-               on, sources_of(vertices, faces, coordinates, on.triangulation()));
-           });
-         }),
-         py::keep_alive<1, 2>())
-    .def("distances_of_vertices",
-         [](const Bound_paths& self) {
-           return array_of(released([&] { return self.distances_of_vertices(); }));
-         })
-    .def("distances",
-         [](const Bound_paths& self, const Index_array& faces, const Number_array& coordinates) {
-           return array_of(released([&] {
-             return self.distances(locations_of(faces, coordinates, self.number_of_faces()));
-           }));
-         })
-    .def("path",
-         [](const Bound_paths& self, const Index_array& faces, const Number_array& coordinates) {
-           const auto path = released([&] {
-             return self.path(locations_of(faces, coordinates, self.number_of_faces()).at(0));
-           });
-           return path_arrays(path, self.mesh());
-         });
+    .def("distances", &Bound_heat::distances)
+    .def("distances_from_each", &Bound_heat::distances_from_each);
 }

@@ -76,12 +76,31 @@ class Heat(unittest.TestCase):
                                    intrinsic.distance(V, F, [1, 2], "exact"), atol=1e-12)
 
 
+    def test_from_each(self):
+        V, F = support.turned(*intrinsic.shapes.folded_sphere(3))
+        T = intrinsic.Triangulation(V, F)
+        vertices = np.arange(0, len(V), 37)
+        points = [3, 70], [[0.2, 0.3, 0.5], [0, 0, 1]]
+        for method in ("heat", "exact"):
+            solver = intrinsic.DistanceSolver(T, method=method)
+            D = solver.from_each(vertices)
+            self.assertEqual(D.shape, (len(vertices), len(V)))
+            for row, v in zip(D, vertices):
+                np.testing.assert_allclose(row, solver.distance(v), atol=1e-10)
+            np.testing.assert_array_equal(D, solver.from_each(vertices, parallel=True))
+            for row, f, b in zip(solver.from_each(points), *points):
+                np.testing.assert_allclose(row, solver.distance(([f], [b])), atol=1e-10)
+        with self.assertRaises(intrinsic.InputError):
+            solver.from_each([len(V)])
+
+
 class AllPairs(unittest.TestCase):
     def test_exact_and_coarse(self):
         V, F = support.meshes()["bumpy_grid"]
         D = intrinsic.all_pairs(V, F)
         for v in (0, 40):
             np.testing.assert_allclose(D[v], intrinsic.distance(V, F, v, "exact"), atol=1e-12)
+        np.testing.assert_array_equal(D, intrinsic.all_pairs(V, F, parallel=True))
         steps = []
         near = intrinsic.all_pairs(V, F, coarse=60, progress=lambda *step: steps.append(step))
         self.assertEqual(steps[-1], ("all_pairs", 60))

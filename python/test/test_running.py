@@ -27,6 +27,18 @@ class Progress(unittest.TestCase):
         self.assertEqual(names[:2], ["cones", "optimize"])
         self.assertIn("layout", names)
 
+    def test_exceptions_leave_windows(self):
+        class Enough(Exception):
+            pass
+
+        def stop(stage, steps):
+            raise Enough(stage)
+
+        V, F = intrinsic.shapes.folded_sphere(7)
+        T = intrinsic.Triangulation(V, F)
+        with self.assertRaisesRegex(Enough, "windows"):
+            intrinsic.distance(T, None, 0, "exact", progress=stop)
+
     def test_exceptions_leave(self):
         class Enough(Exception):
             pass
@@ -92,6 +104,33 @@ class Interruption(unittest.TestCase):
                 intrinsic.flatten(V, F, progress=progress)
         finally:
             signal.signal(signal.SIGUSR1, before)
+
+    def test_signal_during_exact_distances(self):
+        """Exact distances and paths on a large surface end at the first look at the clock after
+        a signal, which a timer of this process sends."""
+
+        def handler(number, frame):
+            raise KeyboardInterrupt
+
+        V, F = intrinsic.shapes.folded_sphere(7)
+        T = intrinsic.Triangulation(V, F)
+        far = int(np.argmax(np.linalg.norm(V - V[0], axis=1)))
+        solver = intrinsic.DistanceSolver(T, method="exact")
+        before = signal.signal(signal.SIGALRM, handler)
+        try:
+            for call in (lambda: intrinsic.distance(T, None, 0, "exact"),
+                         lambda: solver.distance(0),
+                         lambda: solver.from_each([0, 1, 2]),
+                         lambda: solver.from_each([0, 1, 2], parallel=True),
+                         lambda: intrinsic.path(T, None, 0, far),
+                         lambda: intrinsic.log_map(T, None, 0)):
+                with self.assertRaises(KeyboardInterrupt):
+                    signal.setitimer(signal.ITIMER_REAL, 0.1)
+                    call()
+                signal.setitimer(signal.ITIMER_REAL, 0)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
 
 
 class Threads(unittest.TestCase):

@@ -90,6 +90,27 @@ TYPED_TEST(Cholesky_factorization, solves)
   }
 }
 
+TYPED_TEST(Cholesky_factorization, solves_for_several_columns)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  CGAL::Random random(4);
+  for(const int size : {1, 10, 2000}) {
+    const auto matrix = definite_matrix<Scalar>(size, random);
+    TypeParam cholesky;
+    cholesky.analyze(matrix);
+    ASSERT_TRUE(cholesky.factorize(matrix));
+    for(const int columns : {0, 1, 7, 8, 9, 20}) {
+      typename TypeParam::Columns b(size, columns);
+      for(int k = 0; k < columns; ++k)
+        b.col(k) = random_vector<Scalar>(size, random);
+      const typename TypeParam::Columns x = cholesky.solve_columns(b);
+      ASSERT_EQ(x.cols(), columns);
+      for(int k = 0; k < columns; ++k)
+        EXPECT_LE((matrix * x.col(k) - b.col(k)).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
+}
+
 TYPED_TEST(Cholesky_factorization, orders_all_rows)
 {
   typedef typename TypeParam::Matrix::Scalar Scalar;

@@ -10,6 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -76,6 +78,63 @@ TEST(Shortest_paths, as_by_unfolding_on_Delta_complexes)
   for(const auto& [name, mesh] : traced(glued_complexes()))
     for(unsigned int seed = 0; seed < 3; ++seed)
       check_by_unfolding(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
+}
+
+// ---- Visitors ----
+
+// Counts windows, and stops at so many.
+struct Stopping_visitor
+{
+  struct Stop
+  {};
+
+  void after_windows(std::size_t number)
+  {
+    windows += number;
+    if(windows >= limit)
+      throw Stop();
+  }
+
+  std::size_t limit = (std::numeric_limits<std::size_t>::max)();
+  std::size_t windows = 0;
+};
+
+// However often a search is stopped, it ends with the distances and windows of one without stops.
+TEST(Shortest_paths, continue_after_a_visitor_stops_them)
+{
+  const Mesh mesh = perturbed(embedded_torus(20, 15), 0.5, 1);
+  const Triangulation t(mesh);
+  Paths whole(t.input()), stopped(t.input());
+  Stopping_visitor counter, stopping{100};
+  whole.add_source(Vertex_index(7));
+  whole.run(IT::parameters::visitor(std::ref(counter)));
+  ASSERT_GT(counter.windows, 1000u);
+  stopped.add_source(Vertex_index(7));
+  std::size_t stops = 0;
+  for(bool is_stopped = true; is_stopped; stopping.limit += 100)
+    try {
+      stopped.run(IT::parameters::visitor(std::ref(stopping)));
+      is_stopped = false;
+    } catch(const Stopping_visitor::Stop&) {
+      ++stops;
+    }
+  EXPECT_GT(stops, 5u);
+  EXPECT_EQ(stopping.windows, counter.windows);
+  for(const Vertex_index v : mesh.vertices())
+    EXPECT_EQ(stopped.distance(v), whole.distance(v));
+}
+
+TEST(Shortest_paths, are_stopped_in_all_functions)
+{
+  const Mesh mesh = perturbed(embedded_torus(20, 15), 0.5, 1);
+  const Triangulation t(mesh);
+  const Location p{Face_index(1), {0.2, 0.3, 0.5}}, q{Face_index(300), {0.2, 0.3, 0.5}};
+  const auto np = IT::parameters::visitor(Stopping_visitor{20});
+  EXPECT_THROW(IT::shortest_path(t.input(), p, q, np), Stopping_visitor::Stop);
+  EXPECT_THROW(IT::logarithmic_map(t.input(), p, q, np), Stopping_visitor::Stop);
+  EXPECT_THROW(IT::logarithmic_map(t.input(), p, np), Stopping_visitor::Stop);
+  EXPECT_THROW(IT::geodesic_distances(t.input(), p, np), Stopping_visitor::Stop);
+  EXPECT_THROW(IT::geodesic_distances(mesh, p, np), Stopping_visitor::Stop);
 }
 
 // ---- CGAL's shortest paths ----

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Default_window_visitor.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
@@ -15,7 +16,9 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -84,9 +87,21 @@ public:
   /// computes the data for distances and paths. Complexity: \f$O(k)\f$ for \f$k\f$ views. There
   /// are at most \f$O(n^2)\f$ views between saddle vertices on embedded surfaces with \f$n\f$
   /// faces. In practice there are some dozens for each face.
-  void run()
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{follows the search, and can stop it by an exception; `run()` can be
+  ///       called again then}
+  ///     \cgalParamType{a model of `WindowVisitor`; it is copied unless `std::ref()` refers to it}
+  ///     \cgalParamDefault{`Default_window_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  void run(const NamedParameters& np = CGAL::parameters::default_values())
   {
-    m_search.run();
+    Default_window_visitor silent;
+    auto&& visitor = internal::visitor_of(np, silent);
+    m_search.run(Search::unlimited_steps, visitor);
     m_is_run = true;
   }
 
@@ -200,16 +215,19 @@ private:
 /// initialization, and as `Shortest_paths::run()` in the views up to that distance.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param source, target points with coordinates that are not negative and sum up to one
+/// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename Surface>
-Surface_path<Length_of<Surface>> shortest_path(const Surface& surface,
-                                               const Face_location<Length_of<Surface>>& source,
-                                               const Face_location<Length_of<Surface>>& target)
+template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Surface_path<Length_of<Surface>>
+shortest_path(const Surface& surface, const Face_location<Length_of<Surface>>& source,
+              const Face_location<Length_of<Surface>>& target,
+              const NamedParameters& np = CGAL::parameters::default_values())
 {
+  Default_window_visitor silent;
+  auto&& visitor = internal::visitor_of(np, silent);
   internal::Path_search search(internal::view_of(surface));
   search.add_source(source);
-  const Vertex_index v = internal::vertex_at(target, surface.mesh());
-  v == Delta_complex::null_vertex() ? search.run_to(target) : search.run_to(v);
+  search.run_to(target, visitor);
   const auto part = search.to(target);
   Surface_path<Length_of<Surface>> result{part.length, {}};
   if(part.length < std::numeric_limits<Length_of<Surface>>::infinity())

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Default_window_visitor.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Heat_error.h>
@@ -187,25 +188,27 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
 }
 
 // Returns nothing if heat is to be used. What has been found then is in `exact`.
-template <typename Surface>
+template <typename Surface, typename Visitor>
 std::optional<Geodesic_distances<Length_of<Surface>>>
-distances_by_windows(Exact_distances<Surface>& exact, Distance_method method)
+distances_by_windows(Exact_distances<Surface>& exact, Distance_method method, Visitor& visitor)
 {
   const bool is_exact_wanted = method == Distance_method::exact;
   if(!is_exact_wanted && (method == Distance_method::heat ||
                           exact.expected_windows() > double(most_expected_windows())))
     return std::nullopt;
-  if(!exact.run(is_exact_wanted ? (std::numeric_limits<std::size_t>::max)() : most_windows()))
+  if(!exact.run(is_exact_wanted ? (std::numeric_limits<std::size_t>::max)() : most_windows(),
+                visitor))
     return std::nullopt;
   return Geodesic_distances<Length_of<Surface>>{exact.distances(), Distance_method::exact};
 }
 
-template <typename Surface>
+template <typename Surface, typename Visitor>
 Heat_error<Length_of<Surface>> heat_error(Exact_distances<Surface>& exact,
-                                          const std::vector<Length_of<Surface>>& distance)
+                                          const std::vector<Length_of<Surface>>& distance,
+                                          Visitor& visitor)
 {
   if(!exact.has_run())
-    exact.run(most_compared_windows());
+    exact.run(most_compared_windows(), visitor);
   return {distance, exact.distances(), exact.final_length()};
 }
 
@@ -276,6 +279,12 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 ///     \cgalParamDescription{positions of the vertices in space, which bound distances by heat}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{follows the search for exact distances, and can stop it by an
+///       exception}
+///     \cgalParamType{a model of `WindowVisitor`; it is copied unless `std::ref()` refers to it}
+///     \cgalParamDefault{`Default_window_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if exact distances are wanted of a `Tufted_surface`
 /// \throws Numerical_error as `heat_distance()` if heat is used; or if exact distances are wanted
@@ -289,12 +298,14 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
   Distance_sources<Surface> all(surface);
   all.add(sources);
   if constexpr(internal::Has_one_fan<Surface>::value) {
+    Default_window_visitor silent;
+    auto&& visitor = internal::visitor_of(np, silent);
     internal::Exact_distances<Surface> exact(surface, all);
-    if(auto result = internal::distances_by_windows(exact, internal::method_of(np)))
+    if(auto result = internal::distances_by_windows(exact, internal::method_of(np), visitor))
       return std::move(*result);
     auto result =
       internal::distances_by_heat(surface, all, internal::positions_of(surface, np), np);
-    result.error = internal::heat_error(exact, result.distance);
+    result.error = internal::heat_error(exact, result.distance, visitor);
     return result;
   } else {
     if(internal::method_of(np) == Distance_method::exact)
@@ -317,7 +328,8 @@ Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sour
   Distance_sources<Surface> all(surface);
   all.add(sources);
   internal::Exact_distances<Surface> exact(surface, all);
-  return internal::heat_error(exact, distance);
+  Default_window_visitor silent;
+  return internal::heat_error(exact, distance, silent);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -336,18 +348,20 @@ auto geodesic_distances(const Mesh& mesh, const Sources& sources,
                         const NamedParameters& np = CGAL::parameters::default_values())
   -> std::enable_if_t<!internal::Is_surface<Mesh>::value, Geodesic_distances<double>>
 {
+  Default_window_visitor silent;
+  auto&& visitor = internal::visitor_of(np, silent);
   Intrinsic_triangulation<> tri(mesh, np);
   const auto input = tri.input();
   Distance_sources<std::decay_t<decltype(input)>> all(input);
   all.add(sources);
   internal::Exact_distances<std::decay_t<decltype(input)>> exact(input, all);
-  if(auto result = internal::distances_by_windows(exact, internal::method_of(np)))
+  if(auto result = internal::distances_by_windows(exact, internal::method_of(np), visitor))
     return std::move(*result);
   make_Delaunay(tri);
   Distance_sources<Intrinsic_triangulation<>> across(tri);
   internal::add_sources_across(tri, all, across);
   auto result = internal::distances_by_heat(tri, across, internal::positions_in(mesh, np), np);
-  result.error = internal::heat_error(exact, result.distance);
+  result.error = internal::heat_error(exact, result.distance, visitor);
   return result;
 }
 

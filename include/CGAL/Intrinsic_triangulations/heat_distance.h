@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
@@ -24,8 +25,10 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -56,6 +59,8 @@ public:
   typedef FT_ FT;
   /// the type of functions: a value for each vertex, by its index.
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+  /// the type of several functions, a column for each.
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
   /// prepares for distances on a surface. Complexity: two sparse Cholesky factorizations.
   ///
@@ -91,7 +96,7 @@ public:
   template <typename VertexRange>
   Vector distances(const VertexRange& sources) const
   {
-    return distances_from(m_method.values_at(sources));
+    return distances_from(m_method.values_of(sources));
   }
 
   /// computes the distance of every vertex to one source. Complexity: linear in the size of the
@@ -109,16 +114,72 @@ public:
     return distances_from(m_method.values_of(sources));
   }
 
+  /// computes the distance of every vertex from each of some sources. Complexity: linear in the
+  /// size of the factorizations for each source, and several times less than with `distances()`.
+  /// \param sources a random access range of vertices, of ranges of vertices, or of
+  ///   `Distance_sources`
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{concurrency_tag}
+  ///     \cgalParamDescription{whether several threads are used}
+  ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+  ///       `CGAL::Parallel_if_available_tag`}
+  ///     \cgalParamDefault{`CGAL::Sequential_tag`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \returns a matrix with a column for each source, equal to the result of `distances()` up to
+  ///   rounding. It does not depend on the number of threads.
+  template <typename SourceRange,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Columns distances_from_each(const SourceRange& sources,
+                              const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    constexpr std::size_t sources_at_once = 8;
+    Columns result(m_method.number_of_vertices(), static_cast<Eigen::Index>(sources.size()));
+    const auto compute = [&](std::size_t begin, std::size_t end) {
+      std::vector<typename Method::Source_values> values;
+      for(std::size_t i = begin; i < end; ++i)
+        values.push_back(m_method.values_of(sources[i]));
+      distances_from(values, result.middleCols(static_cast<Eigen::Index>(begin),
+                                               static_cast<Eigen::Index>(end - begin)));
+    };
+    for_each_chunk(concurrency_of(np), sources.size(), compute, sources_at_once);
+    return result;
+  }
+
 private:
   typedef internal::Heat_method<FT> Method;
+
+  // Solves for all sets of sources at once, except for sets that prescribe values.
+  template <typename Result>
+  void distances_from(const std::vector<typename Method::Source_values>& sources,
+                      Result&& result) const
+  {
+    Columns columns(result.rows(), result.cols());
+    for(Eigen::Index k = 0; k < columns.cols(); ++k)
+      columns.col(k) = sources[static_cast<std::size_t>(k)].moments;
+    columns = m_flow.spread_columns_everywhere(columns);
+    for(Eigen::Index k = 0; k < columns.cols(); ++k)
+      columns.col(k) = m_method.moments(columns.col(k));
+    const Columns distances = m_poisson.solve_columns(columns);
+    for(Eigen::Index k = 0; k < columns.cols(); ++k) {
+      const auto& values = sources[static_cast<std::size_t>(k)];
+      result.col(k) = m_method.without_error_at_sources(
+        values.are_several ? with_prescribed(columns.col(k), values) : Vector(distances.col(k)),
+        values);
+    }
+  }
+
+  Vector with_prescribed(const Vector& moments, const typename Method::Source_values& sources) const
+  {
+    return Poisson_solver<FT>(m_poisson, sources.prescribed()).solve(moments, sources.distance);
+  }
 
   Vector distances_from(const typename Method::Source_values& sources) const
   {
     const Vector moments = m_method.moments(m_flow.spread_everywhere(sources.moments));
     const Vector distance =
-      sources.are_several
-        ? Poisson_solver<FT>(m_poisson, sources.prescribed()).solve(moments, sources.distance)
-        : m_poisson.solve(moments);
+      sources.are_several ? with_prescribed(moments, sources) : m_poisson.solve(moments);
     return m_method.without_error_at_sources(distance, sources);
   }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Default_window_visitor.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
@@ -14,7 +15,9 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <complex>
@@ -228,36 +231,48 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
 /// up to the distance of `target`. The number of views can be quadratic in the number of faces or
 /// more. It tends to be some dozens for each face within that distance.
+/// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename Surface, typename Source>
-Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Source& source,
-                                              const Face_location<Length_of<Surface>>& target)
+template <typename Surface, typename Source,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Logarithm<Length_of<Surface>>
+logarithmic_map(const Surface& surface, const Source& source,
+                const Face_location<Length_of<Surface>>& target,
+                const NamedParameters& np = CGAL::parameters::default_values())
 {
+  Default_window_visitor silent;
+  auto&& visitor = internal::visitor_of(np, silent);
   const Delta_complex& mesh = surface.mesh();
   CGAL_precondition(internal::is_valid_source(source, mesh));
   const auto view = internal::view_of(surface);
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
-  const Vertex_index v = internal::vertex_at(target, mesh);
   internal::Path_directions search(view);
   search.add_source(source);
-  v == Delta_complex::null_vertex() ? search.run_to(target) : search.run_to(v);
+  search.run_to(target, visitor);
   return logarithm(search, search.to(target), target);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// computes the logarithmic map at `source` of all vertices, in a vector by their index, with the
 /// properties of the function for one point. Complexity: \f$O(k \log k)\f$ for \f$k\f$ views.
+/// \param surface, source as for one point
+/// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename Surface, typename Source>
-std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface,
-                                                           const Source& source)
+template <typename Surface, typename Source, typename T = bool,
+          typename Tag = CGAL::internal_np::all_default_t,
+          typename Base = CGAL::internal_np::No_property>
+std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(
+  const Surface& surface, const Source& source,
+  const CGAL::Named_function_parameters<T, Tag, Base>& np = CGAL::parameters::default_values())
 {
+  Default_window_visitor silent;
+  auto&& visitor = internal::visitor_of(np, silent);
   const Delta_complex& mesh = surface.mesh();
   CGAL_precondition(internal::is_valid_source(source, mesh));
   const auto view = internal::view_of(surface);
   internal::Path_directions search(view);
   search.add_source(source);
-  search.run();
+  search.run(search.unlimited_steps, visitor);
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
   typedef Length_of<Surface> FT;
   std::vector<Logarithm<FT>> result(mesh.num_vertices());

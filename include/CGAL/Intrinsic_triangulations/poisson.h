@@ -51,6 +51,8 @@ public:
   typedef FT_ FT;
   /// the type of functions: a value for each vertex, by its index.
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+  /// the type of several functions, a column for each.
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
   /// factorizes the matrix of a surface. Complexity: a sparse Cholesky factorization.
   /// \param surface a model of `IntrinsicSurface`, with any number of components; isolated vertices
@@ -82,30 +84,25 @@ public:
   /// \param values the values; only values at vertices where they are prescribed are read
   Vector solve(const Vector& moments, const Vector& values) const
   {
-    Vector result = Vector::Zero(m_area.size());
-    for(Eigen::Index v = 0; v < result.size(); ++v)
-      if(m_is_fixed[index(v)])
-        result[v] = values[v];
-    const Vector density = free_means(moments);
-    Vector rest = moments;
-    if(m_has_fixed)
-      rest -= m_laplacian * result;
-    Vector unknowns(m_unknowns.cols());
-    for(Eigen::Index i = 0; i < unknowns.size(); ++i) {
-      const Eigen::Index v = vertex_of_unknown(i);
-      unknowns[i] = rest[v] - m_area[v] * density[component(v)];
-    }
-    unknowns = m_factorization.solve(unknowns);
-    for(Eigen::Index i = 0; i < unknowns.size(); ++i)
-      result[vertex_of_unknown(i)] += unknowns[i];
-    const Vector mean = free_means(m_area.cwiseProduct(result));
-    for(Eigen::Index v = 0; v < result.size(); ++v)
-      result[v] -= mean[component(v)];
-    return result;
+    const Vector prescribed = prescribed_part(values);
+    return with_unknowns(prescribed, m_factorization.solve(right_side(moments, prescribed)));
   }
 
   /// solves with zero at the vertices where values are prescribed.
   Vector solve(const Vector& moments) const { return solve(moments, Vector::Zero(m_area.size())); }
+
+  /// solves with zero at the vertices where values are prescribed, for all columns at once.
+  Columns solve_columns(const Columns& moments) const
+  {
+    const Vector prescribed = Vector::Zero(m_area.size());
+    Columns unknowns(m_unknowns.cols(), moments.cols()), result(m_area.size(), moments.cols());
+    for(Eigen::Index k = 0; k < moments.cols(); ++k)
+      unknowns.col(k) = right_side(moments.col(k), prescribed);
+    unknowns = m_factorization.solve_columns(unknowns);
+    for(Eigen::Index k = 0; k < moments.cols(); ++k)
+      result.col(k) = with_unknowns(prescribed, unknowns.col(k));
+    return result;
+  }
 
 private:
   friend class internal::Heat_method<FT>;
@@ -201,6 +198,43 @@ private:
   Eigen::Index component(Eigen::Index v) const
   {
     return static_cast<Eigen::Index>(m_components[index(v)]);
+  }
+
+  // Returns the values where they are prescribed, and zero elsewhere.
+  Vector prescribed_part(const Vector& values) const
+  {
+    Vector result = Vector::Zero(m_area.size());
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      if(m_is_fixed[index(v)])
+        result[v] = values[v];
+    return result;
+  }
+
+  // Returns the right side of the equations for the unknowns.
+  Vector right_side(const Vector& moments, const Vector& prescribed) const
+  {
+    const Vector density = free_means(moments);
+    Vector rest = moments;
+    if(m_has_fixed)
+      rest -= m_laplacian * prescribed;
+    Vector result(m_unknowns.cols());
+    for(Eigen::Index i = 0; i < result.size(); ++i) {
+      const Eigen::Index v = vertex_of_unknown(i);
+      result[i] = rest[v] - m_area[v] * density[component(v)];
+    }
+    return result;
+  }
+
+  // Returns the solution with mean zero on components without prescribed values.
+  Vector with_unknowns(Vector prescribed, const Vector& unknowns) const
+  {
+    Vector& result = prescribed;
+    for(Eigen::Index i = 0; i < unknowns.size(); ++i)
+      result[vertex_of_unknown(i)] += unknowns[i];
+    const Vector mean = free_means(m_area.cwiseProduct(result));
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      result[v] -= mean[component(v)];
+    return prescribed;
   }
 
   // Adds up moments on each component.

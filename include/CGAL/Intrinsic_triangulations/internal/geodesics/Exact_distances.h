@@ -54,10 +54,11 @@ public:
   }
 
   // Returns whether all distances are known then.
-  bool run(std::size_t most_windows)
+  template <typename Visitor>
+  bool run(std::size_t most_windows, Visitor& visitor)
   {
     m_has_run = true;
-    return m_search.run_for(most_windows);
+    return m_search.run(most_windows, visitor);
   }
 
   bool has_run() const { return m_has_run; }

@@ -93,12 +93,14 @@ public:
     return m_number_of_sources++;
   }
 
+  static constexpr std::size_t unlimited_steps = (std::numeric_limits<std::size_t>::max)();
+
   // Makes distances up to `limit()` final and returns true, unless more than so many views have to
   // be looked through.
-  template <typename Limit>
-  bool run(const Limit& limit, std::size_t most_steps = (std::numeric_limits<std::size_t>::max)())
+  template <typename Limit, typename Visitor>
+  bool run(const Limit& limit, std::size_t most_steps, Visitor& visitor)
   {
-    const bool is_done = m_views.run(limit, most_steps);
+    const bool is_done = m_views.run(limit, most_steps, visitor);
     if(m_are_paths_wanted) {
       sort_views();
       sort_origins();
@@ -106,18 +108,23 @@ public:
     return is_done;
   }
 
-  void run() { run(unlimited); }
-  bool run_for(std::size_t most_steps) { return run(unlimited, most_steps); }
-
-  // Makes the distance of `v` final, or of `q`.
-  void run_to(Vertex_index v)
+  template <typename Visitor>
+  bool run(std::size_t most_steps, Visitor& visitor)
   {
-    run([&] { return m_views.distance(v.idx()); });
+    return run(unlimited, most_steps, visitor);
   }
-  void run_to(const Location& q)
+
+  // Makes the distance of `q` final.
+  template <typename Visitor>
+  void run_to(const Location& q, Visitor& visitor)
   {
+    const Vertex_index v = vertex_at(q, m_mesh);
+    if(v != Delta_complex::null_vertex()) {
+      run([&] { return m_views.distance(v.idx()); }, unlimited_steps, visitor);
+      return;
+    }
     const Flat_face<FT> face(m_mesh.halfedge(q.first), m_views.surface());
-    run([&] { return by_corners(q, face).length; });
+    run([&] { return by_corners(q, face).length; }, unlimited_steps, visitor);
   }
 
   // Returns the length up to which distances are final; infinite at the end.

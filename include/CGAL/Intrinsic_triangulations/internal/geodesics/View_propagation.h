@@ -125,9 +125,9 @@ public:
   }
 
   // Goes on until no path that is shorter than `limit()` can be missing, and returns true, or until
-  // so many views have been looked through.
-  template <typename Limit>
-  bool run(const Limit& limit, std::size_t most_steps)
+  // so many views have been looked through. If the visitor throws, `run()` can be called again.
+  template <typename Limit, typename Visitor>
+  bool run(const Limit& limit, std::size_t most_steps, Visitor& visitor)
   {
     for(std::size_t steps = 0, more = 0;; steps += more, m_steps += more) {
       check_bound(m_steps);
@@ -142,6 +142,7 @@ public:
         more = look_through(m_next.pop());
       else
         open_bend(m_bends.pop());
+      visitor.after_windows(more);
     }
   }
 

@@ -88,6 +88,7 @@ class Heat_flow
 {
 public:
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
   template <typename Surface, typename NamedParameters>
   Heat_flow(const Surface& surface, const NamedParameters& np)
@@ -138,16 +139,30 @@ public:
   Vector spread_everywhere(const Vector& sources) const
   {
     Vector heat = spread(sources);
+    check_everywhere(heat, sources);
+    return heat;
+  }
+
+  // Returns the same for all columns.
+  Columns spread_columns_everywhere(const Columns& sources) const
+  {
+    Columns heat = m_factorization.solve_columns(unit() * sources);
+    for(Eigen::Index k = 0; k < heat.cols(); ++k)
+      check_everywhere(heat.col(k), sources.col(k));
+    return heat;
+  }
+
+private:
+  void check_everywhere(const Vector& heat, const Vector& sources) const
+  {
     const auto count = number_of_sources(sources);
     for(Eigen::Index v = 0; v < heat.size(); ++v)
       if(count[m_components[static_cast<std::size_t>(v)]] > 0 &&
          !(CGAL::abs(heat[v]) > (std::numeric_limits<FT>::min)()))
         throw Underflow_error("no heat reaches vertex " + std::to_string(v) +
                               "; a greater time step factor is needed");
-    return heat;
   }
 
-private:
   Mesh_components m_components;
   Vector m_rate;
   Factorization<FT> m_factorization;

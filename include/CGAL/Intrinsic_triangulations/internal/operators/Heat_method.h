@@ -73,19 +73,23 @@ public:
 
   // of vertices
   template <typename VertexRange>
-  Source_values values_at(const VertexRange& sources) const
+  Source_values values_of(const VertexRange& sources) const
   {
     std::vector<Part> parts;
     for(Vertex_index v : sources)
       parts.push_back(Part::at_vertex(v));
-    return values_of(parts);
+    return values_of_parts(parts);
   }
+
+  Source_values values_of(Vertex_index source) const { return values_of(std::array{source}); }
 
   template <typename Surface>
   Source_values values_of(const Distance_sources<Surface>& sources) const
   {
-    return values_of(sources.m_parts);
+    return values_of_parts(sources.m_parts);
   }
+
+  Eigen::Index number_of_vertices() const { return m_number_of_vertices; }
 
   // The divergence of the unit vectors against the gradient of the heat, integrated.
   Vector moments(const Vector& heat) const
@@ -131,7 +135,7 @@ private:
   std::size_t component(Eigen::Index v) const { return m_components[static_cast<std::size_t>(v)]; }
 
   // On a curve, there is as much heat as with a vertex for each mean edge length.
-  Source_values values_of(const std::vector<Part>& parts) const
+  Source_values values_of_parts(const std::vector<Part>& parts) const
   {
     const Eigen::Index n = m_number_of_vertices;
     Source_values result{Vector::Zero(n), Vector::Constant(n, infinity())};

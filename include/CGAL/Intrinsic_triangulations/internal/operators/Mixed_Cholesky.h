@@ -66,6 +66,7 @@ class Mixed_Cholesky
 public:
   typedef Eigen::SparseMatrix<Scalar> Matrix;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> Columns;
   typedef typename Eigen::NumTraits<Scalar>::Real Real;
 
   // The pattern alone matters.
@@ -105,6 +106,13 @@ public:
         value -= conjugate(factor) * x[p];
     }
     return x;
+  }
+
+  Columns solve_columns(Columns right_sides) const
+  {
+    for(Eigen::Index k = 0; k < right_sides.cols(); ++k)
+      right_sides.col(k) = solve(right_sides.col(k));
+    return right_sides;
   }
 
 private:

@@ -26,6 +26,7 @@ class Simplicial_Cholesky
 public:
   typedef Eigen::SparseMatrix<Scalar> Matrix;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
   // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
   static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
@@ -45,6 +46,7 @@ public:
   }
 
   Vector solve(const Vector& right_side) const { return Base::solve(right_side); }
+  Columns solve_columns(const Columns& right_sides) const { return Base::solve(right_sides); }
 
   // The number of entries of the factor; it is known after the analysis, but not to Eigen's users.
   double size() const { return static_cast<double>(Base::m_matrix.nonZeros()); }

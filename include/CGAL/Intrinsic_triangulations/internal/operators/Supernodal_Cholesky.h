@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -57,34 +58,41 @@ private:
 #endif
 };
 
-// Solves equations with a supernodal factor of CHOLMOD. CHOLMOD itself calls BLAS for each block,
-// which takes longer than the block where there is one right-hand side.
-template <typename Scalar>
+// Solves equations with a supernodal factor of CHOLMOD, for several right-hand sides at once.
+// CHOLMOD itself calls BLAS for each block, which takes longer than the block if right-hand sides
+// are few. A row has the values of all right-hand sides.
+template <typename Scalar, int number_of_sides = 1>
 class Supernodal_solution
 {
-  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
-  typedef Eigen::Map<const Vector> Column;
+  static constexpr bool is_one = number_of_sides == 1;
+  typedef Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> Column;
+  typedef Eigen::Matrix<Scalar, 1, number_of_sides> Row;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, number_of_sides,
+                        is_one ? Eigen::ColMajor : Eigen::RowMajor>
+    Rows;
 
 public:
   explicit Supernodal_solution(const cholmod_factor& factor)
-    : m_factor(factor), m_below(static_cast<Eigen::Index>(factor.maxesize))
+    : m_factor(factor), m_below(static_cast<Eigen::Index>(factor.maxesize), number_of_sides)
   {}
 
-  Vector operator()(const Vector& right_side)
+  // Replaces the columns, which are no more than the number of right-hand sides, by solutions.
+  template <typename Columns>
+  void operator()(Columns&& columns)
   {
     const int* order = static_cast<const int*>(m_factor.Perm);
-    m_x.resize(right_side.size());
-    for(Eigen::Index i = 0; i < m_x.size(); ++i)
-      m_x[i] = right_side[order[i]];
+    m_x.setZero(columns.rows(), number_of_sides);
+    for(Eigen::Index k = 0; k < columns.cols(); ++k)
+      for(Eigen::Index i = 0; i < m_x.rows(); ++i)
+        m_x(i, k) = columns(order[i], k);
     const int n = static_cast<int>(m_factor.nsuper);
     for(int s = 0; s < n; ++s)
       eliminate(block(s));
     for(int s = n; s-- > 0;)
       substitute(block(s));
-    Vector result(m_x.size());
-    for(Eigen::Index i = 0; i < m_x.size(); ++i)
-      result[order[i]] = m_x[i];
-    return result;
+    for(Eigen::Index k = 0; k < columns.cols(); ++k)
+      for(Eigen::Index i = 0; i < m_x.rows(); ++i)
+        columns(order[i], k) = m_x(i, k);
   }
 
 private:
@@ -116,32 +124,44 @@ private:
   // Solves for the unknowns of a block in the equations of the lower triangle.
   void eliminate(const Block& block)
   {
-    auto below = m_below.head(block.rows - block.columns);
+    auto below = m_below.topRows(block.rows - block.columns);
     below.setZero();
     for(Eigen::Index j = 0; j < block.columns; ++j) {
-      const Scalar x = m_x[block.first + j] /= block.diagonal(j);
-      m_x.segment(block.first + j + 1, block.columns - j - 1) -= x * block.inside(j);
-      below += x * block.below(j);
+      const Row x = m_x.row(block.first + j) /= block.diagonal(j);
+      m_x.middleRows(block.first + j + 1, block.columns - j - 1) -= block.inside(j).lazyProduct(x);
+      below += block.below(j).lazyProduct(x);
     }
-    for(Eigen::Index i = 0; i < below.size(); ++i)
-      m_x[block.row[i]] -= below[i];
+    for(Eigen::Index i = 0; i < below.rows(); ++i)
+      m_x.row(block.row[i]) -= below.row(i);
   }
 
   // the same in the upper triangle
   void substitute(const Block& block)
   {
-    auto below = m_below.head(block.rows - block.columns);
-    for(Eigen::Index i = 0; i < below.size(); ++i)
-      below[i] = m_x[block.row[i]];
+    auto below = m_below.topRows(block.rows - block.columns);
+    for(Eigen::Index i = 0; i < below.rows(); ++i)
+      below.row(i) = m_x.row(block.row[i]);
     for(Eigen::Index j = block.columns; j-- > 0;) {
-      const auto inside = m_x.segment(block.first + j + 1, block.columns - j - 1);
-      const Scalar known = block.inside(j).dot(inside) + block.below(j).dot(below);
-      m_x[block.first + j] = (m_x[block.first + j] - known) / block.diagonal(j);
+      const auto inside = m_x.middleRows(block.first + j + 1, block.columns - j - 1);
+      const Row known = product(block.inside(j), inside) + product(block.below(j), below);
+      m_x.row(block.first + j) = (m_x.row(block.first + j) - known) / block.diagonal(j);
     }
   }
 
+  // The scalar products of a column of the factor with all columns of `rows`.
+  template <typename Block_of_rows>
+  static Row product(const Column& column, const Block_of_rows& rows)
+  {
+    if constexpr(is_one)
+      return Row(column.dot(rows));
+    Row result = Row::Zero();
+    for(Eigen::Index i = 0; i < column.size(); ++i)
+      result += Eigen::numext::conj(column[i]) * rows.row(i);
+    return result;
+  }
+
   const cholmod_factor& m_factor;
-  Vector m_x, m_below;
+  Rows m_x, m_below;
 };
 
 // Eigen's interface to CHOLMOD, supernodal if that pays. Hermitian matrices are given by their
@@ -156,6 +176,7 @@ class Supernodal_Cholesky
 public:
   typedef Eigen::SparseMatrix<Scalar> Matrix;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
   Supernodal_Cholesky() : Supernodal_Cholesky(CHOLMOD_NATURAL) {}
 
@@ -188,18 +209,35 @@ public:
   }
 
   // Eigen's `solve()` has one workspace, which threads cannot share.
-  Vector solve(const Vector& right_side) const
+  Vector solve(Vector right_side) const
   {
-    return this->m_cholmodFactor->is_super
-             ? Supernodal_solution<Scalar>(*this->m_cholmodFactor)(right_side)
-             : simplicial_solution(right_side);
+    if(!this->m_cholmodFactor->is_super)
+      return simplicial_solution(std::move(right_side));
+    Supernodal_solution<Scalar>{*this->m_cholmodFactor}(right_side);
+    return right_side;
+  }
+
+  // Solves for all columns, some of them at once.
+  Columns solve_columns(Columns right_sides) const
+  {
+    constexpr int at_once = 8;
+    if(right_sides.cols() == 0)
+      return right_sides;
+    if(!this->m_cholmodFactor->is_super)
+      return simplicial_solution(std::move(right_sides));
+    Supernodal_solution<Scalar, at_once> solution(*this->m_cholmodFactor);
+    for(Eigen::Index k = 0; k < right_sides.cols(); k += at_once)
+      solution(
+        right_sides.middleCols(k, (std::min)(Eigen::Index(at_once), right_sides.cols() - k)));
+    return right_sides;
   }
 
   // The number of entries of the factor.
   double size() const { return this->m_cholmod.lnz; }
 
 private:
-  Vector simplicial_solution(Vector right_side) const
+  template <typename Dense>
+  Dense simplicial_solution(Dense right_side) const
   {
     cholmod_common workspace;
     cholmod_start(&workspace);
