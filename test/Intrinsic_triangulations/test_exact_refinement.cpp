@@ -479,4 +479,26 @@ TEST(Exact_refinement, faces_without_area_are_named)
     EXPECT_EQ(f.reason, Remaining_reason::no_area);
 }
 
+// The least length of an edge is 2^-127. Insertions that would make shorter edges fail, and must
+// leave nothing behind.
+TEST(Exact_refinement, failed_insertions_change_nothing)
+{
+  const double s = std::ldexp(1.5, -127);
+  const Mesh mesh = make_mesh({Point(0, 0, 0), Point(s, 0, 0), Point(s, s, 0), Point(0, s, 0)},
+                              {{0, 1, 2}, {0, 2, 3}});
+  for(const bool is_exact : {false, true}) {
+    Triangulation tri(mesh);
+    Insertion_counter counter(tri);
+    const Refinement_result result =
+      IT::refine(tri, IT::parameters::maximum_circumradius(s / 2).exact_decisions(is_exact).visitor(
+                        std::ref(counter)));
+    EXPECT_EQ(result.status, IT::Refinement_status::no_room);
+    EXPECT_EQ(counter.vertices, tri.number_of_inserted_vertices());
+    EXPECT_EQ(counter.vertices, result.insertions - result.removals);
+    EXPECT_TRUE(tri.is_valid(true));
+    for(IT::Edge_index e : tri.mesh().edges())
+      EXPECT_GE(tri.length(e), std::ldexp(1., -127));
+  }
+}
+
 } // namespace Test_exact_refinement

@@ -92,9 +92,9 @@ public:
     return true;
   }
 
-  // Returns `minimizer`, but if it is Newton's method, it ends when the scale factors of the minimum
-  // are certainly out of bounds, so that a cone can be added. The minimum is not as far away as
-  // half of Newton's last step.
+  // Returns `minimizer`. Newton's method ends when the scale factors of the minimum are certainly
+  // out of bounds, so that a cone can be added. The minimum is not as far away as half of the last
+  // step.
   Any_minimizer ending_beyond(double bound, const Any_minimizer& minimizer) const
   {
     const auto* newton = minimizer.target<Newton_minimizer>();

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_location.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Rounded_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/face_splits.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -76,6 +77,7 @@ public:
                                                 const Edge_split<Integer>& n,
                                                 const Edge_split<Outgoing_halfedges::size_type>& r)
   {
+    check_lengths_of_parts(h, t);
     const auto q = m_tri.part_of_input_edge(h).point(t, m_tri.input_mesh());
     const Vertex_index m = m_tri.insert_into_edge(h, n, r, q, {});
     m_courses.after_split(h);
@@ -124,17 +126,25 @@ public:
 
   // Returns null, and nothing has changed, if the new edges would not be straight, or a face not
   // positive.
+  // \throws Numerical_error if this, or a length, cannot be decided; nothing has changed
   BOOST_NOINLINE Vertex_index split_face(Face_index f, const Face_split<Integer>& at,
                                          const Point_to_insert<double>& p)
   {
     const Halfedge_index first = m_mesh.halfedge(f);
     const Vertex_index m = m_tri.insert_into_face(f, at, p.on_input, {});
     m_courses.after_insertion(m);
-    if(is_geodesic(m))
-      return m_tri.measured(m, m_decisions);
-    // so that `f` is the face that stays, with its first halfedge
-    m_tri.m_mesh.set_halfedge(m, m_mesh.opposite(m_mesh.prev(first)));
-    m_tri.remove_degree_3_vertex(m);
+    const auto undo = [&] { // so that `f` is the face that stays, with its first halfedge
+      m_tri.m_mesh.set_halfedge(m, m_mesh.opposite(m_mesh.prev(first)));
+      m_tri.remove_degree_3_vertex(m);
+    };
+    try {
+      if(is_geodesic(m))
+        return m_tri.measured(m, m_decisions);
+    } catch(...) {
+      undo();
+      throw;
+    }
+    undo();
     return {};
   }
 
@@ -161,6 +171,26 @@ private:
   {
     return m_tri.coordinates().is_shared(m_mesh.edge(h)) ? m_decisions.shared_length(h) > 0
                                                          : m_decisions.is_straight(h);
+  }
+
+  // Checks that both parts of an edge are not too short, nor new edges beside them. These are
+  // measured here if only their faces are small, since rounding could hide needles elsewhere.
+  // \throws Numerical_error if they are
+  void check_lengths_of_parts(Halfedge_index h, double t) const
+  {
+    constexpr double small = 0x1p-100; // the least length is 2^-127
+    const double length = m_tri.length(m_mesh.edge(h));
+    checked_length(m_tri, t * length);
+    checked_length(m_tri, (1 - t) * length);
+    const auto check_apex = [&](Halfedge_index side, double along) {
+      if(!m_mesh.is_border(side)) {
+        const auto lengths = side_lengths(side, m_tri);
+        if(*std::max_element(lengths.begin(), lengths.end()) < small)
+          distance_to_apex(m_tri, side, along);
+      }
+    };
+    check_apex(h, t);
+    check_apex(m_mesh.opposite(h), 1 - t);
   }
 
   Triangulation& m_tri;
