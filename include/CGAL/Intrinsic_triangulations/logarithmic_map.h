@@ -242,8 +242,7 @@ logarithmic_map(const Surface& surface, const Source& source,
 {
   Default_window_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
-  const Delta_complex& mesh = surface.mesh();
-  CGAL_precondition(internal::is_valid_source(source, mesh));
+  CGAL_precondition(internal::is_valid_source(source, surface.mesh()));
   const auto view = internal::view_of(surface);
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
   internal::Path_directions search(view);
