@@ -32,7 +32,7 @@ DEFINITIONS = [
     ("Hard_surfaces.txt", r"limit of 40 seconds|100 times as long as thick|10-9 times as long as the others"),
     ("Paths_and_distances.txt", r"a billion times longer than wide"),
     ("Plane.txt", r"three times more while"),
-    ("Program.txt", r"more than 10 %"),
+    ("Program_commands.txt", r"more than 10 %"),
     ("Refinement.txt", r"within 10 %"),
 ]
 
