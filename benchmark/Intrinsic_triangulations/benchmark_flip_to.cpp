@@ -16,7 +16,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,15 +29,29 @@ typedef IT::Intrinsic_triangulation<> Triangulation;
 
 namespace {
 
+// whether rounding of the sides could violate the triangle inequality
+bool is_almost_flat(IT::Face_index f, const Triangulation& tri)
+{
+  const auto side = IT::sides(f, tri.mesh());
+  const auto length = [&](std::size_t s) { return tri.length(tri.mesh().edge(side[s])); };
+  const double a = length(0), b = length(1), c = length(2), longest = (std::max)({a, b, c});
+  return a + b + c - 2 * longest <= 1e-9 * longest;
+}
+
+// Faces that are almost flat are flipped back: they could not be the input of a triangulation.
 void flip_at_random(Triangulation& tri, std::size_t flips, CGAL::Random& random)
 {
   const int size = static_cast<int>(tri.mesh().number_of_halfedges());
   while(flips > 0) {
     const IT::Halfedge_index h(static_cast<unsigned>(random.get_int(0, size)));
-    if(tri.is_flippable(h)) {
+    if(!tri.is_flippable(h))
+      continue;
+    tri.flip(h);
+    const IT::Delta_complex& mesh = tri.mesh();
+    if(is_almost_flat(mesh.face(h), tri) || is_almost_flat(mesh.face(mesh.opposite(h)), tri))
       tri.flip(h);
+    else
       --flips;
-    }
   }
 }
 
