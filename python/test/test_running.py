@@ -18,6 +18,14 @@ import intrinsic
 import support
 
 
+class Enough(Exception):
+    """Stops a call from its progress."""
+
+
+def stop_at_once(stage, steps):
+    raise Enough(stage)
+
+
 class Progress(unittest.TestCase):
     def test_stages(self):
         V, F = intrinsic.shapes.folded_sphere(4)
@@ -28,28 +36,16 @@ class Progress(unittest.TestCase):
         self.assertIn("layout", names)
 
     def test_exceptions_leave_windows(self):
-        class Enough(Exception):
-            pass
-
-        def stop(stage, steps):
-            raise Enough(stage)
-
         V, F = intrinsic.shapes.folded_sphere(7)
         T = intrinsic.Triangulation(V, F)
         with self.assertRaisesRegex(Enough, "windows"):
-            intrinsic.distance(T, None, 0, "exact", progress=stop)
+            intrinsic.distance(T, None, 0, "exact", progress=stop_at_once)
 
     def test_exceptions_leave(self):
-        class Enough(Exception):
-            pass
-
-        def stop(stage, steps):
-            raise Enough(stage)
-
         V, F = intrinsic.shapes.folded_sphere(4)
-        for call in (lambda: intrinsic.flatten(V, F, progress=stop),
-                     lambda: intrinsic.to_sphere(V, F, progress=stop),
-                     lambda: intrinsic.uniformize(V, F, progress=stop)):
+        for call in (lambda: intrinsic.flatten(V, F, progress=stop_at_once),
+                     lambda: intrinsic.to_sphere(V, F, progress=stop_at_once),
+                     lambda: intrinsic.uniformize(V, F, progress=stop_at_once)):
             with self.assertRaises(Enough):
                 call()
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #if __has_include(<CGAL/Triangulation_on_hyperbolic_surface_2.h>) || defined(DOXYGEN_RUNNING)
@@ -46,6 +47,24 @@ inline std::complex<double> cross_ratio(Halfedge_index h, const Hyperbolic_confo
                              b = apex_seen_from(h, 1, map),
                              d = apex_seen_from(mesh.next(mesh.opposite(h)), -1, map);
   return (d - b) * a / ((d - a) * b);
+}
+
+// Returns the positions of a face in the disk, with a dart of its first side.
+template <typename Traits>
+typename CGAL::Triangulation_on_hyperbolic_surface_2<Traits>::Anchor
+anchor_of(Face_index f,
+          typename CGAL::Triangulation_on_hyperbolic_surface_2<Traits>::Dart_descriptor dart,
+          const Hyperbolic_conformal_map& map)
+{
+  typedef typename Traits::FT FT;
+  typename CGAL::Triangulation_on_hyperbolic_surface_2<Traits>::Anchor result;
+  result.dart = dart;
+  const auto side = sides(f, map.ideal().mesh());
+  for(std::size_t k = 0; k < 3; ++k) {
+    const std::complex<double> z = map.position(side[k]);
+    result.vertices[k] = typename Traits::Hyperbolic_point_2(FT(z.real()), FT(z.imag()));
+  }
+  return result;
 }
 
 } // namespace internal
@@ -82,25 +101,17 @@ triangulation_on_hyperbolic_surface(const Hyperbolic_conformal_map& map, std::si
   const Delta_complex& mesh = map.ideal().mesh();
   typename Triangulation::Combinatorial_map_with_cross_ratios darts;
   std::vector<typename Triangulation::Dart_descriptor> dart(mesh.number_of_halfedges());
-  typename Triangulation::Anchor anchor;
-  bool has_anchor = false;
+  std::optional<typename Triangulation::Anchor> anchor;
   for(Face_index f : mesh.faces()) {
     if(map.component(f) != component)
       continue;
-    const auto side = sides(f, mesh);
     auto next = darts.make_combinatorial_polygon(3);
-    for(Halfedge_index h : side) {
+    for(Halfedge_index h : sides(f, mesh)) {
       dart[h.idx()] = next;
       next = darts.template beta<1>(next);
     }
-    if(has_anchor)
-      continue;
-    has_anchor = true;
-    anchor.dart = next;
-    for(std::size_t k = 0; k < 3; ++k) {
-      const std::complex<double> z = map.position(side[k]);
-      anchor.vertices[k] = typename Traits::Hyperbolic_point_2(FT(z.real()), FT(z.imag()));
-    }
+    if(!anchor)
+      anchor = internal::anchor_of<Traits>(f, next, map);
   }
   for(Edge_index e : mesh.edges()) {
     const Halfedge_index h = mesh.halfedge(e);
@@ -112,7 +123,7 @@ triangulation_on_hyperbolic_surface(const Hyperbolic_conformal_map& map, std::si
       dart[h.idx()], darts.template create_attribute<1>(
                        typename Traits::Complex(FT(ratio.real()), FT(ratio.imag()))));
   }
-  return Triangulation(darts, anchor);
+  return Triangulation(darts, *anchor);
 }
 
 } // namespace CGAL::Discrete_conformal_maps
