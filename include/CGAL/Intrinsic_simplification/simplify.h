@@ -228,7 +228,7 @@ constexpr double default_area_weight = 2;
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the weight of the change of area in the default cost. It improves distances on coarse surfaces,
-/// and does not affect solutions of Poisson problems (\ref is_quality_area_change).
+/// and does not affect solutions of Poisson problems (\ref is_quality).
 constexpr double default_area_change_weight = 6;
 
 /// \ingroup PkgIntrinsicSimplificationRef
