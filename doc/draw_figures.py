@@ -338,7 +338,7 @@ def tufted():
         fig.line(p, turn[0], *curve, turn[1], q, color=color)
     for w in ways:
         fig.line(w + .09j * w, w + .09 * w, w - .09j * w, color=GREY, width=1.2, dash="3 3")
-    fig.text(-1.3j, "each has two sides, glued to those that face them", size=15)
+    fig.text(-1.3j, "each has two sides; facing sides are glued", size=15)
     fig.write()
 
 

@@ -51,7 +51,7 @@ class NegativeCurvatureError(InputError):
 
 
 class NumericalError(IntrinsicError, ArithmeticError):
-    """Is raised if rounding leaves no result."""
+    """Is raised if rounding errors prevent a result."""
 
 
 class UnderflowError(NumericalError):

@@ -188,7 +188,7 @@ class SphereMap(ConformalMap):
 
 
 class HyperbolicMap(ConformalMap):
-    """A map to the hyperbolic plane, as the Poincare disk; a boundary becomes geodesics."""
+    """A map to the Poincare disk; boundary loops become geodesics."""
 
     @property
     def area(self) -> float:

@@ -137,7 +137,7 @@ def simplify(
     mollify: float | str = "auto",
     progress: Progress | None = None,
 ) -> Simplification:
-    """Remove vertices, the one of least cost first, and keep distances as well as possible.
+    """Remove vertices in the order of their cost, and keep distances as well as possible.
 
     Parameters
     ----------
