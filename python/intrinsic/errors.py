@@ -46,8 +46,8 @@ class NotAManifoldError(InputError):
 
 
 class NegativeCurvatureError(InputError):
-    """Is raised if a vertex has more than 360 degrees and the surface can be no convex
-    polyhedron."""
+    """Is raised if a vertex has more than 360 degrees, so that no convex polyhedron has the
+    surface."""
 
 
 class NumericalError(IntrinsicError, ArithmeticError):
