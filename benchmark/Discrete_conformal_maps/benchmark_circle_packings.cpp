@@ -89,9 +89,9 @@ int main(int argc, char** argv)
   for(auto& [key, r] : records) {
     std::sort(r.steps.begin(), r.steps.end());
     Table::print({random_sphere_names[key.first],
-                  Table::text((std::min)(std::size_t(greatest), key.second)),
-                  Table::text(r.number), Table::text(r.successes), Table::text(r.within),
-                  Table::text(r.worst), Table::text(r.steps[r.steps.size() / 2]),
-                  Table::text(r.steps.back()), Table::text(r.seconds)});
+                  Table::text((std::min)(std::size_t(greatest), key.second)), Table::text(r.number),
+                  Table::text(r.successes), Table::text(r.within), Table::text(r.worst),
+                  Table::text(r.steps[r.steps.size() / 2]), Table::text(r.steps.back()),
+                  Table::text(r.seconds)});
   }
 }
