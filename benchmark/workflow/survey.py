@@ -29,23 +29,23 @@ COLUMNS = ["surfaces", "maps", "found", "crowded", "failed", "too slow", "contra
 
 
 def boundary(path):
-    """Returns Euler characteristic, points, faces, and sides of the boundary of a mesh in the format OFF."""
+    """Returns Euler characteristic, points, and sides of the boundary of a mesh in the format OFF."""
     numbers = path.read_text().split()[1:]
     vertices, faces = int(numbers[0]), int(numbers[1])
     coordinates = list(map(float, numbers[3:3 + 3 * vertices]))
     corners = list(map(int, numbers[3 + 3 * vertices:]))
-    triangles = [tuple(corners[i + 1:i + 4]) for i in range(0, 4 * faces, 4)]
     sides = set()
-    for a, b, c in triangles:
+    for i in range(0, 4 * faces, 4):
+        a, b, c = corners[i + 1:i + 4]
         sides |= {(a, b), (b, c), (c, a)}
     border = sorted((a, b) for b, a in sides if (a, b) not in sides)
     points = [tuple(coordinates[i:i + 3]) for i in range(0, 3 * vertices, 3)]
-    return vertices - (len(sides) + len(border)) // 2 + faces, points, triangles, border
+    return vertices - (len(sides) + len(border)) // 2 + faces, points, border
 
 
 def topology(path):
     """Returns Euler characteristic and number of boundary loops of a mesh."""
-    characteristic, _, _, sides = boundary(path)
+    characteristic, _, sides = boundary(path)
     border = dict(sides)
     loops = 0
     while border:
@@ -71,27 +71,9 @@ def distance_to_segment(p, q, r):
     return math.dist(from_q, [min(max(t, 0), 1) * a for a in along])
 
 
-def angle(p, q, r):
-    """Returns the angle at p in a triangle."""
-    u, v = ([b - a for a, b in zip(p, x)] for x in (q, r))
-    cross = [u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2] for i in range(3)]
-    return math.atan2(math.hypot(*cross), sum(a * b for a, b in zip(u, v)))
-
-
-def sharp_vertices(points, faces, sides):
-    """Returns the sine of half the angle of each vertex with an angle below 60 degrees, on the double of the surface."""
-    border = {v for side in sides for v in side}
-    total = [0.0] * len(points)
-    for face in faces:
-        for v, a, b in zip(face, face[1:] + face[:1], face[2:] + face[:2]):
-            total[v] += angle(points[v], points[a], points[b]) * (2 if v in border else 1)
-    return {v: math.sin(x / 2) for v, x in enumerate(total) if x < math.pi / 3}
-
-
-def random_radii(points, sides, sharp):
+def random_radii(points, sides):
     """Returns radii of circles that do not meet, nor cross the sides of the boundary: random parts of distances in
-    space, which are no longer than on the surface. Around a vertex of a small angle, `sharp[v]` is the sine of half of
-    it, circles must not meet themselves."""
+    space, which are no longer than on the surface. Circles of the boundary must not cross its other sides either."""
     rng = random.Random(len(points))
     order = sorted(range(len(points)), key=lambda v: points[v])
     result = [0.0] * len(points)
@@ -103,17 +85,15 @@ def random_radii(points, sides, sharp):
                 least = min(least, math.dist(points[order[k]], points[v]))
                 k += step
         least /= 2
-        least = min([least, *(distance_to_segment(points[v], points[a], points[b]) for a, b in sides if v not in (a, b)),
-                     *(math.dist(points[v], points[w]) * sine for w, sine in sharp.items() if w != v)])
+        least = min([least, *(distance_to_segment(points[v], points[a], points[b]) for a, b in sides if v not in (a, b))])
         result[v] = least * rng.uniform(0, 0.99)
     return result
 
 
 def write_radii(path, file):
     """Writes random radii for the vertices of a mesh."""
-    points, faces, sides = boundary(path)[1:]
-    sharp = sharp_vertices(points, faces, sides)
-    file.write_text("".join(f"{v} {r!r}\n" for v, r in enumerate(random_radii(points, sides, sharp))))
+    points, sides = boundary(path)[1:]
+    file.write_text("".join(f"{v} {r!r}\n" for v, r in enumerate(random_radii(points, sides))))
 
 
 def is_within(error, bound):
