@@ -71,7 +71,7 @@ RUNS = [
     Run(f"{DCM}/minimizers", "benchmark_minimizers", CGAL_MESHES),
     Run(f"{DCM}/layouts", "benchmark_layout", CGAL_MESHES),
     Run(f"{DCM}/circles", "benchmark_circles", CGAL_MESHES),
-    Run(f"{DCM}/circle_packings", "benchmark_circle_packings 1000 2000", GENERATED),
+    Run(f"{DCM}/circle_packings", "benchmark_circle_packings 1000 10000", GENERATED),
     Run(f"{DCM}/hard_problems", "benchmark_flatten_robustness", "generated meshes of the tests"),
     Run(f"{DCM}/maps_found",
         WORKFLOW + "count_maps.py {build}/intrinsic {meshes} " + SMALL, "meshes of " + SMALL, target="intrinsic"),

@@ -4,7 +4,7 @@
 
 // Circle packings of random triangulations of the sphere: how many succeed, how far circles at the
 // ends of edges are from touching, steps and CPU time. Arguments are a number of triangulations and
-// a greatest number of vertices.
+// a greatest number of vertices. The table has a row for each kind and power of ten.
 
 #include "../Table.h"
 #include "random_spheres.h"
@@ -64,25 +64,34 @@ struct Record
   }
 };
 
+// Returns the least power of ten that is not less than `n`.
+std::size_t next_power_of_ten(std::size_t n)
+{
+  std::size_t result = 1;
+  while(result < n)
+    result *= 10;
+  return result;
+}
+
 int main(int argc, char** argv)
 {
   const std::size_t number = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1000;
   const double greatest = argc > 2 ? std::strtod(argv[2], nullptr) : 10000;
-  std::map<std::pair<std::size_t, std::size_t>, Record> records; // by kind and digits of the size
+  std::map<std::pair<std::size_t, std::size_t>, Record> records; // by kind and most vertices
   for(std::size_t i = 0; i < number; ++i) {
     CGAL::Random random(static_cast<unsigned int>(i));
     const auto n = std::size_t(4 * std::pow(greatest / 4, double(i + 1) / double(number)));
     const std::size_t kind = i % random_sphere_names.size();
-    records[{kind, std::to_string(n).size()}].add(random_sphere(kind, n, random));
+    records[{kind, next_power_of_ten(n)}].add(random_sphere(kind, n, random));
   }
   const Table table({"triangulations", "up to vertices", "number", "success", "within 1e-10",
-                     "greatest error", "median steps", "most steps", "seconds"});
+                     "greatest error", "median steps", "most steps", "seconds for all"});
   for(auto& [key, r] : records) {
     std::sort(r.steps.begin(), r.steps.end());
     Table::print({random_sphere_names[key.first],
-                  Table::text(std::size_t((std::min)(greatest, std::pow(10, key.second) - 1))),
-                  Table::text(r.number), Table::text(r.successes), Table::text(r.within),
-                  Table::text(r.worst), Table::text(r.steps[r.steps.size() / 2]),
-                  Table::text(r.steps.back()), Table::text(r.seconds)});
+                  Table::text((std::min)(std::size_t(greatest), key.second)), Table::text(r.number),
+                  Table::text(r.successes), Table::text(r.within), Table::text(r.worst),
+                  Table::text(r.steps[r.steps.size() / 2]), Table::text(r.steps.back()),
+                  Table::text(r.seconds)});
   }
 }

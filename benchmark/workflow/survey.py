@@ -73,9 +73,8 @@ def distance_to_segment(p, q, r):
 
 def random_radii(points, sides):
     """Returns radii of circles that do not meet, nor cross the sides of the boundary: random parts of distances in
-    space, which are no longer than on the surface."""
+    space, which are no longer than on the surface. Circles of the boundary must not cross its other sides either."""
     rng = random.Random(len(points))
-    border = {v for side in sides for v in side}
     order = sorted(range(len(points)), key=lambda v: points[v])
     result = [0.0] * len(points)
     for i, v in enumerate(order):
@@ -86,8 +85,7 @@ def random_radii(points, sides):
                 least = min(least, math.dist(points[order[k]], points[v]))
                 k += step
         least /= 2
-        if v not in border:
-            least = min([least, *(distance_to_segment(points[v], points[a], points[b]) for a, b in sides)])
+        least = min([least, *(distance_to_segment(points[v], points[a], points[b]) for a, b in sides if v not in (a, b))])
         result[v] = least * rng.uniform(0, 0.99)
     return result
 

@@ -165,6 +165,20 @@ TEST(Pack_circles, touch_in_nested_triangulations)
   }
 }
 
+// Circles are up to a billion times smaller than others.
+TEST(Pack_circles, touch_in_a_nested_triangulation_of_ten_thousand_vertices)
+{
+  CGAL::Random random(1);
+  Mesh mesh = tetrahedron();
+  while(mesh.number_of_vertices() < 10000)
+    CGAL::Euler::add_center_vertex(Mesh::Halfedge_index(static_cast<Mesh::size_type>(
+                                     random.get_int(0, int(mesh.number_of_halfedges())))),
+                                   mesh);
+  const Circle_packing packing = DCM::pack_circles(mesh);
+  EXPECT_EQ(packing.status(), DCM::Map_status::success);
+  check_tangencies(packing, mesh);
+}
+
 // Circles touch in points that are in balance.
 TEST(Pack_circles, are_centered)
 {

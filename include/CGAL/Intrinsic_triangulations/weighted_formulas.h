@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -43,6 +44,16 @@ auto diamond_weights(const WeightMap& weight, Halfedge_index h, const Delta_comp
 }
 
 namespace internal {
+
+// Returns the weights of circles, their squared radii. The result refers to `radius`.
+template <typename RadiusMap>
+auto squared_radius_map(const RadiusMap& radius)
+{
+  return boost::make_function_property_map<Vertex_index>([&radius](Vertex_index v) {
+    const auto r = get(radius, v);
+    return r * r;
+  });
+}
 
 // A triangle ijk with weights, seen from its side ij.
 template <typename FT>

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -82,12 +83,11 @@ public:
     check(t, original, [&t](Edge_index e) { return t.length(e); });
     const auto radius = boost::make_function_property_map<Vertex_index>(
       [&](Vertex_index v) { return m_radii[original[v.idx()].idx()]; });
-    const auto weight = boost::make_function_property_map<Vertex_index>(
-      [&](Vertex_index v) { return get(radius, v) * get(radius, v); });
     const auto result =
       is_exact ? Intrinsic_triangulations::internal::flip_exactly_with_circles(t, radius, visitor)
                : Intrinsic_triangulations::make_weighted_Delaunay(
-                   t, weight, CGAL::parameters::visitor(std::ref(visitor)));
+                   t, Intrinsic_triangulations::internal::squared_radius_map(radius),
+                   CGAL::parameters::visitor(std::ref(visitor)));
     if(!result.hidden_vertices.empty())
       throw Intrinsic_triangulations::Invalid_input(
         "the circle at vertex " +

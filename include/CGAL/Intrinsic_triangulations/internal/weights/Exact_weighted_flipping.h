@@ -20,8 +20,6 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -109,13 +107,10 @@ public:
   bool is_certainly_Delaunay(Edge_index e) const
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const auto weight = boost::make_function_property_map<Vertex_index>([this](Vertex_index v) {
-      const double r = get(m_radius, v);
-      return r * r;
-    });
     const Halfedge_index h = mesh.halfedge(e);
-    return mesh.is_border(e) || m_is_good.is_certain(diamond(m_tri.length_map(), h, mesh),
-                                                     diamond_weights(weight, h, mesh));
+    return mesh.is_border(e) ||
+           m_is_good.is_certain(diamond(m_tri.length_map(), h, mesh),
+                                diamond_weights(squared_radius_map(m_radius), h, mesh));
   }
 
   bool is_Delaunay(Edge_index e)
