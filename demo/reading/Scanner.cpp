@@ -64,10 +64,12 @@ std::string content(const fs::path& path)
 
 std::optional<double> finite_number(const std::string& text)
 {
+  const bool is_decimal = text.find_first_not_of("0123456789.+-eE") == text.npos;
   char* end = nullptr;
   const double result = std::strtod(text.c_str(), &end);
-  return text.empty() || *end != '\0' || !std::isfinite(result) ? std::nullopt
-                                                                : std::optional<double>(result);
+  return text.empty() || !is_decimal || *end != '\0' || !std::isfinite(result)
+           ? std::nullopt
+           : std::optional<double>(result);
 }
 
 Scanner::Scanner(const fs::path& path) : m_path(path)

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-// The number that a text is; nothing if it is not a finite number.
+// The number that a text is; nothing if it is not a finite decimal number.
 std::optional<double> finite_number(const std::string& text);
 
 // The bytes of a file and how far they have been read. Nothing is read beyond their end, whatever
