@@ -114,6 +114,14 @@ void Scanner::skip_comments(char comment)
     skip_line();
 }
 
+void Scanner::expect_end(const std::string& last, char comment)
+{
+  skip_comments(comment);
+  if(!at_end())
+    fail(quoted(rest_of_word()) + " follows " + last +
+         ", which ends the file; remove what follows");
+}
+
 std::string_view Scanner::rest_of_word() const
 {
   const Place last = std::find_if(m_position, end(), is_space);

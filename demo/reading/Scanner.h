@@ -49,6 +49,9 @@ public:
   // Goes on to the next word that is in no comment.
   void skip_comments(char comment);
 
+  // Nothing but blanks and comments follow `last`, which ends the text.
+  void expect_end(const std::string& last, char comment = '\n');
+
   // The next word of the line; empty if there is none.
   std::string_view word();
 
