@@ -138,10 +138,9 @@ void add_keep_going(CLI::App& command, Common_options& options)
 
 void add_components(CLI::App& command, Common_options& options)
 {
-  CLI::Option* const number =
-    add_number(command, "--component", options.component,
-               "Map only this component, counted from 0 in the order of their first faces",
-               integer_from(0));
+  CLI::Option* const number = add_number(
+    command, "--component", options.component,
+    "Map only this component, counted from 0 in the order of their first faces", integer_from(0));
   command
     .add_flag("--largest", options.is_largest_chosen,
               "Map only the component with the greatest area")

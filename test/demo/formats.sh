@@ -237,7 +237,7 @@ wrong a.mesh.stl "solid a\n${facets%e*}" 'ends too early'
 wrong a.mesh.off 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n# end\nmore\n' \
   "line 8 $bad 'more' follows the last of 1 faces"
 wrong a.mesh.ply "ply\n${header}element face 1\n$list${rows}3 0 1 2 9\nmore\n" \
-  "'more' follows the last element, which ends the file"
+  "line 19 $bad 'more' follows the last element"
 python3 -c 'import struct, sys
 facet = struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
 sys.stdout.buffer.write(b"solid".ljust(80) + facet + b"abc")' >a.mesh.stl

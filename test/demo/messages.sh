@@ -233,7 +233,7 @@ calls <<'TABLE'
 2 | --component 10: the mesh has 2 | sphere two_triangles.mesh.off -o a.ply --component 010
 2 | --mollify: '0x1p-9' is not a number | delaunay flat.mesh.off -o a.off --mollify 0x1p-9
 2 | '0x1' is not a number | path flat.mesh.off --from 0x1 --to 1 -o a.obj
-2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0x1
+2 | area=0x1: a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0x1
 2 | --weld: '0' is not a number above 0 | delaunay flat.mesh.off -o a.ply --weld 0
 2 | has no faces; `intrinsic distance` and `intrinsic operators` triangulate points with --neighbors 30 | info a.mesh.xyz
 2 | neither the extension nor the content is of .off, .obj, .ply, .stl or .vtp | info words.txt
