@@ -59,6 +59,8 @@ text a.mesh.vtp "$vtp\"binary\">AAAA"
 text b.mesh.vtp "$vtp\"binary\">AA.A"
 text c.mesh.vtp "$vtp\"binary\">AA=="
 text d.mesh.vtp "$vtp\"ascii\">0 1 2 3</DataArray>"
+text after.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 2;more'
+text e.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;more'
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
@@ -137,6 +139,8 @@ calls <<'TABLE'
 2 | 'OFF' or a number of vertices expected at the beginning | info head.mesh.off
 2 | a number of elements is negative | info negative.mesh.off
 2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
+2 | 'more' follows the last of 1 faces, which ends the file; remove what follows | info after.mesh.off
+2 | 'more' follows </VTKFile> | info e.mesh.vtp
 2 | there is no vertex 7 | info index.mesh.off
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
