@@ -36,6 +36,18 @@ Edges must be between 2^-127 and 2^127 (5.9e-39 and 1.7e38) long.
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong, 3 a map that failed
 was written with --keep-going.)";
 
+// Lets all options of an application, its commands and groups refuse empty texts.
+void refuse_empty_values(CLI::App& app)
+{
+  const auto check = [](const std::string& text) {
+    return std::string(text.empty() ? "the value is empty; give one, or leave out the option" : "");
+  };
+  for(CLI::Option* const option : app.get_options())
+    option->check(check);
+  for(CLI::App* const part : app.get_subcommands([](const CLI::App*) { return true; }))
+    refuse_empty_values(*part);
+}
+
 } // namespace
 
 Command_line::Command_line()
@@ -54,6 +66,7 @@ Command_line::Command_line()
        define_transfer, define_operators, define_flatten, define_hyperbolic, define_uniformize,
        define_sphere, define_convex, define_pack, define_simplify})
     define(*this);
+  refuse_empty_values(m_app);
 }
 
 void add_output(CLI::App& command, Output_options& options, const std::string& what,
@@ -125,9 +138,9 @@ void add_keep_going(CLI::App& command, Common_options& options)
 
 void add_components(CLI::App& command, Common_options& options)
 {
-  CLI::Option* const number =
-    command.add_option("--component", options.component,
-                       "Map only this component, counted from 0 in the order of their first faces");
+  CLI::Option* const number = add_number(
+    command, "--component", options.component,
+    "Map only this component, counted from 0 in the order of their first faces", integer_from(0));
   command
     .add_flag("--largest", options.is_largest_chosen,
               "Map only the component with the greatest area")
@@ -140,7 +153,7 @@ void add_neighbors(CLI::App& command, Common_options& options)
     .add_option("--neighbors", options.number_of_neighbors,
                 "Accept files without faces, .xyz too, and triangulate each point with this many "
                 "neighbors; 30 is usual")
-    ->check(integer_from_to(3, 10000));
+    ->transform(integer_from_to(3, 10000));
 }
 
 void add_subdivision_options(CLI::App& command, Subdivision_options& options,
@@ -166,7 +179,7 @@ void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& boun
                 "Maximum number of insertions; if not given, 1,000,000 (with angles of more than "
                 "30 degrees 100,000) plus 20 for each face" +
                   exception)
-    ->check(integer_from(0));
+    ->transform(integer_from(0));
 }
 
 void add_angle(CLI::App& command, Refinement_bounds& bounds)

@@ -84,7 +84,7 @@ template <class Number>
 CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number,
                         const std::string& what, const CLI::Validator& range)
 {
-  return command.add_option(name, number, what)->check(range);
+  return command.add_option(name, number, what)->transform(range);
 }
 
 void add_output(CLI::App& command, Output_options& options, const std::string& what,

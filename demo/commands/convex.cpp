@@ -212,7 +212,7 @@ void define_convex(Command_line& line)
     .add_option("--flat", options.flatness,
                 "Curvature in radians up to which vertices count as flat; by default what rounding "
                 "can come to")
-    ->check(number_from_to(0., 1.));
+    ->transform(number_from_to(0., 1.));
   add_save(command, line.common());
   add_statistics(command, line.common());
   add_input_options(command, line.common());

@@ -627,7 +627,7 @@ void add_distance_outputs(CLI::App& command, Distance_options& options)
     .add_option("--level", options.levels,
                 "A value of the distance for --level-sets; ten values if none is given")
     ->allow_extra_args(false)
-    ->check(finite_number());
+    ->transform(finite_number());
 }
 
 void add_distance_method(CLI::App& command, Distance_options& options)

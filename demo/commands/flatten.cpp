@@ -41,11 +41,13 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 constexpr const char* flatten_help =
-  R"(The map is discretely conformal. Without --boundary the boundary is not scaled. A surface
-without boundary is cut through its cones.
+  R"(The map is discretely conformal. Without --boundary, vertices on the boundary have the scale
+factor one. An edge of the boundary keeps its length if the triangulation of the map has it as an
+edge. Others are flipped across, in the mesh glued to its mirror image: their images are
+polylines, and have other lengths. A surface without boundary is cut through its cones.
 
 Values of --boundary:
-  free       vertices on the boundary are not scaled (the default)
+  free       scale factors of vertices on the boundary are one (the default)
   straight   all exterior angles are zero; cones are placed inside
   scale      --boundary-values FILE prescribes the logarithms of their scale factors
   curvature  --boundary-values FILE prescribes their exterior angles

@@ -218,7 +218,7 @@ void add_tiling(CLI::App& command, Hyperbolic_options& options)
     .add_option(
       "--tiles", options.depth,
       "Maximum number of sides between the domain and an image in the picture; 3 by default")
-    ->check(integer_from_to(0, 100));
+    ->transform(integer_from_to(0, 100));
 }
 
 namespace {

@@ -5,12 +5,14 @@
 #ifndef INTRINSIC_NUMBER_RANGES_H
 #define INTRINSIC_NUMBER_RANGES_H
 
+#include "reading/Scanner.h"
+
 #include <CLI/CLI.hpp>
 
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -21,22 +23,25 @@ namespace Number_range_details {
 
 inline bool parse(const std::string& text, double& x)
 {
-  char* end = nullptr;
-  x = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0';
+  const std::optional<double> number = ::finite_number(text);
+  x = number.value_or(0);
+  return number.has_value();
 }
 
-inline bool parse(const std::string& text, std::uint64_t& x)
+// Writes the number without leading zeros, which CLI11 would take for an octal number.
+inline bool parse(std::string& text, std::uint64_t& x)
 {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  return error == std::errc() && end == text.data() + text.size();
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  text = is_number ? std::to_string(x) : text;
+  return is_number;
 }
 
 // NaN is in no range.
 template <class Number>
 CLI::Validator range(Number least, Number most, const std::string& description)
 {
-  const auto check = [=](const std::string& text) {
+  const auto check = [=](std::string& text) {
     Number x{};
     const bool is_in_range = parse(text, x) && least <= x && x <= most;
     return is_in_range ? std::string() : "'" + text + "' is not " + description;

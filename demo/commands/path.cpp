@@ -175,9 +175,8 @@ private:
     if(m_options.from.empty())
       throw Program_error("--from is missing; say where the path starts, or ask for --homology");
     if(m_options.straightest) {
-      const auto [degrees, length] = *m_options.straightest;
-      if(!std::isfinite(degrees) || !std::isfinite(length) || length < 0)
-        throw Program_error("--straightest takes a finite angle and a finite length, not negative");
+      if(m_options.straightest->second < 0)
+        throw Program_error("--straightest: the length is negative; turn the angle by 180 degrees");
       if(!m_options.to.empty() || !m_options.via.empty() || uses_flips())
         throw Program_error(
           "--straightest starts at --from, and takes no other points; leave them out");
@@ -456,10 +455,11 @@ void add_path_points(CLI::App& command, Path_options& options)
                    "Shorten a path along edges to a geodesic nearby, by flips");
   command.add_flag("--loop", options.is_loop,
                    "Shorten the loop from --from through all --via, by flips");
-  command.add_option(
-    "--straightest", options.straightest,
+  add_number(
+    command, "--straightest", options.straightest,
     "Go straight instead, by this angle in degrees and this length. The angle is "
-    "counterclockwise from the first side of the face at --from, or the side that leaves a vertex");
+    "counterclockwise from the first side of the face at --from, or the side that leaves a vertex",
+    finite_number());
   command.add_flag("--homology", options.is_homology_basis,
                    "Shortest geodesic loops around all handles and holes, by flips");
 }

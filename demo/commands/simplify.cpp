@@ -599,7 +599,7 @@ void add_target(CLI::App& command, Simplify_options& options)
 {
   CLI::App& target = *command.add_option_group("Target", "Where to stop");
   target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
-    ->check(integer_from(1));
+    ->transform(integer_from(1));
   add_number(target, "--ratio", options.ratio, "Part of the vertices to be left",
              number_from_to(1e-9, 1.));
   add_number(target, "--error", options.maximum_cost, "Greatest cost of a removal, a length",
@@ -650,7 +650,7 @@ void define_simplify(Command_line& line)
   command
     .add_option("--levels", options.number_of_levels,
                 "Number of levels, each smaller by the same factor; the last is the coarse one")
-    ->check(integer_from_to(1, 100))
+    ->transform(integer_from_to(1, 100))
     ->capture_default_str();
   add_number(command, "--refine", options.refinement.minimum_angle,
              "Refine to this angle in degrees first, so that there are vertices to choose from",

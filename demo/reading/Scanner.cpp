@@ -64,10 +64,12 @@ std::string content(const fs::path& path)
 
 std::optional<double> finite_number(const std::string& text)
 {
+  const bool is_decimal = text.find_first_not_of("0123456789.+-eE") == text.npos;
   char* end = nullptr;
   const double result = std::strtod(text.c_str(), &end);
-  return text.empty() || *end != '\0' || !std::isfinite(result) ? std::nullopt
-                                                                : std::optional<double>(result);
+  return text.empty() || !is_decimal || *end != '\0' || !std::isfinite(result)
+           ? std::nullopt
+           : std::optional<double>(result);
 }
 
 Scanner::Scanner(const fs::path& path) : m_path(path)
@@ -110,6 +112,14 @@ void Scanner::skip_comments(char comment)
 {
   for(skip_space(); m_position != end() && *m_position == comment; skip_space())
     skip_line();
+}
+
+void Scanner::expect_end(const std::string& last, char comment)
+{
+  skip_comments(comment);
+  if(!at_end())
+    fail(quoted(rest_of_word()) + " follows " + last +
+         ", which ends the file; remove what follows");
 }
 
 std::string_view Scanner::rest_of_word() const

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-// The number that a text is; nothing if it is not a finite number.
+// The number that a text is; nothing if it is not a finite decimal number.
 std::optional<double> finite_number(const std::string& text);
 
 // The bytes of a file and how far they have been read. Nothing is read beyond their end, whatever
@@ -48,6 +48,9 @@ public:
 
   // Goes on to the next word that is in no comment.
   void skip_comments(char comment);
+
+  // Nothing but blanks and comments follow `last`, which ends the text.
+  void expect_end(const std::string& last, char comment = '\n');
 
   // The next word of the line; empty if there is none.
   std::string_view word();

@@ -40,11 +40,7 @@ public:
       m_header.is_binary ? read_binary_vertex() : read_vertex();
     m_soup.polygons.reserve((std::min)(m_header.faces, m_in.remaining() / 8),
                             (std::min)(3 * m_header.faces, m_in.remaining() / 2));
-    if(m_header.is_binary)
-      read_binary_faces();
-    else
-      for(std::size_t f = 0; f < m_header.faces; ++f)
-        read_face();
+    m_header.is_binary ? read_binary_faces() : read_faces();
     add_data();
   }
 
@@ -189,6 +185,13 @@ private:
     if(m_header.has_normal || m_header.has_color || m_header.has_texture)
       read_data();
     end_line();
+  }
+
+  void read_faces()
+  {
+    for(std::size_t f = 0; f < m_header.faces; ++f)
+      read_face();
+    m_in.expect_end("the last of " + std::to_string(m_header.faces) + " faces", '#');
   }
 
   void read_face()

@@ -7,6 +7,8 @@
 #include <boost/container_hash/hash.hpp>
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 
 namespace {
@@ -30,12 +32,16 @@ private:
 
   static constexpr std::size_t header_bytes = 80;
 
-  // Binary files may start with "solid", too, but then the number of facets fits.
+  // A file whose size does not fit is binary if it has a byte that is in no text.
+  bool has_binary_numbers() const { return m_in.bytes().find('\0') != std::string_view::npos; }
+
+  // Binary files may start with "solid", too.
   bool is_binary()
   {
     const Scanner::Place start = m_in.place();
     m_in.skip_space();
-    const bool result = is_binary_stl(m_in.bytes()) || !m_in.accept_in_any_case("solid");
+    const bool result =
+      is_binary_stl(m_in.bytes()) || !m_in.accept_in_any_case("solid") || has_binary_numbers();
     m_in.return_to(start);
     return result;
   }
@@ -50,11 +56,21 @@ private:
     m_soup.polygons.add_corner(point->second);
   }
 
+  void check_size(std::size_t facets) const
+  {
+    constexpr std::size_t facet_bytes = 50;
+    if(m_in.remaining() > facet_bytes * facets)
+      m_in.fail_as_a_whole("has " + std::to_string(m_in.remaining() - facet_bytes * facets) +
+                           " bytes behind its last facet; the number of facets is " +
+                           std::to_string(facets));
+  }
+
   void read_binary()
   {
     m_in.set_binary();
     m_in.skip_bytes(header_bytes);
     const std::size_t facets = m_in.binary<std::uint32_t>(false);
+    check_size(facets);
     for(std::size_t f = 0; f < facets; ++f) {
       m_in.skip_bytes(12); // the normal
       for(int corner = 0; corner < 3; ++corner) {

@@ -115,9 +115,12 @@ public:
   void operator()()
   {
     expect_poly_data();
-    for(Tag tag = next_tag(); tag.name() != "/VTKFile" && tag.name() != "AppendedData";
-        tag = next_tag())
+    Tag tag = next_tag();
+    for(; tag.name() != "/VTKFile" && tag.name() != "AppendedData"; tag = next_tag())
       read(tag);
+    m_in.skip_space();
+    if(tag.name() == "/VTKFile" && !m_in.at_line_end('<')) // comments may follow
+      m_in.expect_end("</VTKFile>");
     for(const auto& [name, array] : m_arrays)
       add_data(name, array);
   }

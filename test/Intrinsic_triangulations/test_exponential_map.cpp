@@ -422,6 +422,21 @@ TEST(Exponential_map, stops_at_the_boundary)
   EXPECT_EQ(from_boundary.length, 0);
 }
 
+// A geodesic along a border of the square goes on past its vertices, and stops at the corner.
+TEST(Exponential_map, runs_along_a_straight_border)
+{
+  const Mesh mesh = grid(3, 3, [](double x, double y) { return Point(x, y, 0); });
+  for(const Kernel::Vector_3& v : {Kernel::Vector_3(1, 0, 0), Kernel::Vector_3(-1, 0, 0)}) {
+    const double length = 1.4, start = v.x() > 0 ? 0.1 : 2.9;
+    const Geodesic g = trace_in_space({start, 0, 0}, length * v, mesh);
+    EXPECT_EQ(g.status, Status::reached);
+    EXPECT_NEAR(g.length, length, 1e-12);
+    const Geodesic far = trace_in_space({start, 0, 0}, 9 * v, mesh);
+    EXPECT_EQ(far.status, Status::stopped_at_boundary);
+    EXPECT_NEAR(far.length, 2.9, 1e-12);
+  }
+}
+
 // Transport along the straight parts of the boundary keeps a vector; a corner turns it with the
 // boundary.
 TEST(Exponential_map, slides_along_the_boundary)

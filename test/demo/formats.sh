@@ -234,6 +234,14 @@ wrong a.mesh.ply "ply\n${header/ascii/binary_big_endian}element face 1\n$list$ro
 wrong a.mesh.stl 'solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n' \
   "line 5 $bad a facet has fewer than three"
 wrong a.mesh.stl "solid a\n${facets%e*}" 'ends too early'
+wrong a.mesh.off 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n# end\nmore\n' \
+  "line 8 $bad 'more' follows the last of 1 faces"
+wrong a.mesh.ply "ply\n${header}element face 1\n$list${rows}3 0 1 2 9\nmore\n" \
+  "line 19 $bad 'more' follows the last element"
+python3 -c 'import struct, sys
+facet = struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+sys.stdout.buffer.write(b"solid".ljust(80) + facet + b"abc")' >a.mesh.stl
+refuses 'has 3 bytes behind its last facet; the number of facets is 1' info a.mesh.stl
 wrong a.mesh.stl 'solid a\nfacets\n' "line 2 $bad 'facet' or 'endsolid' expected"
 
 mesh a.mesh.ply "ply\n${header}element face 2\n$list${rows}3 0 1 7 9\n3 0 1 -1 9\n"

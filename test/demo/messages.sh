@@ -59,6 +59,8 @@ text a.mesh.vtp "$vtp\"binary\">AAAA"
 text b.mesh.vtp "$vtp\"binary\">AA.A"
 text c.mesh.vtp "$vtp\"binary\">AA=="
 text d.mesh.vtp "$vtp\"ascii\">0 1 2 3</DataArray>"
+text after.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 2;more'
+text e.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;more'
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
@@ -137,6 +139,8 @@ calls <<'TABLE'
 2 | 'OFF' or a number of vertices expected at the beginning | info head.mesh.off
 2 | a number of elements is negative | info negative.mesh.off
 2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
+2 | 'more' follows the last of 1 faces, which ends the file; remove what follows | info after.mesh.off
+2 | 'more' follows </VTKFile> | info e.mesh.vtp
 2 | there is no vertex 7 | info index.mesh.off
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
@@ -228,6 +232,12 @@ calls <<'TABLE'
 2 | --min-angle: '61' is not a number from 0 to 60 | refine flat.mesh.off -o a.ply --min-angle 61
 2 | --neighbors: '2' is not an integer from 3 to 10000 | operators flat.mesh.off --prefix a --neighbors 2
 2 | --level: 'inf' is not a finite number | distance flat.mesh.off --source 0 -o a.ply --level-sets b.ply --level inf
+2 | --component: 'one' is not an integer from 0 upwards | sphere two_triangles.mesh.off -o a.ply --component one
+2 | --component: '0x1' is not an integer from 0 upwards | sphere two_triangles.mesh.off -o a.ply --component 0x1
+2 | --component 10: the mesh has 2 | sphere two_triangles.mesh.off -o a.ply --component 010
+2 | --mollify: '0x1p-9' is not a number | delaunay flat.mesh.off -o a.off --mollify 0x1p-9
+2 | '0x1' is not a number | path flat.mesh.off --from 0x1 --to 1 -o a.obj
+2 | area=0x1: a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0x1
 2 | --weld: '0' is not a number above 0 | delaunay flat.mesh.off -o a.ply --weld 0
 2 | has no faces; `intrinsic distance` and `intrinsic operators` triangulate points with --neighbors 30 | info a.mesh.xyz
 2 | neither the extension nor the content is of .off, .obj, .ply, .stl or .vtp | info words.txt
@@ -245,7 +255,8 @@ calls <<'TABLE'
 2 | --svg is for hyperbolic surfaces | uniformize flat.mesh.off -o a.obj --svg a.svg
 2 | this format has no lines (.obj, .ply and .vtp have) | path flat.mesh.off --from 0 --to 1 -o a.off
 2 | --straightest starts at --from, and takes no other points | path flat.mesh.off --from 0 --to 1 --straightest 10 1 -o a.obj
-2 | --straightest takes a finite angle and a finite length, not negative | path flat.mesh.off --from 0 --to 1 --straightest nan 1 -o a.obj
+2 | --straightest: the length is negative | path flat.mesh.off --from 0 --straightest 0 -1 -o a.obj
+2 | --straightest: 'nan' is not a finite number | path flat.mesh.off --from 0 --straightest nan 1 -o a.obj
 2 | a straightest path of this length crosses more than | path pillow.mesh.off --from 0:.3,.3,.4 --straightest 30 1e9 -o a.obj
 2 | a point is too far away to have a nearest point of the mesh | path flat.mesh.off --from 1e308,0,0 --to 1 -o a.obj
 2 | a loop goes back to --from and has no --to | path flat.mesh.off --from 0 --to 1 --loop -o a.obj

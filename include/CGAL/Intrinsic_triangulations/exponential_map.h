@@ -31,8 +31,12 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
 /// interior vertex (within `rounding_unit()`), it continues with half of the angles of the vertex
-/// on either side. A vertex on the boundary counts as boundary. If the end is within rounding of
-/// an edge or a vertex, it snaps to it, with coordinates that are exactly zero.
+/// on either side. If the end is within rounding of an edge or a vertex, it snaps to it, with
+/// coordinates that are exactly zero.
+///
+/// A geodesic may run in the boundary. With `At_boundary::stop` it passes a vertex on the boundary
+/// if it can go on with the angle pi on one of its sides. So it follows a straight border. It stops
+/// if no side or both sides of the surface have this angle.
 ///
 /// Directions are turned by corner angles, and points are kept as barycentric coordinates. So thin
 /// triangles cause no loss: end and length are accurate to rounding of the longest edge for every

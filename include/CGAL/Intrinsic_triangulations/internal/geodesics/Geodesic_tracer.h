@@ -184,9 +184,27 @@ private:
     const Angles angles(m_h, m_surface);
     const FT back = std::clamp(std::arg(-m_direction), FT(0), angle_at_source(m_h, m_surface));
     const FT phi = wrapped(angles.normalized(back) + pi<FT>());
-    if(!angles.is_border() || m_at_boundary == At_boundary::slide)
-      record({m_mesh.prev(m_h), FT(1)});
+    if(angles.is_border() && m_at_boundary == At_boundary::stop)
+      return pass_border_vertex(angles, angles.on_surface(angles.normalized(back)));
+    record({m_mesh.prev(m_h), FT(1)});
     angles.is_border() ? meet_border_vertex(phi) : leave_vertex(angles, phi);
+  }
+
+  // Goes on if the surface has the direction with the angle pi to the direction back on one side.
+  // With this angle on both sides, no direction is straighter than the other.
+  void pass_border_vertex(const Angles& angles, const FT& back)
+  {
+    const FT tolerance = 2 * pi<FT>() * rounding_unit<FT>();
+    const bool left = back + pi<FT>() <= angles.sum() + tolerance,
+               right = back >= pi<FT>() - tolerance;
+    if(left == right) {
+      m_status = Geodesic_status::stopped_at_boundary;
+      return;
+    }
+    record({m_mesh.prev(m_h), FT(1)});
+    m_h = first_outgoing_halfedge(m_mesh.source(m_h), m_mesh);
+    turn_to(std::clamp(left ? back + pi<FT>() : back - pi<FT>(), FT(0), angles.sum()),
+            rounding_unit<FT>() * angles.sum());
   }
 
   // Leaves the source of `m_h` in the direction with normalized angle `phi`.
