@@ -14,7 +14,8 @@ if(TARGET Intrinsic_triangulations_compiled AND Eigen_FOUND)
     set_tests_properties(compiled.${name} PROPERTIES FIXTURES_SETUP compiled_results)
   endforeach()
   target_link_libraries(compiled_results PRIVATE Intrinsic_triangulations_compiled)
-  target_link_libraries(header_only_results PRIVATE Intrinsic_triangulations)
+  target_link_libraries(header_only_results PRIVATE
+    $<TARGET_PROPERTY:Intrinsic_triangulations_compiled,INTERFACE_LINK_LIBRARIES>)
   add_test(NAME compiled.same_bytes
     COMMAND ${CMAKE_COMMAND} -E compare_files compiled_results.txt header_only_results.txt)
   set_tests_properties(compiled.same_bytes PROPERTIES FIXTURES_REQUIRED compiled_results)

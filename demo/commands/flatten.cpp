@@ -15,6 +15,7 @@
 #include "writing/flat_triangles.h"
 #include "writing/matrix_market.h"
 
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/certify.h>
 #include <CGAL/Discrete_conformal_maps/charts.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>

@@ -17,6 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/sphere_points.h>
 #include <CGAL/Discrete_conformal_maps/texture_points.h>
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <boost/property_map/property_map.hpp>
 

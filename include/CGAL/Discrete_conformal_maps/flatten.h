@@ -8,9 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <utility>
@@ -134,13 +133,15 @@ Planar_conformal_map flatten(const Graph& g,
   internal::Map_parameters parameters =
     internal::map_parameters(g, input.mesh(), np, Vertex_condition::log_scale(0));
   parameters.cones = internal::cone_choice(is_free, np);
-  return internal::flattened(std::move(input), parameters, internal::Free_shape(), np);
+  return internal::flattened_to<internal::Free_shape>(std::move(input), std::move(parameters), np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps
 
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Discrete_conformal_maps/internal/compiled/flatten.h>
+// The compiled library has what these headers define.
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #endif
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_H

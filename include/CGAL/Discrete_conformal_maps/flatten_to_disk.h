@@ -7,13 +7,12 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/Circular_boundary.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
 
@@ -66,18 +65,18 @@ template <typename Graph, typename NamedParameters = CGAL::parameters::Default_n
 Planar_conformal_map flatten_to_disk(const Graph& g,
                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto rounds = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 100));
-  if(internal::vertex_circles(g, np).exist())
-    throw Intrinsic_triangulations::Invalid_input("no disk is known for circles at the vertices");
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   internal::Map_parameters parameters =
     internal::map_parameters(g, input.mesh(), np, Vertex_condition());
-  internal::Circular_boundary boundary(input, rounds);
-  boundary.prescribe([&](Vertex_index v, const auto& c) { parameters.conditions[v.idx()] = c; });
-  return internal::flattened(std::move(input), parameters, boundary, np);
+  return internal::flattened_to<internal::Circular_boundary>(std::move(input),
+                                                             std::move(parameters), np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps
+
+// The compiled library has what these headers define.
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Circular_boundary.h>
+#endif
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_DISK_H

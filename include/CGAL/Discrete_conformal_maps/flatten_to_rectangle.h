@@ -7,9 +7,11 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
-#include <CGAL/Discrete_conformal_maps/internal/shapes/Rectangular_boundary.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Corner_choice.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -89,16 +91,19 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const std::unordered_set<typename boost::graph_traits<Graph>::vertex_descriptor> given(
     std::begin(corners), std::end(corners));
-  std::vector<char> is_corner;
-  for(auto v : vertices(g))
-    is_corner.push_back(given.count(v) != 0);
   internal::Map_parameters parameters =
     internal::map_parameters(g, input.mesh(), np, Vertex_condition());
-  internal::Rectangular_boundary boundary(input.mesh(), is_corner);
-  boundary.prescribe(parameters.conditions);
-  return internal::flattened(std::move(input), parameters, boundary, np);
+  for(auto v : vertices(g))
+    parameters.is_corner.push_back(given.count(v) != 0);
+  return internal::flattened_to<internal::Rectangular_boundary>(std::move(input),
+                                                                std::move(parameters), np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps
+
+// The compiled library has what these headers define.
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Rectangular_boundary.h>
+#endif
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_RECTANGLE_H

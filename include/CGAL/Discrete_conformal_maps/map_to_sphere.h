@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
-#include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <utility>
@@ -73,5 +73,10 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
 }
 
 } // namespace CGAL::Discrete_conformal_maps
+
+// The compiled library has what these headers define.
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
+#endif
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_MAP_TO_SPHERE_H

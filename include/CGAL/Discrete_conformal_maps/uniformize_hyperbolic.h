@@ -9,8 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -88,5 +88,10 @@ uniformize_hyperbolic(const Graph& g,
 }
 
 } // namespace CGAL::Discrete_conformal_maps
+
+// The compiled library has what these headers define.
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
+#endif
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_HYPERBOLIC_H

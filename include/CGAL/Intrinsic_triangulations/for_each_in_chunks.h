@@ -12,17 +12,9 @@
 
 #include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
-
-#include <atomic>
-#include <exception>
-#include <mutex>
-#endif
-
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -78,39 +70,15 @@ inline std::size_t number_of_chunks(std::size_t n, std::size_t size = chunk_size
 #ifdef CGAL_LINKED_WITH_TBB
 namespace internal {
 
-// The exception of the first chunk that throws one. Those before it have all been run.
-class First_exception
-{
-public:
-  explicit First_exception(std::size_t chunks) : m_chunk(chunks) {}
+// Calls `f(i)` for i = 0, ..., n - 1, in any order and at the same time. If calls throw, rethrows
+// the exception of the least i. `Index` is `std::size_t`, so that a library can hold this function.
+template <typename Index>
+void for_each_at_once(Index n, const std::function<void(Index)>& f);
 
-  template <typename Function>
-  void run(std::size_t chunk, const Function& f)
-  {
-    if(chunk > m_chunk.load(std::memory_order_relaxed))
-      return;
-    try {
-      f();
-    } catch(...) {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if(chunk < m_chunk.load(std::memory_order_relaxed)) {
-        m_chunk.store(chunk, std::memory_order_relaxed);
-        m_exception = std::current_exception();
-      }
-    }
-  }
-
-  void rethrow() const
-  {
-    if(m_exception)
-      std::rethrow_exception(m_exception);
-  }
-
-private:
-  std::atomic<std::size_t> m_chunk;
-  std::mutex m_mutex;
-  std::exception_ptr m_exception;
-};
+// Calls `f(0)` on another thread and `f(1)` on the thread of the caller, at the same time.
+// Exceptions are treated in the same way.
+template <typename Index>
+void run_both(const std::function<void(Index)>& f);
 
 } // namespace internal
 #endif
@@ -127,10 +95,7 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f,
   const std::size_t chunks = number_of_chunks(n, size);
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency.is_parallel()) {
-    internal::First_exception exception(chunks);
-    tbb::parallel_for(std::size_t(0), chunks,
-                      [&](std::size_t chunk) { exception.run(chunk, [&] { run(chunk); }); });
-    exception.rethrow();
+    internal::for_each_at_once<std::size_t>(chunks, run);
     return;
   }
 #endif
@@ -148,12 +113,7 @@ void run_together(Concurrency concurrency, const F& f, const G& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency.is_parallel()) {
-    internal::First_exception exception(2);
-    tbb::task_group group;
-    group.run([&] { exception.run(0, f); });
-    exception.run(1, g);
-    group.wait();
-    exception.rethrow();
+    internal::run_both<std::size_t>([&](std::size_t i) { i == 0 ? void(f()) : void(g()); });
     return;
   }
 #endif
@@ -196,5 +156,9 @@ void for_each_in_chunks(Concurrency concurrency, const Mesh& mesh, const Functio
 }
 
 } // namespace CGAL::Intrinsic_triangulations
+
+#if defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_INTRINSIC_TRIANGULATIONS_COMPILED)
+#include <CGAL/Intrinsic_triangulations/internal/threads.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FOR_EACH_IN_CHUNKS_H

@@ -13,14 +13,15 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Plane_picture.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
-#include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -354,51 +355,33 @@ private:
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };
 
-// Maps a surface to the plane, as `flatten()` documents, with a boundary of this shape.
 template <typename Layout_model, typename Shape, typename Visitor>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                               const Map_parameters& parameters, const Layout_model& layout,
-                               const Shape& shape, Visitor visitor)
+                               Map_parameters parameters, Visitor visitor)
 {
+  const Shape shape(input, parameters);
+  shape.prescribe(parameters.conditions);
+  const Vertex_circles circles(parameters.radii);
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
     Shape own_shape = shape;
     Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
-                            exactness, parameters.circles);
+                            exactness, circles);
     problem.set_concurrency(parameters.concurrency);
     Flattening<Visitor> flattening(problem, visitor);
     flattening.start_from(parameters.log_scale);
     flattening.attempt([&] {
       own_shape.solve(problem, flattening, [&] {
-        flattening.find_scale_factors(parameters.minimizer, parameters.cones);
+        flattening.find_scale_factors(minimizer_of(parameters), parameters.cones);
       });
     });
-    return flattening.finish(layout, own_shape);
+    return flattening.finish(Layout_model{parameters.layout}, own_shape);
   };
-  const bool has_circles = parameters.circles.exist();
   if(!parameters.has_exact_decisions)
-    return with_digits_as_needed(std::move(input), find, !has_circles);
-  if(has_circles)
+    return with_digits_as_needed(std::move(input), find, !circles.exist());
+  if(circles.exist())
     throw Intrinsic_triangulations::Invalid_input("decisions about circles cannot be exact");
   return find(std::move(input), Exactness::decisions);
-}
-
-// The same, with the visitor and the layout of the named parameters.
-template <typename NamedParameters, typename Shape>
-Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                               const Map_parameters& parameters, const Shape& shape,
-                               const NamedParameters& np)
-{
-  Default_flattening_visitor silent;
-  auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
-  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters,
-                                                      internal_np::layout_t>::value)
-    return flattened(std::move(input), parameters, Least_squares_layout(), shape,
-                     Any_visitor::of(visitor));
-  else
-    return flattened(std::move(input), parameters,
-                     Named_layout{CGAL::parameters::get_parameter(np, internal_np::layout)}, shape,
-                     Any_visitor::of(visitor));
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

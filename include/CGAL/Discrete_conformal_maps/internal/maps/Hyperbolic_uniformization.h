@@ -12,9 +12,11 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_faces.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
@@ -304,27 +306,27 @@ private:
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
 };
 
-// Gives a surface a hyperbolic metric, as `uniformize_hyperbolic()` documents. Rounded lengths of a
-// double are not symmetric: generators of its group multiply the difference. So a map that is not
-// glued is searched again with exact lengths.
+// Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
+// So a map that is not glued is searched again with exact lengths.
 template <typename Visitor>
 Hyperbolic_conformal_map
 uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
             const Map_parameters& parameters, Visitor visitor)
 {
+  const Vertex_circles circles(parameters.radii);
   bool is_doubled = false;
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
     Doubled_problem problem(std::move(surface), parameters.conditions, Flipping::to_Delaunay,
-                            exactness, parameters.circles);
+                            exactness, circles);
     problem.check_hyperbolic();
     problem.set_concurrency(parameters.concurrency);
     Hyperbolic_uniformization<Visitor> uniformization(problem, visitor);
-    uniformization.find_scale_factors(parameters.minimizer);
+    uniformization.find_scale_factors(minimizer_of(parameters));
     is_doubled = !problem.has_no_copies();
     return uniformization.finish();
   };
-  Hyperbolic_conformal_map map = with_digits_as_needed(input, find, !parameters.circles.exist());
+  Hyperbolic_conformal_map map = with_digits_as_needed(input, find, !circles.exist());
   return is_doubled && map.status() == Map_status::not_glued ? find(input, Exactness::lengths)
                                                              : std::move(map);
 }

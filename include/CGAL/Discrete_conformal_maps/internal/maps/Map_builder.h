@@ -10,7 +10,10 @@
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Map_promise.h>
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
@@ -26,6 +29,11 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+inline Any_minimizer minimizer_of(const Map_parameters& parameters)
+{
+  return parameters.minimizer ? parameters.minimizer : Newton_minimizer();
+}
 
 // The steps from scale factors to what all maps have in common.
 class Map_builder

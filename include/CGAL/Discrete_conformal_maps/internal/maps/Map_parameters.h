@@ -7,16 +7,16 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_choice.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -27,12 +27,15 @@ struct Map_parameters
 {
   std::vector<Vertex_condition> conditions; // by the vertices of the surface
   std::vector<double> log_scale;            // to start from
-  Vertex_circles circles;
+  std::vector<double> radii;                // of circles, if there are any
   Cone_choice cones{};
   Flipping flipping = Flipping::to_Delaunay;
   bool has_exact_decisions = false;
-  Any_minimizer minimizer = Newton_minimizer();
+  Any_minimizer minimizer; // empty for a `Newton_minimizer`
   Intrinsic_triangulations::Concurrency concurrency;
+  Layout layout = Layout::least_squares;
+  std::size_t number_of_rounds = 100; // in which angles become the angles of a circle
+  std::vector<char> is_corner;        // of a rectangle, by the vertices of the surface
 };
 
 // scale factors to start from
@@ -50,6 +53,19 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
   return result;
 }
 
+// Returns the radii of the circles that are given as a named parameter.
+template <typename Graph, typename NamedParameters>
+std::vector<double> vertex_radii([[maybe_unused]] const Graph& g,
+                                 [[maybe_unused]] const NamedParameters& np)
+{
+  std::vector<double> result;
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters,
+                                                       internal_np::vertex_radius_map_t>::value)
+    for(auto v : vertices(g))
+      result.push_back(get(CGAL::parameters::get_parameter(np, internal_np::vertex_radius_map), v));
+  return result;
+}
+
 // Returns the parameters of a map of `g`, whose triangulation is `surface`. Unless conditions are
 // given, vertices on the boundary have the condition `on_boundary`.
 template <typename Graph, typename NamedParameters>
@@ -61,15 +77,19 @@ Map_parameters map_parameters(const Graph& g, const Delta_complex& surface,
   Map_parameters result;
   result.conditions = vertex_conditions(g, surface, np, on_boundary);
   result.log_scale = initial_log_scales(g, np);
-  result.circles = vertex_circles(g, np);
+  result.radii = vertex_radii(g, np);
   result.cones = cone_choice(false, np);
   result.flipping =
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay);
   result.has_exact_decisions =
     choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
-  result.minimizer =
-    choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer());
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters,
+                                                       internal_np::minimizer_t>::value)
+    result.minimizer = get_parameter(np, internal_np::minimizer);
   result.concurrency = Intrinsic_triangulations::concurrency_of(np);
+  result.layout = choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares);
+  result.number_of_rounds = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 100));
   return result;
 }
 

@@ -14,9 +14,11 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 
@@ -273,12 +275,11 @@ private:
   std::vector<Map_promise> m_promises;
 };
 
-// Maps a surface to the sphere, as `map_to_sphere()` documents.
 template <typename Visitor>
 Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                          const Map_parameters& parameters, Visitor visitor)
 {
-  if(parameters.circles.exist())
+  if(Vertex_circles(parameters.radii).exist())
     throw Intrinsic_triangulations::Invalid_input("no sphere is known for circles at the vertices");
   const std::vector<Vertex_condition> none(input.mesh().num_vertices());
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,

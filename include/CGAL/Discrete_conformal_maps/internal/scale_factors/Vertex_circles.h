@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -133,19 +132,6 @@ private:
 
   std::vector<double> m_radii;
 };
-
-// Returns the circles that are given as a named parameter.
-template <typename Graph, typename NamedParameters>
-Vertex_circles vertex_circles([[maybe_unused]] const Graph& g,
-                              [[maybe_unused]] const NamedParameters& np)
-{
-  std::vector<double> radii;
-  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters,
-                                                       internal_np::vertex_radius_map_t>::value)
-    for(auto v : vertices(g))
-      radii.push_back(get(CGAL::parameters::get_parameter(np, internal_np::vertex_radius_map), v));
-  return Vertex_circles(std::move(radii));
-}
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

@@ -79,10 +79,12 @@ class Circular_boundary : public Free_shape
 
 public:
   // The angles of circles with the lengths that the boundary has on the surface come first.
-  // `rounds` is how many times they may be changed.
-  Circular_boundary(const Surface& surface, std::size_t rounds)
-    : m_components(surface.mesh()), m_rounds(rounds)
+  // \throws Invalid_input if there are circles at the vertices
+  Circular_boundary(const Surface& surface, const Map_parameters& parameters)
+    : m_components(surface.mesh()), m_rounds(parameters.number_of_rounds)
   {
+    if(Vertex_circles(parameters.radii).exist())
+      throw Intrinsic_triangulations::Invalid_input("no disk is known for circles at the vertices");
     const Delta_complex& mesh = surface.mesh();
     for(const Boundary_loop& loop : single_boundary_loops(mesh, 3, "a circle")) {
       m_circles.emplace_back();
@@ -92,14 +94,9 @@ public:
     m_angle = angles([&](Edge_index e) { return surface.length(e); });
   }
 
-  // Calls `set(v, condition)` with what the angles prescribe at each vertex of the boundary.
-  template <typename Set>
-  void prescribe(const Set& set) const
+  void prescribe(std::vector<Vertex_condition>& conditions) const
   {
-    Eigen::Index i = 0;
-    for(const Circle& circle : m_circles)
-      for(const Side& side : circle)
-        set(side.source, Vertex_condition::curvature(m_angle[i++]));
+    for_each_condition([&](Vertex_index v, const Vertex_condition& c) { conditions[v.idx()] = c; });
   }
 
   // Finds scale factors until the angles are the angles of circles, or have been changed often
@@ -133,6 +130,16 @@ public:
   }
 
 private:
+  // Calls `set(v, condition)` with what the angles prescribe at each vertex of the boundary.
+  template <typename Set>
+  void for_each_condition(const Set& set) const
+  {
+    Eigen::Index i = 0;
+    for(const Circle& circle : m_circles)
+      for(const Side& side : circle)
+        set(side.source, Vertex_condition::curvature(m_angle[i++]));
+  }
+
   static constexpr double pi() { return boost::math::constants::pi<double>(); }
 
   struct Side
@@ -231,7 +238,7 @@ private:
 
   void prescribe(Doubled_problem& problem) const
   {
-    prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
+    for_each_condition([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
   }
 
   // Takes the angles of a disk, if they are less than a half turn.

@@ -18,6 +18,14 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The boundary of a surface that has no prescribed shape.
 struct Free_shape
 {
+  Free_shape() = default;
+  Free_shape(const Intrinsic_triangulations::Intrinsic_triangulation<>& /* surface */,
+             const Map_parameters& /* parameters */)
+  {}
+
+  // Changes the conditions of vertices on the boundary to what the shape prescribes.
+  void prescribe(std::vector<Vertex_condition>& /* conditions */) const {}
+
   // Calls `find()`, which finds the scale factors, until the problem is what it should be.
   template <typename Flattening, typename Find>
   void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)

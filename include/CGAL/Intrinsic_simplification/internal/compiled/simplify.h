@@ -12,8 +12,6 @@
 
 #include <cstddef>
 
-#ifndef CGAL_LINKED_WITH_TBB
-
 namespace CGAL::Intrinsic_simplification {
 
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Evolving_surface::Evolving_surface(
@@ -32,7 +30,5 @@ simplified(Evolving_surface&, std::size_t, double, Default_simplification_visito
 
 } // namespace internal
 } // namespace CGAL::Intrinsic_simplification
-
-#endif // CGAL_LINKED_WITH_TBB
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_COMPILED_SIMPLIFY_H

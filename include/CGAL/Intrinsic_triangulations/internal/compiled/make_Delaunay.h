@@ -12,8 +12,6 @@
 
 #include <cstddef>
 
-#ifndef CGAL_LINKED_WITH_TBB
-
 namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
@@ -23,7 +21,5 @@ flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Con
              Tie_decisions);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#endif // CGAL_LINKED_WITH_TBB
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COMPILED_MAKE_DELAUNAY_H

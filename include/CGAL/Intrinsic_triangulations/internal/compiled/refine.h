@@ -10,8 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/compiled/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
-#ifndef CGAL_LINKED_WITH_TBB
-
 namespace CGAL::Intrinsic_triangulations::internal {
 
 typedef Face_bounds<Euclidean_geometry_traits<double>, const No_face> Default_face_bounds;
@@ -24,7 +22,5 @@ refine_exactly(Intrinsic_triangulation<>&, const Default_face_bounds&, const Ref
                Default_refinement_visitor&, Refinement_result);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#endif // CGAL_LINKED_WITH_TBB
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COMPILED_REFINE_H
