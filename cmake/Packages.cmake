@@ -64,11 +64,18 @@ and intrinsic simplification."
   DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.3)"
   RECOMMENDS libsuitesparse-dev SUGGESTS "libceres-dev, libtbb-dev")
 if(TARGET Intrinsic_triangulations_compiled)
+  set(compiled_depends "${headers} (= ${debian_version})")
+  if(SuiteSparse_FOUND)
+    string(APPEND compiled_depends ", libsuitesparse-dev")
+  endif()
+  if(TBB_FOUND)
+    string(APPEND compiled_depends ", libtbb-dev")
+  endif()
   add_debian_package(compiled libcgal-intrinsic-triangulations-compiled-dev
     "intrinsic triangulations of surface meshes (compiled library)
 A static library of functions that applications otherwise compile from the
 headers. It shortens the compilation of applications. Results do not change."
-    SECTION libdevel DEPENDS "${headers} (= ${debian_version})")
+    SECTION libdevel DEPENDS "${compiled_depends}")
 endif()
 if(TARGET intrinsic)
   add_debian_package(program intrinsic
