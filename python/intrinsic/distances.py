@@ -293,7 +293,9 @@ class Path:
 def _path(T: Triangulation, length: float, faces: Integers, coordinates: Floats,
           is_complete: bool = True) -> Path:
     has_points = T._surface is not None and T._surface.has_positions()
-    points = T.positions((faces, coordinates)) if has_points and len(faces) > 0 else None
+    points = None
+    if has_points:
+        points = T.positions((faces, coordinates)) if len(faces) > 0 else np.empty((0, 3))
     return Path(length, faces, coordinates, points, is_complete)
 
 

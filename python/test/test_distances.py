@@ -47,7 +47,7 @@ class Exact(unittest.TestCase):
         d = intrinsic.distance(*two, 0)
         self.assertTrue(np.isfinite(d[:8]).all() and np.isinf(d[8:]).all())
         p = intrinsic.path(*two, 0, 9)
-        self.assertTrue(np.isinf(p.length) and len(p.faces) == 0 and p.points is None)
+        self.assertTrue(np.isinf(p.length) and len(p.faces) == 0 and p.points.shape == (0, 3))
 
 
 class Heat(unittest.TestCase):
