@@ -5,7 +5,9 @@
 """Prints how long programs that call one function each take to compile, in seconds of the processor
 and compared with a program that only has a mesh: from the headers alone, and with the compiled library.
 
-usage: compile_times.py COMPILER [OPTION ...]
+usage: compile_times.py COMPILER [OPTION ...] --library [OPTION ...]
+
+Options after --library come with the compiled library.
 """
 
 import os
@@ -17,7 +19,6 @@ import sys
 RUNS = 3
 BASE = "surface_mesh"
 PROGRAMS = ["make_Delaunay", "refine", "flatten", "simplify"]
-WITH_LIBRARY = "-DCGAL_INTRINSIC_TRIANGULATIONS_COMPILED=extern"
 
 
 def seconds(command, name, options):
@@ -39,10 +40,12 @@ def best(command, name, options):
 
 
 def main():
-    command = sys.argv[1:]
+    arguments = sys.argv[1:]
+    last = arguments.index("--library")
+    command, library = arguments[:last], arguments[last + 1:]
     print(f"{'program':14} {'headers':>16} {'with the library':>20}")
     for name in PROGRAMS:
-        columns = [best(command, name, options) for options in ([], [WITH_LIBRARY])]
+        columns = [best(command, name, options) for options in ([], library)]
         print(f"{name:14}" + "".join(f"{time:12.1f} s {ratio:4.2f}" for time, ratio in columns),
               flush=True)
 
