@@ -2,6 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#define CGAL_INTRINSIC_TRIANGULATIONS_COMPILED extern
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#undef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+
 #include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>

@@ -323,6 +323,13 @@ print(*missing, sep="\n")
 sys.exit(bool(missing))
 PYTHON
 
+# An option has a value.
+for option in --cones --stats --boundary --boundary-values; do
+  expect 2 flatten flat.mesh.off -o a.obj "$option" ''
+  says "$option: "
+  says 'the value is empty; give one, or leave out the option'
+done
+
 # No option takes the mesh, or has a range of hundreds of digits.
 expect 0 flatten --boundary free flat.mesh.off -o a.obj
 rm a.obj
