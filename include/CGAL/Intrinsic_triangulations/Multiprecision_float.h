@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mixed_Cholesky.h>
 
 #include <Eigen/Core>
@@ -46,7 +46,7 @@ class Multiprecision_float
 {
 public:
   /// the type of numbers with many digits.
-  typedef internal::Binary_float<2560> Long;
+  typedef Decimal_float<773> Long;
 
   /// constructs a number with the digits of `double`.
   template <typename Arithmetic = int,
@@ -201,13 +201,6 @@ private:
 
 namespace internal {
 
-// Errors are below the range of `double`.
-template <>
-struct Rounding<Multiprecision_float::Long>
-{
-  static double unit() { return 0; }
-};
-
 template <>
 struct Cholesky_of<Multiprecision_float>
 {
@@ -239,26 +232,14 @@ struct Digits<Multiprecision_float>
 
 template <>
 class Algebraic_structure_traits<Intrinsic_triangulations::Multiprecision_float>
-  : public Intrinsic_triangulations::internal::Binary_float_structure<
+  : public Intrinsic_triangulations::internal::Decimal_float_structure<
       Intrinsic_triangulations::Multiprecision_float>
 {};
 
 template <>
 class Real_embeddable_traits<Intrinsic_triangulations::Multiprecision_float>
-  : public Intrinsic_triangulations::internal::Binary_float_embedding<
+  : public Intrinsic_triangulations::internal::Decimal_float_embedding<
       Intrinsic_triangulations::Multiprecision_float>
-{};
-
-template <>
-class Algebraic_structure_traits<Intrinsic_triangulations::Multiprecision_float::Long>
-  : public Intrinsic_triangulations::internal::Binary_float_structure<
-      Intrinsic_triangulations::Multiprecision_float::Long>
-{};
-
-template <>
-class Real_embeddable_traits<Intrinsic_triangulations::Multiprecision_float::Long>
-  : public Intrinsic_triangulations::internal::Binary_float_embedding<
-      Intrinsic_triangulations::Multiprecision_float::Long>
 {};
 
 } // namespace CGAL

@@ -34,14 +34,14 @@ To converted(const Extended& x)
 }
 
 template <typename To, unsigned int Digits>
-To converted(const Decimal_number<Digits>& x)
+To converted(const Intrinsic_triangulations::Decimal_float<Digits>& x)
 {
   if constexpr(std::is_same<To, Extended>::value) {
     const double high = static_cast<double>(x);
     return Extended(high) + Extended(static_cast<double>(x - high));
   } else if constexpr(std::is_same<To, Wide_number<double>>::value) {
     int exponent = 0;
-    const Decimal_number<Digits> mantissa = frexp(x, &exponent);
+    const Intrinsic_triangulations::Decimal_float<Digits> mantissa = frexp(x, &exponent);
     return To(static_cast<double>(mantissa), exponent);
   } else
     return static_cast<To>(x);

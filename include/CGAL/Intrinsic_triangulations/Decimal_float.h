@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DECIMAL_FLOAT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DECIMAL_FLOAT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/number_type_basic.h>
+
+#ifdef CGAL_USE_MPFR
+#include <boost/multiprecision/mpfr.hpp>
+#else
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#endif
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// a floating-point number with at least as many decimal digits, whose exponent has no limit in
+/// practice. It is a number of Boost.Multiprecision, with MPFR if CGAL uses MPFR. With 309 digits,
+/// numbers of MPFR take 0.08 us for a product and 0.4 us for a root. Numbers of Boost alone take
+/// 0.4 us and 50 us.
+template <unsigned int Digits>
+using Decimal_float = boost::multiprecision::number<
+#ifdef CGAL_USE_MPFR
+  boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+#else
+  boost::multiprecision::cpp_bin_float<Digits>,
+#endif
+  boost::multiprecision::et_off>;
+
+namespace internal {
+
+template <typename Type_>
+class Decimal_float_structure : public Algebraic_structure_traits_base<Type_, Field_with_sqrt_tag>
+{
+public:
+  typedef Tag_false Is_exact;
+  typedef Tag_true Is_numerical_sensitive;
+
+  struct Sqrt
+  {
+    typedef Type_ result_type;
+    Type_ operator()(const Type_& x) const { return sqrt(x); }
+  };
+};
+
+template <typename Type_>
+class Decimal_float_embedding : public INTERN_RET::Real_embeddable_traits_base<Type_, Tag_true>
+{
+public:
+  struct Is_finite
+  {
+    typedef bool result_type;
+    bool operator()(const Type_& x) const { return bool(isfinite(x)); }
+  };
+  struct To_double
+  {
+    typedef double result_type;
+    double operator()(const Type_& x) const { return static_cast<double>(x); }
+  };
+  struct To_interval
+  {
+    typedef std::pair<double, double> result_type;
+    result_type operator()(const Type_& x) const
+    {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      const double nearest = static_cast<double>(x);
+      return {nearest > x ? std::nextafter(nearest, -infinity) : nearest,
+              nearest < x ? std::nextafter(nearest, infinity) : nearest};
+    }
+  };
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+
+template <unsigned int Digits>
+class Algebraic_structure_traits<Intrinsic_triangulations::Decimal_float<Digits>>
+  : public Intrinsic_triangulations::internal::Decimal_float_structure<
+      Intrinsic_triangulations::Decimal_float<Digits>>
+{};
+
+template <unsigned int Digits>
+class Real_embeddable_traits<Intrinsic_triangulations::Decimal_float<Digits>>
+  : public Intrinsic_triangulations::internal::Decimal_float_embedding<
+      Intrinsic_triangulations::Decimal_float<Digits>>
+{};
+
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DECIMAL_FLOAT_H
