@@ -5,7 +5,6 @@
 #include "page/View_page.h"
 
 #include "Program_error.h"
-#include "page/Embedded_file.h"
 #include "page/Page_arrays.h"
 
 #include <algorithm>
@@ -370,7 +369,7 @@ private:
 
 void View_page::check_available()
 {
-  if(embedded_files.empty())
+  if(!is_available())
     throw Program_error("--view: this program was built without three.js, which could not be "
                         "fetched from registry.npmjs.org when it was configured");
 }

@@ -6,6 +6,7 @@
 #define INTRINSIC_VIEW_PAGE_H
 
 #include "commands/Statistics.h"
+#include "page/Embedded_file.h"
 #include "pictures/Shown_surface.h"
 #include "pictures/Surface_picture.h"
 #include "reading/Polygon_soup.h"
@@ -21,7 +22,9 @@
 class View_page
 {
 public:
-  // Throws Program_error if the program was built without three.js, with which pages draw.
+  // Returns whether three.js, with which pages draw, was there when this was built.
+  static bool is_available() { return !embedded_files.empty(); }
+  // Throws Program_error if pages are not available.
   static void check_available();
 
   // Its last points may have no data.

@@ -77,8 +77,8 @@ class LimitError(IntrinsicError):
     """Is raised if numbers of crossings or flips are beyond a limit."""
 
 
-class MissingProgramError(IntrinsicError, OSError):
-    """Is raised if the program `intrinsic`, which writes pages, is not found."""
+class MissingPartError(IntrinsicError, OSError):
+    """Is raised if this package was built without a part that a function needs."""
 
 
 class MollificationWarning(UserWarning):

@@ -8,19 +8,17 @@ from __future__ import annotations
 
 import html
 import os
-import shutil
-import subprocess
 import tempfile
 import webbrowser
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Floats, Integers, floats
+from . import _core
+from ._arrays import floats
 from ._meshes import arrays
-from .errors import ArrayError, IntrinsicError, MissingProgramError
+from .errors import MissingPartError
 
 
 class Page:
@@ -49,16 +47,6 @@ class Page:
         return f"<Page of {len(self.html)} characters>"
 
 
-def program() -> str:
-    """Return the path of the program `intrinsic`, from the environment variable
-    INTRINSIC_PROGRAM, or in the PATH."""
-    path = os.environ.get("INTRINSIC_PROGRAM") or shutil.which("intrinsic")
-    if path is None or not os.access(path, os.X_OK):
-        raise MissingProgramError("the program intrinsic is not found, which writes pages; install "
-                                  "it, or set INTRINSIC_PROGRAM to its path")
-    return path
-
-
 def show(
     V: Any, F: ArrayLike | None = None, *, open: bool = True, height: int = 600,
     **functions: ArrayLike,
@@ -84,32 +72,16 @@ def show(
 
     Raises
     ------
-    MissingProgramError
-        If the program `intrinsic`, which writes the page, is not found.
+    MissingPartError
+        If the package was built without nlohmann_json, or without three.js, which the build
+        fetches from the network.
     """
     points, faces = arrays(V, F)
     values = {name: floats(f, (len(points),), name) for name, f in functions.items()}
-    if any(name in ("x", "y", "z") for name in values):
-        raise ArrayError("functions must have other names than x, y and z")
-    with tempfile.TemporaryDirectory() as folder:
-        mesh, written = Path(folder, "mesh.ply"), Path(folder, "page.html")
-        mesh.write_bytes(_ply(points, faces, values))
-        done = subprocess.run([program(), "view", str(mesh), "-o", str(written)],
-                              capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise IntrinsicError(f"the page cannot be written: {done.stderr.strip()}")
-        page = Page(written.read_text(encoding="utf-8"), height)
+    if not _core.has_pages:
+        raise MissingPartError("pages need nlohmann_json and three.js, which were not there when "
+                               "this package was built")
+    page = Page(_core.page(points, faces, list(values.items())), height)
     if open:
         page.open()
     return page
-
-
-def _ply(points: Floats, faces: Integers, values: dict[str, Floats]) -> bytes:
-    names = ["x", "y", "z", *values]
-    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}",
-              *(f"property double {name}" for name in names), f"element face {len(faces)}",
-              "property list uchar int vertex_indices", "end_header", ""]
-    rows = np.empty(len(faces), dtype=[("n", "u1"), ("corners", "<i4", 3)])
-    rows["n"], rows["corners"] = 3, faces
-    table = np.column_stack([points, *values.values()]).astype("<f8")
-    return "\n".join(header).encode("ascii") + table.tobytes() + rows.tobytes()

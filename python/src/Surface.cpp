@@ -133,15 +133,21 @@ double edge_length(Mesh::Edge_index e, const Mesh& mesh, const Side_lengths& len
 
 } // namespace
 
+Polygon_soup soup_of(const Number_array& points, const Index_array& faces)
+{
+  Polygon_soup result;
+  result.points.reserve(static_cast<std::size_t>(points.size()) / 3);
+  for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
+    result.points.emplace_back(p[0], p[1], p[2]);
+  add_faces(faces, result);
+  return result;
+}
+
 Surface surface_of_points(const Number_array& points, const Index_array& faces,
                           bool are_zero_lengths_allowed)
 {
   return released([&] {
-    Polygon_soup soup;
-    soup.points.reserve(static_cast<std::size_t>(points.size()) / 3);
-    for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
-      soup.points.emplace_back(p[0], p[1], p[2]);
-    add_faces(faces, soup);
+    const Polygon_soup soup = soup_of(points, faces);
     if(std::optional<Mesh> mesh = surface_of(soup); mesh && has_good_lengths(*mesh))
       return Surface{std::move(*mesh), {}};
     check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {

@@ -51,6 +51,9 @@ struct Surface
   bool has_positions() const { return length.empty(); }
 };
 
+// Returns positions (n, 3) and corners (m, 3) as they are. Negative indices name no point.
+Polygon_soup soup_of(const Number_array& points, const Index_array& faces);
+
 // Makes a surface of positions (n, 3) and corners (m, 3).
 // Throws Element_error that names an element if the arrays are no surface; with
 // `are_zero_lengths_allowed`, edges may have the length zero.

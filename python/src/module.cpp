@@ -61,4 +61,9 @@ PYBIND11_MODULE(_core, module)
   bind_maps(module);
   bind_simplification(module);
   bind_polyhedron(module);
+#ifdef INTRINSIC_HAS_PAGES
+  bind_page(module);
+#else
+  module.attr("has_pages") = false;
+#endif
 }

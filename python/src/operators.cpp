@@ -63,17 +63,11 @@ public:
   Bound_soup(const Number_array& points, const Index_array& faces, std::size_t neighbors,
              double mollification, Watch& watch)
   {
-    Polygon_soup soup;
-    for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
-      soup.points.emplace_back(p[0], p[1], p[2]);
+    Polygon_soup soup = soup_of(points, faces);
     m_share = faces.size() == 0 ? 1. / 6 : 1. / 2;
     if(faces.size() == 0)
       for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
         soup.polygons.push_back(triangle);
-    for(std::size_t i = 0; i < std::size_t(faces.size()); i += 3)
-      soup.polygons.push_back(std::array<std::size_t, 3>{std::size_t(faces.data()[i]),
-                                                         std::size_t(faces.data()[i + 1]),
-                                                         std::size_t(faces.data()[i + 2])});
     m_cover.emplace(IT::tufted_cover(soup.points, soup.polygons));
     m_triangulation = Triangulation(m_cover->mesh(), IT::parameters::mollification(mollification));
     IT::make_Delaunay(m_triangulation,

@@ -22,20 +22,6 @@ std::vector<std::array<double, 3>> rows_of(const std::vector<Point>& points)
   return result;
 }
 
-// Checked by the Python layer: finite, and indices in range.
-Polygon_soup soup_of(const Number_array& points, const Index_array& faces)
-{
-  Polygon_soup result;
-  for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
-    result.points.emplace_back(p[0], p[1], p[2]);
-  for(std::size_t i = 0; i < std::size_t(faces.size()); i += 3) {
-    for(std::size_t c = i; c < i + 3; ++c)
-      result.polygons.add_corner(static_cast<std::size_t>(faces.data()[c]));
-    result.polygons.close();
-  }
-  return result;
-}
-
 py::tuple repaired(const Number_array& points, const Index_array& faces, double weld_distance)
 {
   Repair_report report;

@@ -116,5 +116,5 @@ def run_program(command, V, F, *options, output=None):
             raise RuntimeError(f"{command}: {done.stderr}")
         files = {f.name: read_results.read(str(f)) for f in sorted(folder.iterdir())
                  if f.suffix in (".ply", ".obj", ".off", ".mtx") and f != mesh}
-        texts = {f.name: f.read_text() for f in folder.iterdir() if f.suffix == ".save"}
+        texts = {f.name: f.read_text() for f in folder.iterdir() if f.suffix in (".save", ".html")}
         return json.loads(stats.read_text()), files, texts

@@ -4,9 +4,9 @@
 
 """Results are those of the program, to the bit."""
 
+import re
 import tempfile
 import unittest
-import unittest.mock
 from pathlib import Path
 
 import numpy as np
@@ -265,20 +265,20 @@ class Program(unittest.TestCase):
         V, F = support.meshes()["cube"]
         try:
             page = intrinsic.show(V, F, open=False, z_value=V[:, 2])
-        except intrinsic.IntrinsicError as error:
-            self.assertIn("without three.js", str(error))
+        except intrinsic.MissingPartError as error:
+            self.assertIn("three.js", str(error))
             self.skipTest(str(error))
         self.assertIn("z_value", page.html)
         self.assertIn("<iframe srcdoc=", page._repr_html_())
-        with self.assertRaises(intrinsic.ArrayError):
-            intrinsic.show(V, F, open=False, x=V[:, 0])
+        _, _, texts = run_program("view", V, F, output="page.html")
+        arrays = re.compile('id="arrays">([^<]+)<')
+        self.assertEqual(arrays.search(intrinsic.show(V, F, open=False).html)[1],
+                         arrays.search(texts["page.html"])[1])
+        name = "\u00e9 <b>"
+        page = intrinsic.show(V, F, open=False, **{name: V[:, 0]})
+        self.assertIn(r'"\u00e9 \u003cb>"', page.html)
         with self.assertRaises(intrinsic.ArrayError):
             intrinsic.show(V, F, open=False, f=V)
-
-    def test_no_program(self):
-        with unittest.mock.patch.dict("os.environ", {"INTRINSIC_PROGRAM": "/nowhere"}):
-            with self.assertRaises(intrinsic.MissingProgramError):
-                intrinsic.show(*support.meshes()["cube"], open=False)
 
 
 if __name__ == "__main__":
