@@ -136,7 +136,7 @@ def ptolemy():
     fig.line(tips[0], tips[2], color=ORANGE)
     for p in tips:
         fig.line(0j, p, color=INK, width=1.2, arrow=True)
-    for p, name, dx, dy in zip(tips, "jkil", (20, 18, -19, -16), (0, -6, -4, -8)):
+    for p, name, dx, dy in zip(tips, "jkil", (20, 18, -19, -16), (0, -6, -4, 21)):
         fig.text(p, f"v<tspan baseline-shift='sub' font-size='11'>{name}</tspan>", dx=dx, dy=dy, size=15, halo=True)
     fig.write()
 
