@@ -17,7 +17,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PACKAGES = ["Intrinsic_triangulations", "Discrete_conformal_maps", "Intrinsic_simplification"]
-MOST_LINES = 12
+MOST_LINES = 6
 
 INTRODUCTION = """/*!
 \\page Chapter_Examples_PACKAGE Examples and What They Print
