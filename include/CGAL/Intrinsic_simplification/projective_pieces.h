@@ -127,9 +127,9 @@ inline double coarse_area(const Projective_piece& p)
 /// map to the coarse level is one projective map on each.
 ///
 /// The face is carried through the operations, and every edge that crosses it at any time cuts it.
-/// Finally parts are joined again, with two exceptions. They lie in different faces of the coarse
-/// level, or the scale beside an edge changed while the edge was between them. Without scaling, the
-/// pieces are the polygons into which the edges of the coarse level cut the face.
+/// Finally parts in one face of the coarse level are joined again, unless the scale beside an edge
+/// between them changed. Without scaling, the pieces are the polygons into which the edges of the
+/// coarse level cut the face.
 ///
 /// The pieces are a subdivision of the face, whatever the rounding. Edges that come to a point of
 /// another edge within rounding run through it. Parts without area on both levels, up to rounding,
