@@ -143,8 +143,8 @@ inline double coarse_area(const Projective_piece& p)
 /// \throws Intrinsic_triangulations::Invalid_input if a vertex has been inserted into the face
 ///   between the levels (see `refine()`)
 ///
-/// Complexity: linear in the parts into which edges of any time cut the face, times the operations
-/// that move a part, and the logarithms of both numbers.
+/// Complexity: linear in the parts into which edges of any time cut the face. Factors are the
+/// operations that move a part, and the logarithms of both numbers.
 template <typename OutputIterator>
 OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIterator out)
 {
