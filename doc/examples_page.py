@@ -35,10 +35,11 @@ def page(package):
 
 
 def comment(source):
-    """The first comment after the copyright, as text."""
+    """The first sentence of the first comment after the copyright."""
     for block in re.findall(r"(?:^//.*\n)+", source.read_text(), re.M):
         if "Copyright" not in block:
-            return " ".join(line[2:].strip() for line in block.split("\n")[:-1])
+            text = " ".join(line[2:].strip() for line in block.split("\n")[:-1])
+            return re.split(r"(?<=\.) (?=[A-Z])", text)[0]
     raise ValueError(f"{source} has no comment")
 
 
