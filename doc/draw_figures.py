@@ -136,7 +136,7 @@ def ptolemy():
     fig.line(tips[0], tips[2], color=ORANGE)
     for p in tips:
         fig.line(0j, p, color=INK, width=1.2, arrow=True)
-    for p, name, dx, dy in zip(tips, "jkil", (20, 18, -19, -16), (0, -6, -4, -8)):
+    for p, name, dx, dy in zip(tips, "jkil", (20, 18, -19, -16), (0, -6, -4, 21)):
         fig.text(p, f"v<tspan baseline-shift='sub' font-size='11'>{name}</tspan>", dx=dx, dy=dy, size=15, halo=True)
     fig.write()
 
@@ -173,7 +173,7 @@ def interpolation():
 
 def three_way():
     """Edges of three triangulations in a quadrangle, and what they cut it into."""
-    fig = Figure("Discrete_conformal_maps/fig/three_way.svg", "Common subdivision of three triangulations", 900, 300)
+    fig = Figure("Discrete_conformal_maps/fig/three_way.svg", "Common subdivision of three triangulations", 900, 210)
     a, b, c, d = corners = [0j, 1.5 - .1j, 1.7 + .95j, .2 + 1.1j]
     p, q = .5 + .5j, 1.1 + .6j
     layers = [([(a, p), (b, p), (d, p), (p, q), (b, q), (c, q), (d, q)], GREY),
@@ -184,7 +184,7 @@ def three_way():
              "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>3</tspan>, ideal Delaunay",
              "their subdivision"]
     for k, name in enumerate(names):
-        fig.frame(25 + 222 * k, 235, 112)
+        fig.frame(25 + 222 * k, 142, 112)
         fig.polygon(*corners, fill=PALE)
         shown = layers if k == 3 else [layers[k]]
         segments = [s for lines, _ in shown for s in lines]

@@ -67,18 +67,19 @@ def view(mesh):
 
 # ---- Triangulations ----
 
-@figure(TRIANGULATIONS, 355)
+@figure(TRIANGULATIONS, 357)
 def delaunay():
     page = run("refine", "pinion_small.off", "-o", "out.ply", "--min-angle", 25)
-    script = EDGES + "closer(1.06); creases(35, 2, '#14202c');"
+    script = EDGES + "closer(1.06); creases(35, 2.6, '#14202c');"
     return [Tile(page, 340, 330, "the input", "show('input'); " + script),
-            Tile(page, 340, 330, "an intrinsic triangulation of the same surface", "show('intrinsic'); " + script)]
+            Tile(page, 340, 330, "an intrinsic triangulation of it", "show('intrinsic'); " + script)]
 
 
 @figure(TRIANGULATIONS, 420)
 def viewer_delaunay():
     page = run("delaunay", "cow.off", "-o", "out.ply")
-    return [Tile(page, WIDTH, 420, "", EDGES + KEY + "closer(1.9, .12, 0);")]
+    return [Tile(page, WIDTH, 420, "", EDGES + "style('input', 1); style('intrinsic', 1.8);" + KEY +
+                 "closer(2.6, .12, .02);")]
 
 
 @figure(TRIANGULATIONS, 460)
@@ -99,22 +100,24 @@ def viewer_info():
 def viewer_transfer():
     with open("values.txt", "w") as file:
         points, _ = read_off(MESHES / "cow.off")
-        file.writelines(f"{i} {math.sin(18 * p[0])}\n" for i, p in enumerate(points))
+        file.writelines(f"{i} {math.sin(9 * p[0])}\n" for i, p in enumerate(points))
     page = run("transfer", "cow.off", "-o", "out.txt", "--data", "values.txt", "--min-angle", 25)
-    return [Tile(page, WIDTH, 420, "", "closer(1, 0, -.04); legend('transferred_function', 'function');")]
+    return [Tile(page, WIDTH, 420, "", "scaled('transferred_function', -1, 1); closer(.97, 0, -.03); "
+                 "legend('transferred_function', 'function');")]
 
 
 @figure(TRIANGULATIONS, 360)
 def viewer_operators():
     page = run("operators", "eight.off", "--prefix", "out")
-    return [Tile(page, WIDTH, 360, "", "viewer.set({color: 'field curvature', isolines: false}); "
+    return [Tile(page, WIDTH, 360, "", "scaled('curvature', -60, 60); viewer.set({color: 'field curvature', isolines: false}); "
                  "show('intrinsic'); style('intrinsic', .8, '#14202c'); look([0, 1, .2], [1, 0, 0]); "
                  "closer(.95, 0, -.03); legend('curvature', 'Gaussian curvature');")]
 
 
 def section(_):
-    run("delaunay", "cow.off", "-o", "out.ply", "--section", 100, .05, "--picture",
-        HERE / TRIANGULATIONS / "fig/section.svg")
+    run("delaunay", "cow.off", "-o", "out.ply", "--section", 100, .05, "--picture", "section.svg")
+    dark = Path("section.svg").read_text().replace(".i{stroke:#566473", f".i{{stroke:{INK}")
+    (HERE / TRIANGULATIONS / "fig/section.svg").write_text(dark)
 
 
 FIGURES["section"] = section
@@ -125,8 +128,8 @@ FIGURES["section"] = section
 @figure(TRIANGULATIONS, 350)
 def viewer_distance():
     page = run("distance", "elephant.off", "-o", "out.ply", "--source", 0)
-    return [Tile(page, 345, 350, "", "closer(.93, 0, -.06); legend('distance', 'distance');"),
-            Tile(page, 345, 350, "", BACK + "closer(.93, 0, -.06);")]
+    return [Tile(page, 345, 350, "", "closer(1.03, 0, -.06); legend('distance', 'distance');"),
+            Tile(page, 345, 350, "", BACK + "show(); closer(1.03, 0, -.06);")]
 
 
 @figure(TRIANGULATIONS, 350)
@@ -151,28 +154,30 @@ def error(values, exact):
     return f"mean error {100 * np.mean(abs(values - exact)) / np.mean(exact):.2g} %"
 
 
-@figure(TRIANGULATIONS, 610)
+@figure(TRIANGULATIONS, 614)
 def isolines():
     exact, heat, plain = distances(MESHES / "camel.off", 0)
     camera = "look([1, .2, .35], [0, 1, 0]);"
-    leg = "viewer.set({color: 'plain'}); " + camera + "closer(9, .77, -.53);"
+    leg = "viewer.set({color: 'plain'}); " + camera + "closer(9, .87, -.53);"
     whole = f"scaled('distance', 0, {max(exact)}); show(); " + camera
+    scale = "closer(.97, 0, -.04); legend('distance', 'distance', 2);"
     page = view("plain.ply")
     return [Tile(page, 345, 280, "the mesh", leg + "show('edges'); style('edges', 1, '#14202c');"),
             Tile("heat.html", 345, 280, "its intrinsic Delaunay triangulation",
                  leg + "show('intrinsic'); style('intrinsic', 1.1);"),
-            Tile(page, 345, 280, "by heat on the mesh: " + error(plain, exact), whole),
-            Tile("heat.html", 345, 280, "on the intrinsic triangulation: " + error(heat, exact), whole)]
+            Tile(page, 345, 280, "on the mesh: " + error(plain, exact), whole + scale),
+            Tile("heat.html", 345, 280, "on the intrinsic one: " + error(heat, exact), whole + scale)]
 
 
-@figure(TRIANGULATIONS, 195)
+@figure(TRIANGULATIONS, 197)
 def exact_heat():
     exact, heat, _ = distances(MESHES / "triceratops.off", 1)
-    scale = f"scaled('distance', 0, {max(exact)});"
+    scale = f"scaled('distance', 0, {max(exact)}); closer(1.06, 0, -.06);"
     return [Tile("exact.html", 225, 170, "exact", scale),
             Tile("heat.html", 225, 170, "by heat: " + error(heat, exact), scale),
             Tile(view("error.ply"), 225, 170, "their difference",
-                 "viewer.set({color: 'field error', isolines: false}); show(); legend('error', 'error in %', 2);")]
+                 "viewer.set({color: 'field error', isolines: false}); show(); "
+                 "closer(1.06, 0, -.06); legend('error', 'error in %', 2);")]
 
 
 # ---- Convex polyhedra ----
@@ -259,9 +264,9 @@ def both(page, script, zoom=1.05):
 @figure(TRIANGULATIONS, 350)
 def viewer_distortion():
     page = run("flatten", "elephant.off", "-o", "out.obj")
-    script = "viewer.set({color: 'field angle_distortion'}); style('is_seam', 2);"
+    script = "scaled('angle_distortion', 1, 1.2); viewer.set({color: 'field angle_distortion'}); style('is_seam', 2);"
     result = both(page, script)
-    result[0].script += "closer(.95, 0, -.06); legend('angle_distortion', 'greatest over least stretch');"
+    result[0].script += "closer(.95, 0, -.06); legend('angle_distortion', 'ratio of stretches');"
     return result
 
 
@@ -288,7 +293,7 @@ def viewer_hyperbolic():
 PLACES = 5531, 7866, 8290, 2738, 4542, 2568, 90  # of the bear: paws, ears, feet and belly
 
 
-@figure(MAPS, 260)
+@figure(MAPS, 262)
 def sphere():
     left_paw, left_ear, _, right_paw, _, _, belly = PLACES
     run("distance", "bear.off", "-o", "distance.ply", "--source", left_paw)
@@ -331,7 +336,7 @@ def rising(part):
 
 # ---- Simplification ----
 
-@figure(SIMPLIFICATION, 365)
+@figure(SIMPLIFICATION, 367)
 def simplify():
     page = run("simplify", "elephant.off", "-o", "out.ply", "--ratio", .06)
     return [Tile(page, 345, 340, "2,775 vertices",
@@ -343,8 +348,8 @@ def simplify():
 def two_ways():
     page = run("simplify", "elephant.off", "-o", "out.ply", "--vertices", 160, "--coarse", "coarse.off")
     return [Tile(view(MESHES / "elephant.off"), 225, 250, "the input", "style('edges', .6, '#14202c');"),
-            Tile(page, 225, 250, "intrinsic: on the same surface", "style('coarse', 1.3);"),
-            Tile(view("coarse.off"), 225, 250, "in space: flat faces", "style('edges', 1.3, '#14202c');")]
+            Tile(page, 225, 250, "on the same surface", "style('coarse', 1.3);"),
+            Tile(view("coarse.off"), 225, 250, "in space, with flat faces", "style('edges', 1.3, '#14202c');")]
 
 
 def main():

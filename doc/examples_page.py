@@ -17,7 +17,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PACKAGES = ["Intrinsic_triangulations", "Discrete_conformal_maps", "Intrinsic_simplification"]
-MOST_LINES = 12
+MOST_LINES = 6
 
 INTRODUCTION = """/*!
 \\page Chapter_Examples_PACKAGE Examples and What They Print
@@ -35,10 +35,11 @@ def page(package):
 
 
 def comment(source):
-    """The first comment after the copyright, as text."""
+    """The first sentence of the first comment after the copyright."""
     for block in re.findall(r"(?:^//.*\n)+", source.read_text(), re.M):
         if "Copyright" not in block:
-            return " ".join(line[2:].strip() for line in block.split("\n")[:-1])
+            text = " ".join(line[2:].strip() for line in block.split("\n")[:-1])
+            return re.split(r"(?<=\.) (?=[A-Z])", text)[0]
     raise ValueError(f"{source} has no comment")
 
 

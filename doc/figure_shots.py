@@ -205,6 +205,7 @@ const draw = () => {
         result.geometry = new model.geometry.constructor();
         result.geometry.setPositions(new Float32Array(ends.flatMap(c => point(c).toArray())));
         result.material = model.material.clone();
+        result.material.polygonOffsetUnits = -200;
         result.renderOrder = 60;
         return result;
       });
@@ -253,14 +254,14 @@ STYLE = """<style>
     font: bold 12px/18px "DejaVu Sans", sans-serif; color: #fff; background: #14202c; border-radius: 50%; }
   .legend { position: absolute; bottom: 0; width: 100%; padding: 3px 0; background: #fff; text-align: center;
     color: #22303c;
-    font: 12.5px/16px "DejaVu Sans", sans-serif; }
+    font: 14px/18px "DejaVu Sans", sans-serif; }
   .legend b { display: inline-block; width: 22px; height: 4px; margin-bottom: 3px; }
   .legend i { display: inline-block; width: 110px; height: 10px; border: 1px solid #8795a3; }
 </style>
 """
 
 FRAME = """<!doctype html><meta charset="utf-8"><style>
-  body { margin: 0; background: #fff; font: 13px/17px "DejaVu Sans", sans-serif; color: #22303c; }
+  body { margin: 0; background: #fff; font: 15px/19px "DejaVu Sans", sans-serif; color: #22303c; }
   main { display: flex; flex-wrap: wrap; justify-content: center; gap: 0 8px; }
   figure { margin: 0; text-align: center; }
   figcaption { padding: 2px 6px 6px; }

@@ -162,7 +162,8 @@ def expanded(command, build):
 
 
 def build_target(build, target):
-    subprocess.run(["cmake", "--build", build, "--target", target], check=True, stdout=subprocess.DEVNULL)
+    """Builds a target. Returns whether it succeeds."""
+    return subprocess.run(["cmake", "--build", build, "--target", target], stdout=subprocess.DEVNULL).returncode == 0
 
 
 def write(path, text):
@@ -198,11 +199,13 @@ def write_summary():
 
 def make(run, build):
     """Runs a benchmark and writes its tables. Returns whether it succeeds."""
-    build_target(build, run.target)
     start, source = time.monotonic(), machine(build)
     words = run.command.replace("{build}/benchmark/", "").replace("{build}/", "build/").replace("{python}", "python3")
     words = words.replace("{meshes}/", "").replace("{meshes}", "build/cgal_data/meshes")
     print(f"{', '.join(run.names())}: {words}", flush=True)
+    if not build_target(build, run.target):
+        print(f"  failed: target {run.target}", file=sys.stderr)
+        return False
     ended = subprocess.run(["sh", "-c", expanded(run.command, build)], cwd=ROOT, stdout=subprocess.PIPE, text=True)
     tables = tables_in(ended.stdout)
     if ended.returncode or len(tables) != len(run.files):

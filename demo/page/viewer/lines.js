@@ -31,6 +31,8 @@ export function lines(positions, {color, width, order, isBehind}) {
   const result = positions.length / 6 > mostWide
     ? thinLines(positions, style) : wideLines(positions, style, width);
   result.renderOrder = order;
+  // On segments that two layers share, the later one is visible.
+  Object.assign(result.material, {polygonOffset: true, polygonOffsetUnits: -6 * order});
   result.frustumCulled = false;
   return result;
 }

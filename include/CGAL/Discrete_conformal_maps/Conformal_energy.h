@@ -35,8 +35,7 @@ namespace CGAL::Discrete_conformal_maps {
 ///
 /// It is twice continuously differentiable on the whole space, so that minimizers ignore the flips.
 /// In a fixed triangulation, with Euclidean faces, it is the energy of \cgalCite{SSP08}. If the
-/// scaled lengths of a face violate the triangle inequality, its part of the energy is linear, with
-/// the angles 0, 0 and \f$\pi\f$. This is convex, but has no second derivatives at flat faces. A
+/// scaled lengths of a face violate the triangle inequality, its part of the energy is linear. A
 /// minimum with such faces is no metric, and a minimum need not exist.
 ///
 /// With circles at the vertices, radii are multiplied by \f$e^u\f$, and the energy is the one of
@@ -46,8 +45,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// \f$w\f$ with \f$r e^w = \tanh(R/2)\f$, in which the energy is convex.
 ///
 /// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and a
-/// variable \f$x\f$ in `double`. A minimizer in `double` moves the origin from time to time. So it
-/// can approach a minimum to any precision.
+/// variable \f$x\f$ in `double`. A minimizer in `double` that moves the origin can approach a
+/// minimum to any precision.
 ///
 /// \tparam FT_ the floating point type in which gradients are computed
 /// \tparam Triangle the geometry of faces

@@ -101,10 +101,10 @@ struct Map_outcome
 /// each to the next, and scale factors (Section 4.2).
 ///
 /// \f$T_1\f$ is the input. A component with boundary is doubled, as far as edges of \f$T_2\f$ and
-/// \f$T_3\f$ across the boundary reach. Faces, edges and vertices of this part of its second copy
-/// follow the elements of the input; the boundary is shared. \f$T_2\f$ is the intrinsic Delaunay
-/// triangulation of \f$T_1\f$. \f$T_3\f$ is the ideal Delaunay triangulation of \f$T_2\f$ with the
-/// scale factors. The paper writes \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$.
+///   \f$T_3\f$ across the boundary reach. Elements of its second copy follow the elements of the
+///   input; the boundary is shared. \f$T_2\f$ is the intrinsic Delaunay triangulation of \f$T_1\f$.
+///   \f$T_3\f$ is the ideal Delaunay triangulation of \f$T_2\f$ with the scale factors. The paper
+///   writes \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$.
 class Discrete_conformal_map
 {
 public:

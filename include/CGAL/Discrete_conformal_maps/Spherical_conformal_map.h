@@ -72,30 +72,27 @@ private:
 /// triangulations with the correspondence of each to the next, scale factors, and positions on the
 /// unit sphere.
 ///
-/// \f$T_1\f$ is the input. A disk is doubled, as far as edges across the boundary reach (see
-/// `Discrete_conformal_map`). The rest is the mirror image of the other half. \f$T_2\f$ is the
-/// intrinsic Delaunay triangulation of \f$T_1\f$. \f$T_3\f$ has the same ideal polyhedron as
-/// \f$T_2\f$. Its faces form a convex polyhedron with vertices on the unit sphere and with lengths
-/// \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius transformations. The
-/// vertices have their center of mass in the center of the sphere. The mass of a vertex is a third
-/// of the area of its faces in the input. So the polyhedron is unique up to rotations. The vertex
-/// from which the sphere was unfolded has the position (0, 0, -1).
+/// \f$T_1\f$ is the input; a disk is doubled (see `Discrete_conformal_map`). \f$T_2\f$ is the
+///   intrinsic Delaunay triangulation of \f$T_1\f$. \f$T_3\f$ has the same ideal polyhedron as
+///   \f$T_2\f$. Its faces form a convex polyhedron with vertices on the unit sphere and with
+///   lengths \f$e^{(u_i+u_j)/2}\ell_{ij}\f$, which is unique up to Moebius transformations. The
+///   center of mass of the vertices is the center of the sphere, so the polyhedron is unique up to
+///   rotations. The mass of a vertex is a third of the area of its faces in the input. The vertex
+///   from which the sphere was unfolded has the position (0, 0, -1).
 ///
 /// The image of a disk is the upper hemisphere, and its boundary is the equator. A vertex of the
-/// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the convex
-/// polyhedron of its double is a flat polygon with two sides (`is_flat()`). Then the image is this
-/// polygon, in the plane of the equator. 32 digits may be too few to distinguish its vertices
-/// around the center of mass. Then the two ends that are farthest from each other become antipodal.
-/// The convex polyhedron of a sphere can also be a flat polygon with two sides. The image of a
-/// doubly covered polygon in space is an example.
+/// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the image
+/// is a flat polygon in the plane of the equator (`is_flat()`). 32 digits may be too few to
+/// distinguish its vertices around the center of mass. Then the two ends that are farthest from
+/// each other become antipodal. The polyhedron of a sphere can also be a flat polygon with two
+/// sides.
 ///
-/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk. Its
-/// logarithmic scale factor is zero.
+/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
+/// logarithmic scale factor zero.
 ///
-/// Images of long limbs are small, and `double` may have too few digits for differences of
-/// positions. `lost_in_output()` counts the triangles concerned. The map stores positions with 32
-/// digits; relative to the image of infinity, differences of positions also have 32 digits.
-/// Logarithmic scale factors keep their accuracy.
+/// Images of long limbs can be smaller than the spacing of numbers of type `double`;
+/// `lost_in_output()` counts the triangles concerned. The map stores positions with 32 digits.
+/// Differences of positions have 32 digits relative to the image of infinity.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:

@@ -119,8 +119,7 @@ public:
   }
 
   /// returns the position of `v` on `layer`. Complexity: constant, or linear in the degree of `v`
-  /// for
-  /// \f$T_3\f$.
+  /// for \f$T_3\f$.
   Surface_point<FT> place(Layer layer, Vertex_index v) const
   {
     return layer == Layer::C ? place_on_C(v) : m_place[Base::index(layer)][v.idx()];

@@ -39,20 +39,16 @@ struct Map_certificate
 ///
 /// The exact numbers are numbers of type `double` in the map. They are the lengths of \f$T_1\f$,
 /// the lengths of \f$T_2\f$ as Penner lengths, and the rounded factors \f$s_i = e^{u_i/2}\f$. The
-/// length of every edge of \f$T_3\f$ is derived from \f$T_2\f$ again, see
-/// `Intrinsic_triangulations::certify_ideal_Delaunay()`, and multiplied by \f$s_i s_j\f$.
+/// lengths of \f$T_3\f$ are derived from \f$T_2\f$
+/// (`Intrinsic_triangulations::certify_ideal_Delaunay()`), and multiplied by \f$s_i s_j\f$.
 /// `certify_order_of_ends()` decides the order of ends.
-///
-/// The edges at the border of the second copy are mirror images of edges of the surface, which are
-/// decided.
 ///
 /// `Intrinsic_triangulations::certify_Delaunay()` of `Discrete_conformal_map::Delaunay()` decides
 /// whether \f$T_2\f$ is the intrinsic Delaunay triangulation of \f$T_1\f$.
 ///
-/// The map itself is computed in `double`, and its decisions have a one-sided tolerance. An edge
-/// can fail by about \f$10^{-14}\f$, see
-/// `Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`. In a fixed
-/// triangulation edges fail by any amount.
+/// The decisions of the map itself have a one-sided tolerance. So an edge can fail by about
+/// \f$10^{-14}\f$ (`Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`), and in
+/// a fixed triangulation by any amount.
 ///
 /// Complexity: linear in the edges and crossings, as a rule.
 /// \throws Intrinsic_triangulations::Invalid_input if there are circles at the vertices

@@ -21,13 +21,12 @@ namespace CGAL::Discrete_conformal_maps {
 /// on a circle.
 ///
 /// The exterior angles of a polygon in a circle depend on the lengths of its edges, and these on
-/// the angles. So the surface is flattened in rounds, each with the angles for the lengths before.
-/// Rounds end when angles change by at most \f$10^{-10}\f$. Anderson's method \cgalCite{And65}
-/// accelerates them. The `minimization()` of the result is the last one. `map_to_sphere()` takes
-/// one minimization. If no edge of \f$T_2\f$ and \f$T_3\f$ crosses the boundary, both images of a
-/// disk without cones agree up to a Moebius transformation. If scale factors are far apart, the
-/// search starts from that map; a disk without inner vertices then needs no search. This function
-/// also allows several components, and handles if there are cones.
+/// the angles. So the surface is flattened in rounds, each with the angles for the lengths before,
+/// until angles change by at most \f$10^{-10}\f$. Anderson's method \cgalCite{And65} accelerates
+/// the rounds. The `minimization()` of the result is the last one. If scale factors are far apart,
+/// the search starts from `map_to_sphere()`; a disk without inner vertices then needs no search. If
+/// no edge of \f$T_2\f$ and \f$T_3\f$ crosses the boundary, both images of a disk without cones
+/// agree up to a Moebius transformation.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

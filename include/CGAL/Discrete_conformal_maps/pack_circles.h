@@ -203,18 +203,15 @@ inline Circle_packing packed(const Packing_complex& complex)
 ///
 /// - A closed surface of genus zero packs the unit sphere. The packing is unique up to M&ouml;bius
 ///   transformations and reflections. In the result, the points at which circles touch have their
-///   mean in the center. The planes of the circles bound a polyhedron. The apexes of the cones that
-///   touch the sphere in the circles are the corners of another polyhedron, whose edges all touch
-///   the sphere.
+///   mean in the center.
 /// - A disk packs the unit disk. The circles of the boundary touch the unit circle from inside, at
 ///   points whose mean is the center.
 ///
 /// A face is removed; for a disk it is a face at an added vertex beyond the boundary. Its three
-/// circles are equal and touch each other, and all others lie between them. The decorated discrete
-/// conformal map `flatten()` computes the circles. It maps a disk with edges of length 2 and radii
-/// 1, whose boundary is not scaled. Circles that touch are weighted Delaunay, whatever the scale
-/// factors, so that no edge is flipped. If circles far from this face have too few digits, the
-/// computation restarts with the face of the greatest circles.
+/// circles are equal and touch each other, and all others lie between them. `flatten()` computes
+/// the circles, for edges of length 2 and radii 1 and a boundary that is not scaled. Circles that
+/// touch are weighted Delaunay for all scale factors, so no edge is flipped. If circles far from
+/// this face have too few digits, the computation restarts with the face of the greatest circles.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param g a connected triangle mesh of genus zero with at most one boundary, in which vertices

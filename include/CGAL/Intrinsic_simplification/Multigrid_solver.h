@@ -61,9 +61,9 @@ struct Multigrid_result
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the
 /// conjugate gradient method. The preconditioner is one V-cycle on a hierarchy of surfaces. It
-/// makes a sweep of the method of Gauss and Seidel on each level downwards, and a reverse sweep
-/// upwards. The coarsest level has a Cholesky factorization. Matrices of coarse levels are \f$P^T A
-/// P\f$. The number of iterations hardly depends on the number of unknowns.
+/// sweeps with the method of Gauss and Seidel on each level downwards, and in reverse upwards.
+/// Matrices of coarse levels are \f$P^T A P\f$; the coarsest one has a Cholesky factorization. The
+/// number of iterations hardly depends on the number of unknowns.
 ///
 /// The matrix belongs to a Dirichlet energy plus any nonnegative diagonal, such as \f$L + \alpha
 /// M\f$ or \f$L\f$ alone. On each of its connected components it is positive definite, or singular:

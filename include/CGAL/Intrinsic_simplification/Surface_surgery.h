@@ -30,10 +30,9 @@ namespace CGAL::Intrinsic_simplification {
 /// It has the map from the original surface.
 ///
 /// A disk that closes a loop has one vertex, the apex. Edges of one length join it to all vertices
-/// of the loop. The disk is flat if the loop is close to a circle: its boundary is a polygon
-/// inscribed in a circle. An edge may be longer than the side of an equilateral triangle in this
-/// circle. Then the edges to the apex are \f$1/\sqrt{3}\f$ times as long as the longest edge, and
-/// the disk is a cone.
+/// of the loop. The disk is flat, and its boundary inscribed in a circle, unless an edge of the
+/// loop is longer than \f$\sqrt{3}\f$ times the radius. Then the edges to the apex are
+/// \f$1/\sqrt{3}\f$ times as long as the longest edge, and the disk is a cone.
 ///
 /// Outside of the disks nothing changes: faces, edges and vertices of the surface keep their
 /// indices, lengths and angles. New elements have greater indices. Along a cut, the left side gets

@@ -30,11 +30,8 @@ namespace CGAL::Intrinsic_simplification {
 /// Each signed quantity is split into two positive masses. A vertex carries its mass and, as a
 /// tangent vector, the sum of all mass times the vector to its origin. A removed vertex leaves both
 /// to its neighbors, in the shares of Equation 5.7. Its cost is the sum of the lengths of the
-/// vectors that its neighbors would have (Equation 5.5). This approximates the optimal transport of
-/// the masses to their current positions.
-///
-/// All masses are divided by their sum over the surface. So costs are lengths, whatever the unit of
-/// the data.
+/// vectors that its neighbors would have (Equation 5.5). It approximates the optimal transport of
+/// the masses. All masses are fractions of their sum over the surface, so costs are lengths.
 ///
 /// Memory: for each vertex three numbers for each mass.
 ///

@@ -127,9 +127,9 @@ inline double coarse_area(const Projective_piece& p)
 /// map to the coarse level is one projective map on each.
 ///
 /// The face is carried through the operations, and every edge that crosses it at any time cuts it.
-/// Finally parts are joined again, with two exceptions. They lie in different faces of the coarse
-/// level, or the scale beside an edge changed while the edge was between them. Without scaling, the
-/// pieces are the polygons into which the edges of the coarse level cut the face.
+/// Finally parts in one face of the coarse level are joined again, unless the scale beside an edge
+/// between them changed. Without scaling, the pieces are the polygons into which the edges of the
+/// coarse level cut the face.
 ///
 /// The pieces are a subdivision of the face, whatever the rounding. Edges that come to a point of
 /// another edge within rounding run through it. Parts without area on both levels, up to rounding,
@@ -141,9 +141,10 @@ inline double coarse_area(const Projective_piece& p)
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
 /// \throws Intrinsic_triangulations::Invalid_input if a vertex has been inserted into the face
-/// between the levels (see `refine()`). Complexity: linear in the parts into which edges of any
-/// time cut the face. Factors are the number of operations that move a part, and the logarithms of
-/// both numbers.
+///   between the levels (see `refine()`)
+///
+/// Complexity: linear in the parts into which edges of any time cut the face. Factors are the
+/// operations that move a part, and the logarithms of both numbers.
 template <typename OutputIterator>
 OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIterator out)
 {

@@ -237,10 +237,9 @@ constexpr double default_area_change_weight = 6;
 constexpr double default_boundary_change_weight = 12;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns a cost with four masses. Curvature has weight one, and area `default_area_weight`. The
+/// returns a cost with four masses. Curvature has weight one, area `default_area_weight`. The
 /// change of area has `default_area_change_weight`, and at the boundary also
-/// `default_boundary_change_weight`. Curvature alone leaves few vertices on flat parts. Area alone
-/// leaves few vertices on the most curved parts. Complexity: linear.
+/// `default_boundary_change_weight`. Complexity: linear.
 inline Transport_cost default_cost(const Evolving_surface& surface)
 {
   Transport_cost cost(surface);

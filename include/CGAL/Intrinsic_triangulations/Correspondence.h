@@ -24,11 +24,10 @@ namespace CGAL::Intrinsic_triangulations {
 /// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their
 /// positions.
 ///
-/// The roles of the two triangulations are symmetric: every query takes the side on which it is
-/// asked. Orders and incidences are exact. Positions are rounded, and never decrease along an edge
-/// of either side. In very thin faces, rounded lengths would displace crossings by more than about
-/// \f$10^{-8}\f$ of a side. Positions on these faces are computed with more digits from the exact
-/// surface of \f$T_1\f$.
+/// The roles of the two triangulations are symmetric: every query takes a side. Orders and
+/// incidences are exact. Positions are rounded, and never decrease along an edge of either side. On
+/// very thin faces, rounded lengths would displace crossings by more than about \f$10^{-8}\f$ of a
+/// side. Then positions are computed with more digits from the exact surface of \f$T_1\f$.
 ///
 /// An edge of \f$T_1\f$ consists of one or more parts: vertices that have been inserted on it lie
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.

@@ -69,8 +69,7 @@ inline const char* to_string(Operation_status status)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the other halfedge of the edge of `h`, as every `Surface_mesh` numbers it, in a single
-/// instruction, which bounds the speed of walks.
+/// returns the other halfedge of the edge of `h`, in a single instruction.
 inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex

@@ -47,30 +47,27 @@ inline const char* to_string(Shortening_status status)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// paths and loops along edges of \f$T_2\f$, which are shortened to geodesics by flipping edges
-/// (Sharp and Crane 2020).
+/// paths and loops along edges of \f$T_2\f$, which flips of edges shorten to geodesics
+/// \cgalCite{SC20b}.
 ///
 /// If a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
-/// as long as possible \cgalCite{SC20b}. The path moves to the arc on the other side of their
-/// triangles, which is shorter. Finally both angles at every vertex between the ends are at least
-/// \f$\pi\f$; on the boundary, the one angle of the surface is. Then the paths are geodesics along
-/// edges of \f$T_2\f$, each isotopic to its start. \f$T_1\f$ never changes. The integer
-/// coordinates determine how the edges of the paths run over it, see `path_on_input()`.
+/// as long as possible. The path moves to the shorter arc on the other side of their triangles. At
+/// the end both angles at every vertex between the ends are at least \f$\pi\f$; on the boundary,
+/// the one angle of the surface is. The paths are then geodesics along edges of \f$T_2\f$, each
+/// isotopic to its start. `path_on_input()` follows them over \f$T_1\f$.
 ///
-/// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side
-/// in an order, and only segments next to an angle move into it. So paths do not cross while they
-/// move. Paths that come together and part again are ordered so that they do not cross, if that is
-/// possible. Paths that never part lie in the order in which they are added, to the right. The
-/// ends of paths are fixed: paths that end at one vertex are a network. A loop has no end; a loop
-/// that contracts to a point becomes empty.
+/// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side,
+/// and paths do not cross while they move. Paths that come together and part again are ordered so
+/// that they do not cross, if that is possible. Paths that never part lie in the order in which
+/// they are added, to the right. The ends of paths are fixed. A loop that contracts to a point
+/// becomes empty.
 ///
-/// Decisions about angles less than \f$\pi\f$ and about flips are exact with exact traits. With
-/// `double` the surface of \f$T_1\f$ decides, too; an angle within \f$10^{-24}\f$ of \f$\pi\f$
-/// counts as \f$\pi\f$. In both cases lengths have a relative error of at most \f$2^{-40}\f$,
-/// after any number of flips. With `double`, the edges of \f$T_2\f$ must be straight at the start,
-/// see `certify_Delaunay()`. With other number types an angle is less than \f$\pi\f$ if it is less
-/// by more than the rounding of lengths. Then a vertex counts as straight if the path would get
-/// shorter by rounding errors only.
+/// Decisions about angles and flips are exact with exact traits. With `double` the surface of
+/// \f$T_1\f$ decides, too; an angle within \f$10^{-24}\f$ of \f$\pi\f$ counts as \f$\pi\f$. Edges
+/// of \f$T_2\f$ must then be straight at the start (`certify_Delaunay()`). In both cases lengths
+/// have a relative error of at most \f$2^{-40}\f$. With other number types an angle is less than
+/// \f$\pi\f$ if it is less by more than the rounding of lengths. The path must also get shorter by
+/// more than rounding errors.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
 template <typename Traits>
@@ -95,14 +92,14 @@ public:
   /// \name Paths
   /// @{
 
-  /// adds a path and returns its index. What it goes to and fro is left out.
+  /// adds a path and returns its index. Parts that run to and fro are removed.
   /// \pre each halfedge starts where the one before ends
   std::size_t add_path(const std::vector<Halfedge_index>& halfedges)
   {
     return add(halfedges, false);
   }
 
-  /// adds a loop and returns its index. What it goes to and fro is left out.
+  /// adds a loop and returns its index. Parts that run to and fro are removed.
   /// \pre each halfedge starts where the one before ends, and the first one where the last one ends
   std::size_t add_loop(const std::vector<Halfedge_index>& halfedges)
   {

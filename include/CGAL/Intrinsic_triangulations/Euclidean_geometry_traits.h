@@ -121,12 +121,11 @@ private:
 public:
   /// decides whether the edge \f$ij\f$ satisfies the local Delaunay condition (Equation 2.6).
   ///
-  /// The angles at \f$k\f$ and \f$l\f$ have a sum of more than \f$\pi\f$ if one of them, at
-  /// \f$k\f$ say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In
-  /// floating point the tolerance is one-sided. An edge counts as non-Delaunay only if it is
-  /// non-Delaunay for all lengths within `rounding_unit()` of the stored ones. So four cocircular
-  /// points are a tie, and ties are kept. An edge that has just been flipped is never flipped
-  /// back. The longest side of a triangle of zero area is flipped.
+  /// The angles at \f$k\f$ and \f$l\f$ have a sum of more than \f$\pi\f$ if one of them, at \f$k\f$
+  /// say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating
+  /// point, an edge counts as non-Delaunay only if it is non-Delaunay for all lengths within
+  /// `rounding_unit()` of the stored ones. So ties are kept, and an edge that has just been flipped
+  /// is not flipped back. The longest side of a triangle of zero area is flipped.
   /// \cgalModels `LocalDelaunayPredicate`
   struct Is_locally_Delaunay
   {

@@ -273,8 +273,7 @@ public:
   /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target,
   ///   and the target of the next halfedge. At most one of them is shared
   /// \param outgoing the first outgoing halfedge of the new vertex if it is on an edge of
-  /// \f$T_1\f$, otherwise
-  ///   null
+  ///   \f$T_1\f$, otherwise null
   /// \param mesh the mesh
   /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which the outgoing
   ///   halfedges of the new vertex are added
@@ -304,7 +303,7 @@ public:
   /// \param n the normal coordinates of the new edges; the two parts of a shared edge are shared
   /// \param r the roundabouts of the halfedges from \f$m\f$ along these edges
   /// \param outgoing the first outgoing halfedge of \f$m\f$ if it is on an edge of \f$T_1\f$,
-  /// otherwise null
+  ///   otherwise null
   /// \param mesh the mesh
   /// \param outgoing_halfedges the outgoing halfedges of \f$T_1\f$, to which the outgoing
   ///   halfedges of \f$m\f$ are added

@@ -31,12 +31,11 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// computes exact shortest paths and distances from some points of a surface to all its points.
 ///
-/// Faces are unfolded along the views from the sources, from edge lengths alone. Views are the
-/// windows of Chen and Han \cgalCite{CH90}, with the pruning of Xin and Wang \cgalCite{XW09}.
-/// Windows of one edge are propagated together \cgalCite{QHYYZ16}.
-/// Views start again behind vertices at which paths can bend: with an angle sum of more than
-/// \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All distances come from the lengths of
-/// straight lines, and are accurate to rounding for every face passed.
+/// Faces are unfolded along windows, from edge lengths alone: parts of edges that are seen from a
+/// source along straight lines \cgalCite{CH90} \cgalCite{XW09}. Windows of one edge are propagated
+/// together \cgalCite{QHYYZ16}. New windows open behind vertices at which paths can bend: with an
+/// angle sum of more than \f$2\pi\f$, or on the boundary more than \f$\pi\f$. Distances are
+/// accurate to rounding for every face passed.
 ///
 /// Add the sources, then call `run()`; distances and paths to any point follow without further
 /// search. Sources can be added later, and `run()` called again, which continues the search.
@@ -84,9 +83,9 @@ public:
   /// \pre the coordinates of all ends are not negative and sum up to one
   std::size_t add_source(const Surface_curve<FT>& curve) { return add(curve); }
 
-  /// computes the data for distances and paths. Complexity: \f$O(k)\f$ for \f$k\f$ views. There
-  /// are at most \f$O(n^2)\f$ views between saddle vertices on embedded surfaces with \f$n\f$
-  /// faces. In practice there are some dozens for each face.
+  /// computes the data for distances and paths. Complexity: \f$O(k)\f$ for \f$k\f$ windows. At most
+  /// \f$O(n^2)\f$ windows lie between saddle vertices on embedded surfaces with \f$n\f$ faces; in
+  /// practice some dozens for each face are needed.
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{visitor}
@@ -121,7 +120,7 @@ public:
   /// returns the distance of a point on an edge. Complexity: as for a point of a face.
   FT distance(const Edge_point<FT>& p) const { return distance(location(p)); }
 
-  /// returns the distance of a point of a face. Complexity: linear in the views into this face.
+  /// returns the distance of a point of a face. Complexity: linear in the windows of this face.
   FT distance(const Face_location<FT>& p) const
   {
     CGAL_precondition(m_is_run);
@@ -153,7 +152,7 @@ public:
   /// halfedge, or through the face on its left. A vertex counts as hit if the path passes it
   /// within rounding. The result has no points if no path exists.
   ///
-  /// Complexity: linear in the edges crossed, and in the views into the face of `p`.
+  /// Complexity: linear in the edges crossed, and in the windows of the face of `p`.
   Surface_path<FT> path(const Face_location<FT>& p) const
   {
     CGAL_precondition(m_is_run);
@@ -211,8 +210,8 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// returns the shortest path from one point of a face to another (see `Shortest_paths`). It has no
-/// points if no path exists. The search stops at the distance of `target`. Complexity: linear for
-/// initialization, and as `Shortest_paths::run()` in the views up to that distance.
+/// points if no path exists. The search stops at the distance of `target`. Complexity: linear, plus
+/// `Shortest_paths::run()` up to that distance.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param source, target points with coordinates that are not negative and sum up to one
 /// \param np the visitor, as for `Shortest_paths::run()`

@@ -27,10 +27,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// inserts vertices into a triangulation \f$T_2\f$, and removes them (Section 3.5).
 ///
 /// The object keeps for every edge of \f$T_2\f$ the edges of \f$T_1\f$ that cross it, in order. So
-/// an insertion looks only at the crossings on the face in which it takes place, however far the
-/// edges of \f$T_1\f$ run. The triangulation must not be changed by others while the object is
-/// used. Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an
-/// edge on.
+/// an insertion looks only at the crossings on one face. The triangulation must not be changed by
+/// others while the object is used. Memory: 4 bytes for each edge, and four to eight for each
+/// crossing.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -83,10 +82,9 @@ public:
   const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
-  /// coordinate is zero. With any rounding, the integer coordinates are valid: they belong to a
-  /// point in one region between edges of \f$T_1\f$ (Section 3.5.1). If `p` is on a shared edge,
-  /// the vertex is on that edge of \f$T_1\f$. Complexity: linear in the crossings on the sides of
-  /// the face.
+  /// coordinate is zero. Integer coordinates stay valid with any rounding (Section 3.5.1). If `p`
+  /// is on a shared edge, the vertex is on that edge of \f$T_1\f$. Complexity: linear in the
+  /// crossings on the sides of the face.
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; the existing vertex if two coordinates are zero
@@ -113,11 +111,11 @@ public:
     return flip_status(h, m_tri.mesh()) != Operation_status::same_face;
   }
 
-  /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` starts
-  /// at the new vertex. With exact decisions, the rounded position of a vertex is not on an edge
-  /// that is not shared. Then the vertex is inserted into the adjacent face as by `insert()`. The
-  /// edge is flipped if this is possible, and `h` is the flipped edge. Complexity: linear in the
-  /// crossings on the sides of its faces.
+  /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` starts at
+  /// the new vertex. With exact decisions, a vertex on an edge that is not shared is inserted into
+  /// the adjacent face that contains its rounded position. The edge is then flipped if this is
+  /// possible, and `h` is the flipped edge. Complexity: linear in the crossings on the sides of its
+  /// faces.
   /// \param h the halfedge
   /// \param t the position
   /// \param closeness if the distance of the point to a crossing is smaller, the vertex is

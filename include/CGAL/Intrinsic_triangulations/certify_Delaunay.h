@@ -26,11 +26,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// lengths or lengths. Inserted vertices lie at their barycentric coordinates divided by their
 /// sum, exactly. Around each of them the faces must turn once.
 ///
-/// A decision remains undecided only if 1024 bits do not distinguish its sign from zero, and it
-/// involves more than twelve independent square roots. Independent means independent over the
-/// rationals: roots of rational numbers that are multiples of products of others do not count. A
-/// tie of so many unrelated faces is an example. The certificate names the edge or vertex of such
-/// a decision, and does not confirm the result.
+/// A decision remains undecided only if 1024 bits do not distinguish its sign from zero. It must
+/// also involve more than twelve square roots that are independent over the rationals. The
+/// certificate names the edge or vertex of such a decision, and does not confirm the result.
 ///
 /// Complexity: linear in the edges and crossings, as long as decisions are made in floating point.
 /// A tie that involves \f$m\f$ independent square roots takes \f$3^m\f$ products.

@@ -105,10 +105,9 @@ private:
 /// exists, up to motions, if the surface is a sphere and no vertex has negative curvature. It may
 /// be a polygon with two sides. Vertices of zero curvature lie on its faces and edges.
 ///
-/// The pyramids over the triangles have a common apex \cgalCite{BI08}. If its distances from the
-/// vertices are large, the curvature at each edge to the apex is nearly the curvature of the
-/// vertex. The distances are followed from large ones to distances with zero curvature. The
-/// triangulation is always weighted Delaunay for the squares of the distances. Newton's method
+/// The pyramids over the triangles have a common apex \cgalCite{BI08}. Its distances from the
+/// vertices are followed from large ones to distances without curvature at the edges to the apex.
+/// The triangulation is always weighted Delaunay for the squares of the distances. Newton's method
 /// takes derivatives in `double`; curvatures have twice as many digits.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex is allowed

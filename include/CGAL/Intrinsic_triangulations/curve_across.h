@@ -157,13 +157,10 @@ private:
 /// finds a curve of one triangulation on the other: its segments are cut at the edges of that.
 ///
 /// The order and directions of segments stay. Parts whose length is rounding error are left out.
-/// The sequence of faces that a segment passes is connected, however flat they are. Sequences of
-/// segments with a common end are connected, too. The order of the ends and of the crossings along
-/// edges determines which edges are crossed. In a face of \f$T_1\f$ with inserted vertices it also
-/// depends on which pieces of edges of \f$T_2\f$ the segment meets up to rounding. Rounding can
-/// only choose between curves that are equal up to rounding, such as the sides of an edge along
-/// which a curve runs. Apart from that, mapping a curve to the other triangulation and back is the
-/// identity.
+/// The sequence of faces that a segment passes is connected, however flat they are, also for
+/// segments with a common end. Rounding only chooses between curves that are equal up to rounding,
+/// such as the sides of an edge along which a curve runs. Apart from that, mapping a curve to the
+/// other triangulation and back is the identity.
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one
@@ -188,16 +185,16 @@ Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& co
 /// finds a path over one triangulation on the other.
 /// \param correspondence the crossings of both
 /// \param side the triangulation that `path` runs over
-/// \param path a path with places as `Shortest_paths::path()` returns them: between two vertices it
-///        follows an edge, and everywhere else a straight line in a face. It may bend at inserted
-///        vertices and at places inside faces, too.
+/// \param path a path with positions as `Shortest_paths::path()` returns them. Between two vertices
+///   it follows an edge, and everywhere else a straight line in a face. It may also bend at
+///   inserted vertices and inside faces.
 /// \returns the path with its unchanged length and its positions on the other triangulation, in
 ///   the form of `Shortest_paths::path()`. If it passes an inserted vertex of \f$T_2\f$, it has a
 ///   position in the face or on the edge of \f$T_1\f$ that contains the vertex. If a position on
 ///   \f$T_1\f$ is the position of an inserted vertex, the path passes this vertex of \f$T_2\f$.
 ///
 /// Connectivity, rounding and complexity are as in `curve_across()` for curves.
-/// \throws Invalid_input if two consecutive places that are not both vertices share no face
+/// \throws Invalid_input if two consecutive positions that are not both vertices share no face
 template <typename Traits>
 Surface_path<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,
                                                Side side,

@@ -38,10 +38,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// if it can go on with the angle pi on one of its sides. So it follows a straight border. It stops
 /// if no side or both sides of the surface have this angle.
 ///
-/// Directions are turned by corner angles, and points are kept as barycentric coordinates. So thin
-/// triangles cause no loss: end and length are accurate to rounding of the longest edge for every
-/// face passed. Geodesics on either side of a vertex with curvature diverge. A geodesic that
-/// passes a vertex at the distance of such errors ends on one of its two sides.
+/// Thin triangles cause no loss: end and length are accurate to rounding of the longest edge for
+/// every face passed. Geodesics on either side of a vertex with curvature diverge. A geodesic that
+/// passes a vertex at the distance of rounding errors ends on one of its two sides.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed

@@ -244,16 +244,15 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// computes the geodesic distance of every vertex to the nearest source: exactly if that is cheap,
 /// otherwise by heat, with an estimate of the error.
 ///
-/// Exact distances are accurate to rounding. They are computed by default if they are expected to
-/// take no more than \f$2^{23}\f$ windows, which is about two seconds. On a surface with \f$n\f$
-/// vertices and \f$k\f$ sources, \f$n/2 \sqrt{n / k}\f$ are expected. So heat begins at 65,000
-/// vertices with one source. A search that takes four times as many is given up for heat. The
-/// method does not depend on the machine.
+/// By default distances are exact, that is accurate to rounding, if they are expected to take no
+/// more than \f$2^{23}\f$ windows, about two seconds. On a surface with \f$n\f$ vertices and
+/// \f$k\f$ sources, \f$n/2 \sqrt{n / k}\f$ windows are expected, so heat begins at 65,000 vertices
+/// with one source. A search that takes four times as many is given up for heat. The method does
+/// not depend on the machine.
 ///
-/// Distances by heat are approximate, see `heat_distance()`. The estimate of their error compares
-/// them with exact distances at the vertices nearest to the sources, all that \f$2^{22}\f$ windows
-/// reach. On small surfaces these are all vertices. Values below the distance in space, and values
-/// away from the sources that are not positive, are raised and counted.
+/// With heat, the estimate of the error compares distances with exact ones at the vertices nearest
+/// to the sources, all that \f$2^{22}\f$ windows reach. Values below the distance in space, and
+/// values away from the sources that are not positive, are raised and counted.
 ///
 /// `Shortest_paths` and `Heat_distance` are for repeated use.
 ///

@@ -37,15 +37,12 @@ namespace CGAL::Intrinsic_triangulations {
 /// one set of sources after the other; the two matrices are factorized once.
 ///
 /// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is
-/// zero at every vertex that is a source. Of the functions with this property, its gradient comes
-/// closest to the direction away from the sources. Without this condition, a function with such a
-/// gradient takes different values at different sources. They differ by many edge lengths if the
-/// sources fill a region. For one source, subtracting a constant suffices.
+/// zero at every vertex that is a source. Of the functions with this property, the gradient of the
+/// distance comes closest to the direction away from the sources.
 ///
 /// Distances are approximate. On a Delaunay triangulation with evenly spread vertices their errors
-/// are one to three percent on average. On others errors can be large. Since the time step
-/// decreases with the edge lengths, refinement reduces the error only up to a limit, unless the
-/// `time_step_factor` is increased too.
+/// are one to three percent on average; on others they can be large. Refinement reduces the error
+/// only up to a limit, unless the `time_step_factor` is increased too.
 ///
 /// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
 /// change.

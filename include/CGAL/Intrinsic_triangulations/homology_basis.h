@@ -208,11 +208,10 @@ private:
 /// is homologous to exactly one integer combination of them.
 ///
 /// The loops are chosen by increasing length; no loop is a combination of earlier ones
-/// \cgalCite{EW05}. They consist of two shortest paths from a base vertex and an edge between
-/// their ends. Every loop of a shortest basis meets one of the base vertices. Searches from all
-/// base vertices together end after visits of \f$2^{22}\f$ vertices. If they finish before, no
-/// basis of loops along edges is shorter. This takes at most as many visits as base vertices times
-/// vertices. `Edge_paths` shortens the loops to geodesics.
+/// \cgalCite{EW05}. They consist of two shortest paths from a base vertex and an edge between their
+/// ends. Every loop of a shortest basis meets one of the base vertices. Searches from all base
+/// vertices together end after visits of \f$2^{22}\f$ vertices. If they finish before, no basis of
+/// loops along edges is shorter. `Edge_paths` shortens the loops to geodesics.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \returns the halfedges of each loop, each starting where the one before ends. For a component of

@@ -211,11 +211,10 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face the real axis is
 /// along `halfedge(source.first)`.
 ///
-/// The shortest path is found among all, from edge lengths alone, by unfolding faces along the
-/// views from the source. `trace_geodesic()` of the vector ends at `target`, unless the path
-/// bends. It bends at a vertex with an angle sum of more than \f$2\pi\f$, or of more than
-/// \f$\pi\f$ on the boundary. Behind such a vertex, points may exist to which no straight line
-/// leads. Of several shortest paths any one is taken.
+/// The shortest path is found among all, from edge lengths alone (see `Shortest_paths`).
+/// `trace_geodesic()` of the vector ends at `target`, unless the path bends at a vertex. Such a
+/// vertex has an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary. Of
+/// several shortest paths any one is taken.
 ///
 /// A straight path may touch such a vertex, with an angle of \f$\pi\f$ on one side.
 /// `trace_geodesic()` halves the angle at the vertex, and leaves the path. A straight path may also
@@ -228,9 +227,8 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// \param source a vertex that is not isolated, or a `Face_location` that is not at a vertex
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
 ///
-/// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
-/// up to the distance of `target`. The number of views can be quadratic in the number of faces or
-/// more. It tends to be some dozens for each face within that distance.
+/// Complexity: linear in the vertices, plus \f$O(k \log k)\f$ for \f$k\f$ windows up to the
+/// distance of `target`. As a rule each face within that distance has some dozens.
 /// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
 template <typename Surface, typename Source,
@@ -253,7 +251,7 @@ logarithmic_map(const Surface& surface, const Source& source,
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// computes the logarithmic map at `source` of all vertices, in a vector by their index, with the
-/// properties of the function for one point. Complexity: \f$O(k \log k)\f$ for \f$k\f$ views.
+/// properties of the function for one point. Complexity: \f$O(k \log k)\f$ for \f$k\f$ windows.
 /// \param surface, source as for one point
 /// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum

@@ -331,26 +331,19 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
-/// With `Exact_Euclidean_geometry_traits`, or with lengths of type `double` and the parameter
-/// `exact_decisions`, all decisions about Delaunay edges are exact. Stored lengths decide if the
-/// bounds of their errors allow it. Otherwise the surface of \f$T_1\f$ decides.
-/// `certify_Delaunay()` confirms the result. At the beginning edges that are not in \f$T_1\f$ are
-/// laid out. If one is bent, \f$T_2\f$ is reset to \f$T_1\f$, with the inserted vertices, and
-/// flipping restarts.
+/// Decisions are exact with `Exact_Euclidean_geometry_traits`, and with lengths of type `double`
+/// and the parameter `exact_decisions`. They are also exact if such lengths do not determine the
+/// angles of \f$T_1\f$ (`has_unresolved_angles()`). Then an edge counts as Delaunay if 1024 binary
+/// digits do not distinguish it from a tie. Stored lengths decide if the bounds of their errors
+/// allow it, otherwise the surface of \f$T_1\f$. `certify_Delaunay()` confirms the result. If an
+/// edge of \f$T_2\f$ is bent at the beginning, flipping restarts from \f$T_1\f$ with the inserted
+/// vertices.
 ///
-/// Decisions are also exact if lengths of type `double` do not determine the angles of \f$T_1\f$
-/// (`has_unresolved_angles()`). This holds as long as edges do not cross very many others. In this
-/// case an edge counts as Delaunay if 1024 binary digits do not distinguish it from a tie. Lengths
-/// are then correct to nearly all digits.
-///
-/// Otherwise rounded lengths decide, up to `rounding_unit()`. They are recomputed from \f$T_1\f$
-/// and flipping continues in two cases:
-/// - There were more flips than edges.
-/// - Rounding has left a flipped edge non-Delaunay.
-///
-/// If that does not suffice, flipping with lengths of type `double` restarts from \f$T_1\f$ with
-/// exact decisions. It also restarts after more than ten million flips plus a thousand for each
-/// edge.
+/// Otherwise rounded lengths decide, up to `rounding_unit()`. They are recomputed from \f$T_1\f$,
+/// and flipping continues, if flips outnumber edges or rounding has left a flipped edge
+/// non-Delaunay. Flipping with lengths of type `double` restarts from \f$T_1\f$ with exact
+/// decisions if that does not suffice. It also restarts after more than ten million flips plus a
+/// thousand for each edge.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -386,9 +379,8 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: linear in the edges and flips. No function of the number of edges bounds the number
-/// of flips, since a geodesic triangulation can be sheared without end. On real meshes it is about
-/// the number of edges. A mark for each edge and a stack of edges are allocated.
+/// Complexity: linear in the edges and flips. On real meshes flips are about as many as edges; no
+/// function of the number of edges bounds them. Memory: a mark for each edge and a stack of edges.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error in these cases:

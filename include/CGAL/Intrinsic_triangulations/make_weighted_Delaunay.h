@@ -189,9 +189,8 @@ std::size_t flip_with_weights(Intrinsic_triangulation<Traits>& tri,
 /// the result is Delaunay.
 ///
 /// A vertex whose weight is too small is hidden by others: no triangulation with this vertex is
-/// weighted Delaunay. Then the weight is raised to the least weight with which others do not hide
-/// the vertex. All edges of the vertex then are ties. It lies in a face or on an edge of the
-/// weighted Delaunay triangulation of the other vertices. The result names such vertices.
+/// weighted Delaunay. Its weight is then raised to the least weight with which others do not hide
+/// it, so that all its edges are ties. The result names such vertices.
 ///
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
 /// there were more flips than edges, lengths are recomputed from \f$T_1\f$.

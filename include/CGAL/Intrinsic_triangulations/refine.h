@@ -274,11 +274,9 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds or is
-/// excused. The surface and the vertices of the input do not change. This is Chew's second
-/// algorithm (Algorithm 5, \cgalCite{Che93}). It inserts circumcenters, or splits the boundary or
-/// constrained edge in front of a circumcenter at its midpoint.
-///
-/// After any status, \f$T_2\f$ is Delaunay, and the result names every face that violates a bound.
+/// excused (Chew's second algorithm, Algorithm 5, \cgalCite{Che93}). The surface and the vertices
+/// of the input do not change. After any status, \f$T_2\f$ is Delaunay, and the result names every
+/// face that violates a bound.
 ///
 /// Excused faces. A vertex is narrow if its angle sum is less than 60 degrees (90 if \f$T_2\f$ is
 /// to be simplicial, since three faces are needed). It is also narrow if two boundary or
@@ -286,31 +284,24 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 /// vertex. A face that violates the bound on angles, and only this one, is excused in two cases:
 /// - Exactly one of its corners is narrow.
 /// - It lies in faces of \f$T_1\f$ at one small-angle vertex \f$v\f$, and all edges of \f$T_1\f$
-///   that cross it end at \f$v\f$. (In Section 3.6 it must lie in one face of \f$T_1\f$ at a
-///   small-angle vertex.)
+///   that cross it end at \f$v\f$.
 ///
-/// Termination. In exact arithmetic it is proven for angles of up to 30 degrees on closed surfaces
-/// without small-angle vertices and constrained edges (Theorem 3). Otherwise this is an open
-/// question on surfaces; the manual has measurements. Only `maximum_number_of_insertions`
-/// guarantees an end. Beyond 30 degrees insertions may never end, so the default is small.
+/// Termination is proven in exact arithmetic for angles of up to 30 degrees, on closed surfaces
+/// without small-angle vertices and constrained edges (Theorem 3). Otherwise only
+/// `maximum_number_of_insertions` guarantees an end.
 ///
-/// Decisions. They are exact if lengths of type `double` do not determine the angles of \f$T_1\f$
-/// (`has_unresolved_angles()`). Otherwise lengths decide. Refinement restarts with exact decisions
-/// in these cases:
+/// Decisions are exact if lengths of type `double` do not determine the angles of \f$T_1\f$
+/// (`has_unresolved_angles()`). Otherwise lengths decide at first. Refinement restarts from
+/// \f$T_1\f$, with the vertices inserted at the start, and with exact decisions in these cases:
 /// - A face remains after the insertion of its circumcenter.
 /// - A position or a length cannot be computed.
 /// - Edges are bent at the end.
 /// - A face violates a bound without an excuse.
 ///
-/// Then \f$T_2\f$ has been reset to \f$T_1\f$, with the vertices that had been inserted at the
-/// start. At the end lengths are recomputed, and decisions about Delaunay edges are exact, as in
-/// `make_Delaunay()`.
-///
-/// Exact decisions determine which edges are Delaunay, and on which side of an edge a new vertex
-/// lies. They also determine which edges can be flipped to remove a vertex. A new vertex has
-/// coordinates of type `double` on \f$T_1\f$, and lies exactly at them. It is inserted only if its
-/// edges are then straight and its faces positive. Otherwise points farther inside the face are
-/// tried. If none of them is possible, the bad face is left, with the reason `at_rounding`.
+/// With exact decisions, a new vertex lies exactly at its coordinates of type `double` on
+/// \f$T_1\f$. It is inserted only if its edges are then straight and its faces positive. Otherwise
+/// points farther inside the face are tried. If none of them is possible, the bad face is left,
+/// with the reason `at_rounding`.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -363,8 +354,8 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: the time of an insertion depends on the faces around the new vertex and the
-/// crossings on them. In addition, time is linear in the elements and crossings.
+/// Complexity: linear in the elements and crossings, and for each insertion in the faces around the
+/// new vertex and the crossings on them.
 /// \returns what has been done, how it ended, and the faces that violate the bounds, with the
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`

@@ -46,16 +46,14 @@ namespace CGAL::Intrinsic_triangulations {
 /// The distance is negative on the left of the curve and positive on its right: negative inside a
 /// loop that runs counterclockwise around a region. The normals of the curve flow over the surface
 /// like heat. The distance is the function whose gradient comes closest to their directions, minus
-/// its mean over the curve. A curve with gaps, or a part of a boundary curve, is completed in this
-/// way. Beyond the end of a curve no signed distance exists, nor if a closed curve does not
-/// separate the surface. Then the result is only smooth.
+/// its mean over the curve. Gaps of a curve are bridged. Beyond the end of a curve, or if a closed
+/// curve does not separate the surface, no signed distance exists. Then the result is only smooth.
 ///
-/// Distances are approximate. Heat rounds off the level sets of curves whose curvature varies. This
-/// error grows with the square root of the time. So normals flow for a time and for four times
-/// that, and twice the first directions less the second ones lack this error. With a short time,
-/// the result depends on the directions of edges. This error is small, but does not vanish with the
-/// edge lengths. Distances are zero on the curve only up to these errors. Errors are smaller on
-/// Delaunay triangulations.
+/// Distances are approximate, also on the curve. Heat rounds off the level sets of curves whose
+/// curvature varies. This error grows with the square root of the time. So normals flow for a time
+/// and for four times that, and their directions are combined to cancel it. With a short time, the
+/// result depends slightly on the directions of edges, however short they are. Errors are smaller
+/// on Delaunay triangulations.
 ///
 /// The object refers to the surface, which must not change as long as it is used.
 ///

@@ -38,10 +38,8 @@ constexpr bool is_rounded()
 /// - whether barycentric coordinates sum up to 1.
 ///
 /// It is relative: to the lengths that are compared, to a full turn or angle sum, or to 1. The
-/// other tolerances in this header decide nothing about Delaunay edges. They choose where vertices
-/// are inserted, which edges are flipped to remove them, and which computations are repeated with
-/// more digits. They also choose when a search visits all regions of a face. Bounds of rounding
-/// errors that follow from a formula are next to that formula.
+/// other tolerances in this header decide nothing about Delaunay edges. Bounds of rounding errors
+/// that follow from a formula are next to that formula.
 template <typename FT>
 constexpr FT rounding_unit()
 {

@@ -39,11 +39,10 @@ class Cover_builder;
 /// closed oriented triangulated surface with two faces for each triangle, its front and its back.
 ///
 /// Any number of triangles can meet at an edge and any number of fans at a vertex, and orientations
-/// need not agree. Around each edge, the side of a triangle that faces the next one is glued to the
-/// side of that one that faces it. So the cover of an oriented manifold mesh consists of two copies
-/// of it, one of them turned over, which are glued along the boundary. A vertex of the soup has a
-/// vertex of the cover for each vertex fan of glued faces around it, none if it is isolated. Loops
-/// and parallel edges are ordinary.
+/// need not agree. Around each edge, facing sides of consecutive triangles are glued. So the cover
+/// of an oriented manifold mesh consists of two copies of it, which are glued along the boundary. A
+/// vertex of the soup has a vertex of the cover for each vertex fan of glued faces around it, none
+/// if it is isolated. Loops and parallel edges occur.
 ///
 /// Triangle \f$t\f$ has the faces \f$2t\f$, which is oriented as the triangle, and \f$2t+1\f$. Edge
 /// \f$3t+i\f$ is a copy of the side from corner \f$i\f$ of triangle \f$t\f$ to the next corner.
