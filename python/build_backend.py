@@ -23,9 +23,9 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-# Parts that the package does not need, among them three.js, which comes from the network.
+# Parts that the package does not need. Without a network, it has no three.js for its pages.
 OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF", "-DWITH_Python=ON",
-           *(f"-DWITH_{name}=OFF" for name in ("Cairo", "Ceres", "TBB", "Three", "compiled_library"))]
+           *(f"-DWITH_{name}=OFF" for name in ("Cairo", "Ceres", "TBB", "compiled_library"))]
 
 
 def _project():

@@ -51,7 +51,7 @@ struct Surface
   bool has_positions() const { return length.empty(); }
 };
 
-// Returns positions (n, 3) and corners (m, 3) as they are. Negative indices name no point.
+// Returns positions (n, 3) and corners (m, 3), unchecked. Negative indices name no point.
 Polygon_soup soup_of(const Number_array& points, const Index_array& faces);
 
 // Makes a surface of positions (n, 3) and corners (m, 3).

@@ -91,14 +91,18 @@ def write_mesh(path, V, F):
     path.write_text("\n".join(lines) + "\n")
 
 
-def run_info(V, F):
-    """Return what the program says about a mesh."""
+def printed_by_program(V, F, command, *options):
+    """Return what a command prints about a mesh."""
     with tempfile.TemporaryDirectory() as folder:
         mesh = Path(folder, "mesh.off")
         write_mesh(mesh, V, F)
-        done = subprocess.run([PROGRAM, "info", str(mesh), "--json"], capture_output=True, text=True,
-                              check=True)
-        return json.loads(done.stdout)
+        return subprocess.run([PROGRAM, command, str(mesh), *options], capture_output=True,
+                              text=True, check=True).stdout
+
+
+def run_info(V, F):
+    """Return what the program says about a mesh."""
+    return json.loads(printed_by_program(V, F, "info", "--json"))
 
 
 def run_program(command, V, F, *options, output=None):
@@ -116,5 +120,5 @@ def run_program(command, V, F, *options, output=None):
             raise RuntimeError(f"{command}: {done.stderr}")
         files = {f.name: read_results.read(str(f)) for f in sorted(folder.iterdir())
                  if f.suffix in (".ply", ".obj", ".off", ".mtx") and f != mesh}
-        texts = {f.name: f.read_text() for f in folder.iterdir() if f.suffix in (".save", ".html")}
+        texts = {f.name: f.read_text() for f in folder.iterdir() if f.suffix == ".save"}
         return json.loads(stats.read_text()), files, texts

@@ -14,7 +14,7 @@ from numpy.testing import assert_array_equal
 
 import intrinsic
 import support
-from support import run_info, run_program
+from support import printed_by_program, run_info, run_program
 
 
 def faces_of(corners, starts):
@@ -270,10 +270,10 @@ class Program(unittest.TestCase):
             self.skipTest(str(error))
         self.assertIn("z_value", page.html)
         self.assertIn("<iframe srcdoc=", page._repr_html_())
-        _, _, texts = run_program("view", V, F, output="page.html")
+        theirs = printed_by_program(V, F, "view", "-o", "-")
         arrays = re.compile('id="arrays">([^<]+)<')
         self.assertEqual(arrays.search(intrinsic.show(V, F, open=False).html)[1],
-                         arrays.search(texts["page.html"])[1])
+                         arrays.search(theirs)[1])
         name = "\u00e9 <b>"
         page = intrinsic.show(V, F, open=False, **{name: V[:, 0]})
         self.assertIn(r'"\u00e9 \u003cb>"', page.html)
