@@ -538,18 +538,27 @@ TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
   std::size_t good = 0;
   for(int trial = 0; trial < 20000; ++trial) {
     const auto p = convex_diamond(random, trial % 8);
-    const double error = trial % 3 == 0 ? 0 : std::ldexp(1., -random.get_int(30, 52));
+    const double common = std::ldexp(1., -random.get_int(30, 52));
+    const auto error = [&] {
+      return trial % 3 == 0   ? 0
+             : trial % 3 == 1 ? common
+                              : std::ldexp(1., -random.get_int(30, 52));
+    };
+    const IT::Diamond<double> errors{error(), error(), error(), error(), error()};
     const auto exact = [&](std::size_t a, std::size_t b) {
       const Long_real x = Long_real(p[a][0]) - p[b][0], y = Long_real(p[a][1]) - p[b][1];
       return Long_real(sqrt(x * x + y * y));
     };
-    const auto stored = [&](std::size_t a, std::size_t b) {
+    const auto stored = [&](std::size_t a, std::size_t b, double greatest_error) {
       const double change =
         random.get_int(0, 2) == 0 ? random.get_double(-1, 1) : double(2 * random.get_int(0, 2) - 1);
-      return static_cast<double>(exact(a, b) * (1 + Long_real(change) * error));
+      return static_cast<double>(exact(a, b) * (1 + Long_real(change) * greatest_error));
     };
     const IT::internal::Bounded_length flipped = IT::internal::flipped_length(
-      {stored(0, 1), stored(1, 2), stored(2, 0), stored(0, 3), stored(3, 1)}, error + 0x1p-53);
+      {stored(0, 1, errors.ij), stored(1, 2, errors.jk), stored(2, 0, errors.ki),
+       stored(0, 3, errors.il), stored(3, 1, errors.lj)},
+      {errors.ij + 0x1p-53, errors.jk + 0x1p-53, errors.ki + 0x1p-53, errors.il + 0x1p-53,
+       errors.lj + 0x1p-53});
     const Long_real kl = exact(2, 3);
     ASSERT_LE(abs(flipped.length - kl), kl * Long_real(flipped.error)) << trial;
     good += flipped.is_good();

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_lists.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -87,7 +88,9 @@ public:
   /// `shorten()` only. It must not be flipped in the meantime. Lengths of type `double` of edges
   /// that are not in \f$T_1\f$ are recomputed. Complexity: linear.
   /// \throws Numerical_error if a length is not positive and finite
-  explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()), m_flattener(tri) {}
+  explicit Edge_paths(Triangulation& tri)
+    : m_tri(tri), m_mesh(tri.mesh()), m_flattener(tri), m_segment(m_mesh.num_edges())
+  {}
 
   /// \name Paths
   /// @{
@@ -292,17 +295,17 @@ private:
   void note(Index s, Index t, bool is_left)
   {
     const Fan outgoing = fan(s, t, is_left);
-    if(!outgoing.empty() && may_be_less_than_pi(outgoing)) {
-      const auto sum = internal::fan_angle(outgoing, m_tri.intrinsic(), Flipping::length_error());
-      m_queue.push({sum.angle, s, t, is_left});
-    } else
+    const auto sum = internal::corner_sum(outgoing, m_tri.intrinsic(), Flipping::length_error());
+    const Uncertain<bool> is_less_than_pi = sum.is_less_than_pi();
+    if(outgoing.empty() || certainly_not(is_less_than_pi))
       m_segment.set_straight(s, is_left);
+    else
+      m_queue.push({certainly(is_less_than_pi) ? sum.angle() : angle(outgoing), s, t, is_left});
   }
 
-  bool may_be_less_than_pi(const Fan& outgoing) const
+  FT angle(const Fan& outgoing) const
   {
-    return possibly(
-      internal::is_less_than_pi_by_sines(outgoing, m_tri.intrinsic(), Flipping::length_error()));
+    return internal::fan_angle(outgoing, m_tri.intrinsic(), Flipping::length_error()).angle;
   }
 
   // Whether nothing is in the fan but edges that may be flipped.

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -55,30 +56,41 @@ public:
   Straight_edge straight_edge(Halfedge_index h) const
   {
     if(is_input_edge(h))
-      return {true, m_pair.input_length(m_pair.input_mesh().edge(input_edge_as_long(h)))};
+      return {true, m_pair.input_length(m_pair.input_mesh().edge(input_edge_as_long(h))),
+              input_length_error()};
     if(has_certain_strip(h))
       return m_strip(m_courses(h), certified_length_error());
     const auto strip = development(m_double).strip(h);
-    return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
+    return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double),
+            certified_length_error()};
   }
 
   // Returns the length of the edge of `h`, correct to a relative error of `error`.
   // \throws Numerical_error if it is not positive and finite
   double length(Halfedge_index h, double error = certified_length_error()) const
   {
+    return bounded_length(h, error).length;
+  }
+
+  // Returns the same length with the bound that is known for its error, at most `error`.
+  Bounded_length bounded_length(Halfedge_index h, double error = certified_length_error()) const
+  {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
-      return shared_length(h);
-    double length = has_certain_strip(h) ? m_strip(m_courses(h), error).length
-                                         : std::numeric_limits<double>::quiet_NaN();
-    if(std::isnan(length))
+      return {shared_length(h), is_input_edge(h) ? input_length_error() : error};
+    Bounded_length result{std::numeric_limits<double>::quiet_NaN(), error};
+    if(has_certain_strip(h)) {
+      const Straight_edge straight = m_strip(m_courses(h), error);
+      result = {straight.length, straight.error};
+    }
+    if(std::isnan(result.length))
       try_with_more_digits([&](auto& corners) {
-        length = rounded_length(development(corners).uncrossed_strip(h), corners, error);
-        return !std::isnan(length);
+        result = {rounded_length(development(corners).uncrossed_strip(h), corners, error), error};
+        return !std::isnan(result.length);
       });
-    if(!m_pair.traits().is_length_object()(length))
+    if(!m_pair.traits().is_length_object()(result.length))
       throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " has no positive finite length");
-    return length;
+    return result;
   }
 
   // returns the length of the edge of `h`, which is shared; it may be too short to be positive

@@ -24,6 +24,7 @@ struct Straight_edge
 {
   bool is_certain; // that it is straight
   double length;   // NaN if it is not known up to the error that is allowed
+  double error;    // a bound for its relative error
 };
 
 // The strip of triangles of T1 that an edge of T2 crosses. It is laid out in `double` from its
@@ -55,12 +56,15 @@ public:
     lay_out(course);
     const double triangles = static_cast<double>(course.size() + 1);
     const double displacement = 32 * Rounding<double>::unit() * triangles * longest_way();
-    return {is_straight(displacement), displacement <= error / 2 * length()
-                                         ? length()
-                                         : std::numeric_limits<double>::quiet_NaN()};
+    return bounded(is_straight(displacement), length(), 2 * displacement / length(), error);
   }
 
 private:
+  static Straight_edge bounded(bool is_straight, double length, double bound, double error)
+  {
+    return {is_straight, bound <= error ? length : std::numeric_limits<double>::quiet_NaN(), bound};
+  }
+
   // Two triangles are laid out from their common side `x`, each of their other corners on its own.
   // From either end of `x` they are seen with a relative error of 20 u. The products that
   // determine on which side of the end the edge passes have 44 u; the length has 22 u of two
@@ -79,9 +83,7 @@ private:
                              before_target * inverse > unit / 2 * at_target;
     const double along = apex.with_pr + other.with_qr, across = apex.across + other.across;
     const double square = (along * along + across * across) * inverse;
-    return {is_straight, 2 * unit * unit * at_source <= error * error * square
-                           ? std::sqrt(square)
-                           : std::numeric_limits<double>::quiet_NaN()};
+    return bounded(is_straight, std::sqrt(square), unit * std::sqrt(2 * at_source / square), error);
   }
 
   // The plane is seen from behind: a side with its triangle on the left has it on the right.

@@ -48,7 +48,8 @@ public:
   Straight_edge straight_edge(Halfedge_index h, double tolerance)
   {
     const double length = rounded_length(h);
-    return {m_pair.traits().is_length_object()(length) && is_certain(h, length, tolerance), length};
+    return {m_pair.traits().is_length_object()(length) && is_certain(h, length, tolerance), length,
+            tolerance};
   }
 
   // Returns whether the edge of `h`, whose length has just been computed, is certainly straight.

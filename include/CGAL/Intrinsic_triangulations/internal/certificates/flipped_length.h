@@ -42,25 +42,24 @@ struct Half_diamond
   {}
 };
 
-// The error of the other diagonal kl of a diamond whose sides have relative errors of at most
+// The error of the other diagonal kl of a diamond whose lengths have relative errors of at most
 // `error`.
 //
 // Consider four points of the plane with the affine dependency a_i p_i + ... = 0. The products a_i
-// a_j are an equilibrium stress. So the sum of a_i a_j l_ij dl_ij over all six distances is zero,
-// and so is the sum of a_i a_j l_ij^2. Only the products of the two diagonals are positive. Hence
-// l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here a_k and
-// a_l are the areas of the two triangles; a_i and a_j are the parts of their sum on either side of
-// kl.
+// a_j are an equilibrium stress. So the sum of a_i a_j l_ij dl_ij over all six distances is zero.
+// Hence a_k a_l l_kl^2 times the relative error of l_kl is at most the sum of the other five
+// products |a_i a_j| l_ij^2, each times the relative error of l_ij. Here ij is cut in the ratio of
+// a_j to a_i, and kl in the ratio of a_l to a_k, the ratio of the heights over ij.
 class Flipped_diagonal
 {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 public:
-  Flipped_diagonal(const Diamond<double>& length, double error)
+  Flipped_diagonal(const Diamond<double>& length, const Diamond<double>& error)
     : m_length(length),
       m_flipped(Euclidean_geometry_traits<double>::Compute_flipped_length()(length)),
       m_error(error),
-      m_change(error + 4 * epsilon),
+      m_change((std::max)({error.ij, error.jk, error.ki, error.il, error.lj}) + 4 * epsilon),
       m_k(length.ij, length.jk, length.ki),
       m_l(length.ij, length.lj, length.il),
       m_root(std::sqrt(m_k.height * m_l.height)),
@@ -77,7 +76,7 @@ public:
     const double inverse = 1 / (m_root * square), inverse_slack = 1 / (m_k.slack * m_l.slack);
     const double thin_k = m_k.perimeter * m_l.slack * inverse_slack,
                  thin_l = m_l.perimeter * m_k.slack * inverse_slack;
-    return {m_flipped, 1.25 * m_error * (1 + 8 * cut_parts(thin_k + thin_l) * inverse) +
+    return {m_flipped, 5 * propagated_errors(thin_k + thin_l) * inverse +
                          rounding(thin_k, thin_l, inverse) * epsilon};
   }
 
@@ -93,21 +92,25 @@ private:
 
   double heights() const { return m_k.height + m_l.height + 2 * m_root; }
 
-  // Returns a bound for the product of both parts of ij, times the product of the heights. The
+  // Returns a bound for the sum of the five products, times the product of the heights. The
   // position where kl cuts ij divides the distance of the feet in the ratio of the heights. It
-  // changes by the error of the feet and by the error of this ratio times their distance. If this
-  // can move it outside of ij, one of a_i and a_j becomes negative. Then its products with a_k and
-  // a_l count twice.
-  double cut_parts(double thinness) const
+  // changes by the error of the feet and by the error of this ratio times their distance.
+  double propagated_errors(double thinness) const
   {
-    const double cut = std::abs(m_k.foot * m_root + m_l.foot * m_k.height) /
+    const double cut = (m_k.foot * m_root + m_l.foot * m_k.height) /
                        (2 * (m_k.height + m_root)); // from the midpoint of ij, times its length
     const double shift =
       4 * m_change * (m_squares + thinness * std::abs(m_k.foot - m_l.foot) * m_root / heights());
-    const double end = m_length.ij * m_length.ij / 2, outside = (std::max)(cut + shift - end, 0.);
-    return cut > end
-             ? std::numeric_limits<double>::infinity()
-             : heights() * ((end + shift - cut) * (end + shift + cut) + outside * m_squares);
+    const double end = m_length.ij * m_length.ij / 2;
+    if(std::abs(cut) > end)
+      return std::numeric_limits<double>::infinity();
+    const double i = end - cut + shift, j = end + cut + shift;
+    const auto product = [](double length, double error) { return length * length * error; };
+    return heights() * i * j * m_error.ij +
+           (m_root + m_l.height) *
+             (j * product(m_length.jk, m_error.jk) + i * product(m_length.ki, m_error.ki)) +
+           (m_root + m_k.height) *
+             (i * product(m_length.il, m_error.il) + j * product(m_length.lj, m_error.lj));
   }
 
   // Rounding errors of the formula itself are small changes of the distance of the feet and of
@@ -122,14 +125,16 @@ private:
   }
 
   const Diamond<double>& m_length;
-  double m_flipped, m_error, m_change;
+  double m_flipped;
+  const Diamond<double>& m_error;
+  double m_change;
   Half_diamond m_k, m_l;
   double m_root, m_squares;
 };
 
-// Returns the length of the other diagonal of a diamond whose sides have relative errors of at
+// Returns the length of the other diagonal of a diamond whose lengths have relative errors of at
 // most `error`. The bound is infinite if the error may not be small.
-inline Bounded_length flipped_length(const Diamond<double>& length, double error)
+inline Bounded_length flipped_length(const Diamond<double>& length, const Diamond<double>& error)
 {
   return Flipped_diagonal(length, error)();
 }

@@ -91,7 +91,8 @@ public:
   bool flip(Halfedge_index h)
   {
     const float error = greatest_error_around(h);
-    Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), double(error));
+    Bounded_length flipped =
+      flipped_length(diamond(m_tri.length_map(), h, m_mesh), errors_around(h));
     if(error == input_error)
       if(const double in_plane = length_in_plane(h, flipped.length); in_plane > 0)
         flipped = {in_plane, double(input_error)};
@@ -99,7 +100,7 @@ public:
       return false;
     turn(h, [&] {
       if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
-        flipped = shared_length(h);
+        flipped = m_decisions.bounded_length(h);
       else if(!(flipped.error <= kept_error()))
         flipped = length_in_strip(h, flipped.length);
       set_error(m_mesh.edge(h), static_cast<float>(flipped.error));
@@ -226,6 +227,13 @@ private:
     m_has_unknown_lengths = m_has_unknown_lengths || error == unknown_error;
   }
 
+  Diamond<double> errors_around(Halfedge_index h) const
+  {
+    const auto error = [this](Edge_index e) { return double(m_error[e.idx()]); };
+    const auto [jk, ki, il, lj] = edges_around(h, m_mesh);
+    return {error(m_mesh.edge(h)), error(jk), error(ki), error(il), error(lj)};
+  }
+
   float greatest_error_around(Halfedge_index h) const
   {
     float error = m_error[m_mesh.edge(h).idx()];
@@ -242,12 +250,6 @@ private:
       return By_lengths()(diamond(m_tri.length_map(), h, m_mesh));
     m_doubtful.push_back(m_mesh.edge(h));
     return m_decisions.is_exactly_Delaunay(h, greatest_error_around(h) == input_error);
-  }
-
-  BOOST_NOINLINE Bounded_length shared_length(Halfedge_index h) const
-  {
-    return {m_decisions.length(h),
-            double(m_decisions.is_input_edge(h) ? input_error : certified_error)};
   }
 
   double count(Edge_index e) const
@@ -279,7 +281,7 @@ private:
     if(!can_afford(m_mesh.edge(h)))
       return {by_diamond, double(unknown_error)};
     m_doubtful.push_back(m_mesh.edge(h));
-    return {m_decisions.length(h), double(certified_error)};
+    return m_decisions.bounded_length(h);
   }
 
   // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are

@@ -40,8 +40,7 @@ public:
   {
     Delta_complex& mesh = tri.m_mesh;
     const Halfedge_index o = opposite(m_h);
-    for(int flips = 0; flips < 3; ++flips) // the fourth after that of the record
-      flip_edge(m_h, mesh);
+    flip_back(m_h, mesh);
     mesh.set_halfedge(mesh.source(m_h), m_of_vertex[0]);
     mesh.set_halfedge(mesh.target(m_h), m_of_vertex[1]);
     mesh.set_halfedge(mesh.face(m_h), m_of_face[0]);
@@ -53,6 +52,17 @@ public:
   }
 
 private:
+  // Turns the edge of `h` clockwise, but does not set the halfedges of vertices.
+  static void flip_back(Halfedge_index h, Delta_complex& mesh)
+  {
+    const Halfedge_index o = opposite(h);
+    const Halfedge_index ki = mesh.next(h), il = mesh.prev(h), lj = mesh.next(o), jk = mesh.prev(o);
+    mesh.set_target(h, mesh.target(lj));
+    mesh.set_target(o, mesh.target(ki));
+    set_triangle(h, jk, ki, mesh.face(h), mesh);
+    set_triangle(o, il, lj, mesh.face(o), mesh);
+  }
+
   Halfedge_index m_h;
   typename Traits::Integer m_n;
   std::array<Delta_complex::size_type, 2> m_r;

@@ -16,6 +16,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -96,8 +97,8 @@ public:
   void add(const Uncertain_corner<FT>& corner)
   {
     const auto& [a, b, c, error] = corner;
-    const FT area = quadrupled_area(a, b, c), scale = 2 * b * c;
-    const FT cosine = doubled_corner_product(a, b, c) / scale, sine = area / scale;
+    const FT area = quadrupled_area(a, b, c), inverse = 1 / (2 * b * c);
+    const FT cosine = doubled_corner_product(a, b, c) * inverse, sine = area * inverse;
     m_error += corner.angle_error(area);
     const FT x = m_x * cosine - m_y * sine;
     m_y = m_x * sine + m_y * cosine;
@@ -114,24 +115,32 @@ public:
                           : Uncertain<bool>::indeterminate();
   }
 
+  // the sum, if it is less than pi
+  FT angle() const
+  {
+    using std::atan2;
+    return atan2(m_y, m_x);
+  }
+
 private:
   FT m_x = 1, m_y = 0, m_error = 0;
 };
 
-// Returns whether the angle of a fan is less than pi, as far as sines of parts of it decide. It
-// needs no inverse tangents, which would dominate the time of paths.
+// Returns the sum of the angles of a fan, as far as it certainly is less than pi without the last
+// corner. Its sine decides whether it is less than pi. That needs no inverse tangents, which would
+// dominate the time of paths.
 template <typename Surface>
-Uncertain<bool> is_less_than_pi_by_sines(const Fan& outgoing_halfedges, const Surface& surface,
-                                         const Length_of<Surface>& error)
+Corner_sum<Length_of<Surface>> corner_sum(const Fan& outgoing_halfedges, const Surface& surface,
+                                          const Length_of<Surface>& error)
 {
   typedef Length_of<Surface> FT;
   Corner_sum<FT> sum;
-  Uncertain<bool> result(true);
-  for(std::size_t i = 0; i + 1 < outgoing_halfedges.size() && certainly(result); ++i) {
+  for(std::size_t i = 0; i + 1 < outgoing_halfedges.size(); ++i) {
     sum.add(Uncertain_corner<FT>(outgoing_halfedges[i], surface, error));
-    result = sum.is_less_than_pi();
+    if(!certainly(sum.is_less_than_pi()))
+      break;
   }
-  return result;
+  return sum;
 }
 
 // the sum of its angles

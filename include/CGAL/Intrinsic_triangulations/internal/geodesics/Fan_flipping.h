@@ -123,14 +123,14 @@ private:
   bool decide(const Fan& outgoing, const Exact_sign& exact_sign)
   {
     const Uncertain<bool> by_sines =
-      is_less_than_pi_by_sines(outgoing, m_tri.intrinsic(), length_error());
+      corner_sum(outgoing, m_tri.intrinsic(), length_error()).is_less_than_pi();
     if(is_certain(by_sines))
       return get_certain(by_sines);
-    const auto angle = fan_angle(outgoing, m_tri.intrinsic(), length_error());
-    const Uncertain<bool> by_lengths = internal::is_less_than_pi(angle);
-    if(is_certain(by_lengths))
-      return get_certain(by_lengths);
     return remembered(outgoing, [&] {
+      const auto angle = fan_angle(outgoing, m_tri.intrinsic(), length_error());
+      const Uncertain<bool> by_lengths = internal::is_less_than_pi(angle);
+      if(is_certain(by_lengths))
+        return get_certain(by_lengths);
       auto& decisions = m_flipping.decisions();
       if constexpr(Is_exact<Traits>::value)
         return exact_sign(decisions) == POSITIVE;

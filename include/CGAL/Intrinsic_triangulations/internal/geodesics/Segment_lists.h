@@ -9,11 +9,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -41,34 +42,37 @@ public:
     }
   };
 
+  // prepares for segments on edges with indices less than `edges`
+  explicit Segment_lists(std::size_t edges) : m_on_edge(edges) {}
+
   // the number of segments that have been added
   std::size_t size() const { return m_segment.size(); }
 
   void clear()
   {
+    for(const Segment& s : m_segment)
+      m_on_edge[Edge_index(s.halfedge).idx()].clear();
     m_segment.clear();
-    m_on_edge.clear();
   }
 
   const Segment& operator[](Index s) const { return m_segment[s]; }
 
   bool is_free(Edge_index e) const
   {
-    const auto found = m_on_edge.find(e.idx());
-    return found == m_on_edge.end() || found->second.empty();
+    return m_on_edge[e.idx()].empty();
   }
 
   // returns the segment that is next to the face of `h`, on the edge of `h`
   Index outermost(Halfedge_index h) const
   {
-    const auto& list = m_on_edge.at(Edge_index(h).idx());
+    const auto& list = m_on_edge[Edge_index(h).idx()];
     return is_first_halfedge(h) ? list.front() : list.back();
   }
 
   // whether no other segment is between two on one edge
   bool are_neighbors(Index s, Index t) const
   {
-    const auto& list = m_on_edge.at(Edge_index(m_segment[s].halfedge).idx());
+    const auto& list = m_on_edge[Edge_index(m_segment[s].halfedge).idx()];
     const auto i = std::find(list.begin(), list.end(), s),
                j = std::find(list.begin(), list.end(), t);
     return j - i == 1 || i - j == 1;
@@ -189,7 +193,8 @@ private:
   }
 
   std::vector<Segment> m_segment;
-  std::unordered_map<std::size_t, std::vector<Index>> m_on_edge;
+  // the segments on each edge, from the side of its first halfedge to the other
+  std::vector<boost::container::small_vector<Index, 2>> m_on_edge;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -168,8 +168,10 @@ private:
       set(of_im, im, m, whole[m]);
     for(std::size_t m = 0; m < second; ++m)
       set(of_mj, mj, m, whole[n - second + m]);
-    append(Edge_index(im), of_im);
-    append(Edge_index(mj), of_mj);
+    for(const auto& [h, exits] : {std::pair(im, &of_im), std::pair(mj, &of_mj)}) {
+      append(Edge_index(h), exits->size());
+      std::copy(exits->begin(), exits->end(), m_exits.end() - std::ptrdiff_t(exits->size()));
+    }
   }
 
   Edge_course stored(Halfedge_index h, std::size_t n) const
@@ -264,45 +266,59 @@ private:
   void update(Edge_index e)
   {
     const Halfedge_index h = first_halfedge(e);
-    Exits exits(count(h));
-    if(exits.empty())
-      return;
-    copy_from_beyond(h, exits);
-    copy_from_beyond(opposite(h), exits);
-    append(e, exits);
+    if(const size_type n = count(h); n > 0) {
+      append(e, n);
+      copy_from_beyond(h);
+      copy_from_beyond(opposite(h));
+    }
   }
 
   // Some curves cross `h` and then cut off the corner at its source or target. They cross the
   // other side at this corner; the rest ends. A side whose course is not known yet is left out:
   // its curves cross the face of `h`, too.
-  void copy_from_beyond(Halfedge_index h, Exits& exits) const
+  void copy_from_beyond(Halfedge_index h)
   {
     const Delta_complex& mesh = m_pair->mesh();
     const Halfedge_index ji = mesh.opposite(h), il = mesh.next(ji), lj = mesh.prev(ji);
     const auto at_source = static_cast<std::size_t>(coordinates().curves_around(lj, mesh)),
                at_target = static_cast<std::size_t>(coordinates().curves_around(il, mesh));
-    const std::size_t n = exits.size();
-    const auto copy = [&](Halfedge_index from, std::size_t first, std::size_t to, std::size_t k) {
-      if(k == 0 || m_first[Edge_index(from)] == unknown)
-        return;
-      const Edge_course course = stored(from, count(from));
-      for(std::size_t m = 0; m < k; ++m)
-        set(exits, h, to + m, course[first + m]);
-    };
-    copy(il, 0, 0, at_source);
-    copy(lj, count(lj) - at_target, n - at_target, at_target);
+    const std::size_t n = count(h);
+    copy_part(il, 0, h, 0, at_source);
+    copy_part(lj, count(lj) - at_target, h, n - at_target, at_target);
     for(std::size_t m = at_source; m < n - at_target; ++m)
-      set(exits, h, m,
-          coordinates().outgoing_at_end({h, Integer(m)}, mesh, m_pair->outgoing_halfedges()));
+      *part(h, m, 1) = oriented_like(
+        h, coordinates().outgoing_at_end({h, Integer(m)}, mesh, m_pair->outgoing_halfedges()));
   }
 
-  void append(Edge_index e, const Exits& exits)
+  // Returns where `k` items of the course of `h` are stored, from item `m` on.
+  Halfedge_index* part(Halfedge_index h, std::size_t m, std::size_t k)
+  {
+    return m_exits.data() + m_first[Edge_index(h)] + (is_first_halfedge(h) ? m : count(h) - m - k);
+  }
+
+  // Copies `k` items, unless the course of `from` is unknown.
+  void copy_part(Halfedge_index from, std::size_t first, Halfedge_index h, std::size_t to,
+                 std::size_t k)
+  {
+    if(k == 0 || m_first[Edge_index(from)] == unknown)
+      return;
+    const Halfedge_index* const begin = part(from, first, k);
+    Halfedge_index* const result = part(h, to, k);
+    if(is_first_halfedge(from) == is_first_halfedge(h))
+      std::copy_n(begin, k, result);
+    else
+      for(std::size_t m = 0; m < k; ++m)
+        result[m] = opposite(begin[k - 1 - m]);
+  }
+
+  // Allocates `n` exits for the first halfedge of an edge.
+  void append(Edge_index e, std::size_t n)
   {
     m_first[e] = unknown;
-    if(m_exits.size() + exits.size() > m_most_exits)
+    if(m_exits.size() + n > m_most_exits)
       compact();
     m_first[e] = countable(m_exits.size());
-    m_exits.insert(m_exits.end(), exits.begin(), exits.end());
+    m_exits.resize(m_exits.size() + n);
   }
 
   // Removes the exits that belong to no edge.
