@@ -47,6 +47,7 @@ RUNS = [
     Run(f"{IT}/shortest_paths", "benchmark_shortest_paths", CGAL_MESHES),
     Run(f"{IT}/edge_paths", "benchmark_edge_paths --paths 300 @" + ALL, "the surfaces of " + ALL,
         rows=("armadillo", "all")),
+    Run(f"{IT}/heat", "benchmark_heat", CGAL_MESHES),
     Run(f"{IT}/signed_distance {IT}/signed_sections",
         "benchmark_signed_distance 128 {meshes}/fandisk.off {meshes}/camel.off {meshes}/armadillo.off "
         "{meshes}/ChineseDragon-10kv.off", MIXED),

@@ -6,10 +6,10 @@
 // of homology. CPU times per path: of the search along edges, of shortening with the flips taken
 // back, and the longest one.
 // Usage: benchmark_edge_paths [--paths N] [--peer PROGRAM] [mesh...]
-// PROGRAM gets a mesh, and pairs of vertices on standard input. After a line of headings, it prints
-// for each pair the milliseconds of the search and of shortening, and the length. Its results are
-// on standard error.
+// Queries of a peer are pairs of vertices. For each pair, it prints the milliseconds of the search
+// and of shortening, and the length.
 
+#include "../Peer.h"
 #include "../Table.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
@@ -24,14 +24,13 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,33 +110,19 @@ Result shortened_paths(const Triangulation& input, const Pairs& pairs)
 }
 
 // What another program measures on these pairs.
-Result peer_paths(const std::string& program, const std::string& file, const Pairs& pairs)
+Result peer_paths(const Peer& peer, const std::string& file, const Pairs& pairs)
 {
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string name = "benchmark_edge_paths." + std::to_string(std::random_device()());
-  const auto input = folder / (name + ".in"), output = folder / (name + ".out");
-  {
-    std::ofstream out(input);
-    for(const auto& [v, w] : pairs)
-      out << v.idx() << ' ' << w.idx() << '\n';
-  }
-  const std::string command =
-    "'" + program + "' '" + file + "' < '" + input.string() + "' > '" + output.string() + "'";
+  std::vector<std::array<std::size_t, 2>> queries;
+  for(const auto& [v, w] : pairs)
+    queries.push_back({v.idx(), w.idx()});
   Result result;
-  if(std::system(command.c_str()) == 0) {
-    std::ifstream in(output);
-    std::string headings;
-    std::getline(in, headings);
-    for(double search, milliseconds, length; in >> search >> milliseconds >> length;) {
-      ++result.paths;
-      result.search += search / 1e3;
-      result.seconds += milliseconds / 1e3;
-      result.slowest = (std::max)(result.slowest, milliseconds / 1e3);
-      result.length += length;
-    }
+  for(const auto& [search, shortening, length] : peer.operator()<3>(file, queries)) {
+    ++result.paths;
+    result.search += search / 1e3;
+    result.seconds += shortening / 1e3;
+    result.slowest = (std::max)(result.slowest, shortening / 1e3);
+    result.length += length;
   }
-  std::filesystem::remove(input);
-  std::filesystem::remove(output);
   return result;
 }
 
@@ -154,12 +139,16 @@ void print(const Table& table, const std::string& name, const char* kind, const 
               1e3 * r.slowest);
 }
 
-void print_peer(const Result& peer, const Result& ours)
+// Prints what has another figure for the peer; results of both must agree.
+void print_peer(const Table& table, const std::string& name, const Result& peer, const Result& ours)
 {
-  std::cerr << "peer: " << peer.paths << " paths, " << milliseconds_per_path(peer.search, peer)
-            << " and " << milliseconds_per_path(peer.seconds, peer) << " ms, at most "
-            << 1e3 * peer.slowest << "; lengths differ by "
-            << std::abs(peer.length - ours.length) / ours.length << '\n';
+  if(peer.paths == 0)
+    return;
+  table.row(name, "paths of the peer", peer.paths, "", "", "",
+            milliseconds_per_path(peer.search, peer), milliseconds_per_path(peer.seconds, peer),
+            1e3 * peer.slowest);
+  if(const double change = std::abs(peer.length - ours.length); change > 1e-9 * ours.length)
+    std::cerr << name << ": lengths differ by " << change / ours.length << '\n';
 }
 
 Result homology_loops(const Triangulation& input)
@@ -178,8 +167,7 @@ struct Results
   Result paths, loops;
 };
 
-void measure(const Table& table, const std::string& file, int n, const std::string& peer,
-             Results& all)
+void measure(const Table& table, const std::string& file, int n, const Peer& peer, Results& all)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) ||
@@ -190,12 +178,11 @@ void measure(const Table& table, const std::string& file, int n, const std::stri
     const Pairs pairs = random_pairs(input.mesh(), n);
     const Result paths = shortened_paths(input, pairs), loops = homology_loops(input);
     print(table, name_of(file), "paths", paths);
+    print_peer(table, name_of(file), peer_paths(peer, file, pairs), paths);
     print(table, name_of(file), "loops", loops);
     ++all.meshes;
     all.paths += paths;
     all.loops += loops;
-    if(!peer.empty())
-      print_peer(peer_paths(peer, file, pairs), paths);
   } catch(const std::exception& error) {
     std::cerr << file << ": " << error.what() << '\n';
   }
@@ -207,14 +194,11 @@ int main(int argc, char* argv[])
 {
   std::vector<std::string> files(argv + 1, argv + argc);
   int n = 1000;
-  std::string peer;
-  while(files.size() >= 2 && (files[0] == "--paths" || files[0] == "--peer")) {
-    if(files[0] == "--paths")
-      n = std::atoi(files[1].c_str());
-    else
-      peer = files[1];
+  if(files.size() >= 2 && files[0] == "--paths") {
+    n = std::atoi(files[1].c_str());
     files.erase(files.begin(), files.begin() + 2);
   }
+  const Peer peer(files);
   if(files.empty()) {
     for(const auto& file : std::filesystem::directory_iterator(CGAL::data_file_path("meshes")))
       if(file.path().extension() == ".off")

@@ -3,9 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Exact distances from one vertex to all, and paths to random points: ours beside CGAL's.
-// With a peer, `executable mesh` runs after each mesh, and what it prints follows.
-// Usage: benchmark_shortest_paths [--peer executable] [mesh...]
+// Usage: benchmark_shortest_paths [--peer PROGRAM] [mesh...]
+// Queries of a peer are vertices. For each vertex, it prints the milliseconds of the distances of
+// all vertices, and the greatest distance.
 
+#include "../Peer.h"
 #include "../Table.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -18,9 +20,9 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -57,7 +59,7 @@ std::vector<Location> random_locations(const Mesh& mesh, int n)
   return result;
 }
 
-void compare(const Table& table, const std::string& file)
+void compare(const Table& table, const std::string& file, const Peer& peer)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh)) {
@@ -89,19 +91,18 @@ void compare(const Table& table, const std::string& file)
     }
   });
 
-  double difference = 0;
+  double difference = 0, greatest = 0;
   for(Mesh::Vertex_index v : mesh.vertices())
-    if(const double d = theirs.shortest_distance_to_source_points(v).first; d > 0)
+    if(const double d = theirs.shortest_distance_to_source_points(v).first; d > 0) {
       difference = (std::max)(difference, std::abs(ours.distance(v) - d) / d);
+      greatest = (std::max)(greatest, ours.distance(v));
+    }
   table.row(name_of(file), mesh.number_of_faces(), our_search, their_search, 1e3 * our_paths,
             1e3 * their_paths, places / targets.size(), difference);
-}
-
-void run_peer(const std::string& executable, const std::string& file)
-{
-  const std::string command = '"' + executable + "\" \"" + file + '"';
-  if(std::system(command.c_str()) != 0)
-    std::cerr << "cannot run " << command << '\n';
+  const std::vector<std::array<unsigned, 1>> queries{{source.idx()}};
+  for(const auto& [milliseconds, distance] : peer.operator()<2>(file, queries))
+    table.row(name_of(file) + " by the peer", mesh.number_of_faces(), milliseconds / 1e3, "", "",
+              "", "", std::abs(distance - greatest) / greatest);
 }
 
 } // namespace
@@ -109,19 +110,12 @@ void run_peer(const std::string& executable, const std::string& file)
 int main(int argc, char* argv[])
 {
   std::vector<std::string> files(argv + 1, argv + argc);
-  std::string peer;
-  if(files.size() >= 2 && files[0] == "--peer") {
-    peer = files[1];
-    files.erase(files.begin(), files.begin() + 2);
-  }
+  const Peer peer(files);
   if(files.empty())
     for(const char* name : {"elephant", "fandisk", "bull", "lion-head", "armadillo"})
       files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
   const Table table({"mesh", "faces", "all distances (s)", "CGAL (s)", "a path (&micro;s)",
                      "CGAL (&micro;s)", "crossings of a path", "greatest relative difference"});
-  for(const std::string& file : files) {
-    compare(table, file);
-    if(!peer.empty())
-      run_peer(peer, file);
-  }
+  for(const std::string& file : files)
+    compare(table, file, peer);
 }

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Distances by heat to circles on a square, signed and not: mean errors in edge lengths, and CPU
-// times beside the times of the distance to a vertex. Then signed distances to plane sections of
+// times beside the times of the distance to a vertex. The order of convergence p belongs to half
+// the edge length and 2^p times less error. Then signed distances to plane sections of
 // meshes: mean and greatest errors in percent of the greatest exact distance. Usage:
 // benchmark_signed_distance [greatest number of cells along a side] [MESH...]
 
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -76,7 +78,21 @@ Eigen::VectorXd distances_from(const Mesh& mesh, double x, double y)
   return result;
 }
 
-void measure(const Table& table, int n)
+// the order of convergence, from the mean errors of this mesh and of the one before
+class Order
+{
+public:
+  std::string operator()(double error)
+  {
+    const double before = std::exchange(m_error, error);
+    return before > 0 ? Table::text(std::log2(before / error)) : "";
+  }
+
+private:
+  double m_error = 0;
+};
+
+void measure(const Table& table, int n, Order& signed_order, Order& order)
 {
   const Mesh mesh = square(n);
   IT::Intrinsic_triangulation<> tri(mesh);
@@ -95,9 +111,10 @@ void measure(const Table& table, int n)
   IT::Distance_sources sources(surface);
   sources.add(curve);
   const Eigen::VectorXd u = unsigned_curve.time([&] { return heat.distances(sources); });
-  table.row(mesh.number_of_vertices(), error(d, exact), error(u, exact.cwiseAbs()),
-            signed_build.median(), of_curve.median(), plain_build.median(), unsigned_curve.median(),
-            plain.median());
+  const double signed_error = error(d, exact), unsigned_error = error(u, exact.cwiseAbs());
+  table.row(mesh.number_of_vertices(), signed_error, signed_order(signed_error / n), unsigned_error,
+            order(unsigned_error / n), signed_build.median(), of_curve.median(),
+            plain_build.median(), unsigned_curve.median(), plain.median());
 }
 
 // The height over a plane that halves the bounding box.
@@ -137,12 +154,14 @@ void measure(const Table& table, const std::string& file, int axis)
 int main(int argc, char* argv[])
 {
   const int greatest = argc > 1 ? std::atoi(argv[1]) : 256;
-  const Table table({"vertices", "error of `Signed_heat_distance`", "of `Heat_distance`",
+  const Table table({"vertices", "error of `Signed_heat_distance`", "order",
+                     "error of `Heat_distance`", "order",
                      "`Signed_heat_distance`: construction (ms)", "a curve (ms)",
                      "`Heat_distance`: construction (ms)", "a curve (ms)", "a vertex (ms)"},
                     0);
+  Order signed_order, order;
   for(int n = 16; n <= greatest; n *= 2)
-    measure(table, n);
+    measure(table, n, signed_order, order);
   const Table of_sections({"mesh", "section across", "mean error (%)", "greatest error (%)"}, 2);
   for(int i = 2; i < argc; ++i)
     for(int axis = 0; axis < 3; ++axis)
