@@ -540,9 +540,7 @@ TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
     const auto p = convex_diamond(random, trial % 8);
     const double common = std::ldexp(1., -random.get_int(30, 52));
     const auto error = [&] {
-      return trial % 3 == 0   ? 0
-             : trial % 3 == 1 ? common
-                              : std::ldexp(1., -random.get_int(30, 52));
+      return trial % 3 == 0 ? 0 : trial % 3 == 1 ? common : std::ldexp(1., -random.get_int(30, 52));
     };
     const IT::Diamond<double> errors{error(), error(), error(), error(), error()};
     const auto exact = [&](std::size_t a, std::size_t b) {

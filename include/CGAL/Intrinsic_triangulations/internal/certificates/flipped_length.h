@@ -47,9 +47,9 @@ struct Half_diamond
 //
 // Consider four points of the plane with the affine dependency a_i p_i + ... = 0. The products a_i
 // a_j are an equilibrium stress. So the sum of a_i a_j l_ij dl_ij over all six distances is zero.
-// Hence a_k a_l l_kl^2 times the relative error of l_kl is at most the sum of the other five
-// products |a_i a_j| l_ij^2, each times the relative error of l_ij. Here ij is cut in the ratio of
-// a_j to a_i, and kl in the ratio of a_l to a_k, the ratio of the heights over ij.
+// All but a_k a_l l_kl dl_kl are bounded by the errors of their lengths. Their sum, divided by a_k
+// a_l l_kl^2, bounds the relative error of l_kl. The crossing of the diagonals cuts ij in the ratio
+// of a_j to a_i. It cuts kl in the ratio of a_l to a_k, which is the ratio of the heights over ij.
 class Flipped_diagonal
 {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();

@@ -57,10 +57,7 @@ public:
 
   const Segment& operator[](Index s) const { return m_segment[s]; }
 
-  bool is_free(Edge_index e) const
-  {
-    return m_on_edge[e.idx()].empty();
-  }
+  bool is_free(Edge_index e) const { return m_on_edge[e.idx()].empty(); }
 
   // returns the segment that is next to the face of `h`, on the edge of `h`
   Index outermost(Halfedge_index h) const

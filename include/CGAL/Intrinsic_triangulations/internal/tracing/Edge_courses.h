@@ -286,9 +286,9 @@ private:
     copy_part(il, 0, h, 0, at_source);
     copy_part(lj, count(lj) - at_target, h, n - at_target, at_target);
     for(std::size_t m = at_source; m < n - at_target; ++m)
-      *part(h, m, 1) = oriented_like(
-        h, coordinates().outgoing_in_corner(lj, Integer(n - at_target - 1 - m), mesh,
-                                            m_pair->outgoing_halfedges()));
+      *part(h, m, 1) =
+        oriented_like(h, coordinates().outgoing_in_corner(lj, Integer(n - at_target - 1 - m), mesh,
+                                                          m_pair->outgoing_halfedges()));
   }
 
   // Returns where `k` items of the course of `h` are stored, from item `m` on.
