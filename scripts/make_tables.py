@@ -49,7 +49,7 @@ RUNS = [
         rows=("armadillo", "all")),
     Run(f"{IT}/heat", "benchmark_heat", CGAL_MESHES),
     Run(f"{IT}/signed_distance {IT}/signed_sections",
-        "benchmark_signed_distance 128 {meshes}/fandisk.off {meshes}/camel.off {meshes}/armadillo.off "
+        "benchmark_signed_distance 256 {meshes}/fandisk.off {meshes}/camel.off {meshes}/armadillo.off "
         "{meshes}/ChineseDragon-10kv.off", MIXED),
     Run(f"{IT}/soups {IT}/irregular_soups", "benchmark_tufted", CGAL_MESHES + ", and soups made from them"),
     Run(f"{IT}/flip_to", "benchmark_flip_to", CGAL_MESHES),
