@@ -21,6 +21,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -239,6 +240,8 @@ private:
     FT& weight = m_weights[m_mesh.source(h).idx()];
     const FT before = weight;
     weight -= sum * (length.ij * length.ij) / cotangents_at_target(h);
+    if(++m_raises > 1000 * m_weights.size())
+      throw Numerical_error("the weights of hidden vertices converge too slowly");
     if(!(weight > before))
       throw Numerical_error("rounding of the lengths hides vertex " +
                             std::to_string(m_mesh.source(h).idx()));
@@ -256,6 +259,7 @@ private:
   mutable std::vector<char> m_is_good_edge; // known to satisfy the condition
   Is_locally_weighted_Delaunay<FT> m_is_good{Lengths::error()};
   bool m_has_failed = false;
+  std::size_t m_raises = 0;
 };
 
 } // namespace Intrinsic_triangulations::internal
