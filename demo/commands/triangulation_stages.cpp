@@ -44,8 +44,10 @@ Edge_bool_map constrained_edges(Input_mesh& input, const Constraints& constraint
 IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
                               bool is_exact)
 {
-  const std::size_t limit =
-    maximum_number_of_insertions(bounds, triangulation.input_mesh().number_of_faces());
+  const std::size_t limit = bounds.maximum_number_of_insertions
+                              ? *bounds.maximum_number_of_insertions
+                              : IT::default_maximum_number_of_insertions(
+                                  triangulation, bounds.minimum_angle, bounds.maximum_circumradius);
   return IT::refine(triangulation, IT::parameters::minimum_angle(bounds.minimum_angle)
                                      .maximum_circumradius(bounds.maximum_circumradius)
                                      .simplicial(bounds.is_simplicial)

@@ -116,6 +116,9 @@ void Scanner::skip_comments(char comment)
 
 void Scanner::expect_end(const std::string& last, char comment)
 {
+  if(m_is_binary && !at_end())
+    fail_as_a_whole("has " + std::to_string(remaining()) + " bytes behind " + last +
+                    ", which ends the file; remove what follows");
   skip_comments(comment);
   if(!at_end())
     fail(quoted(rest_of_word()) + " follows " + last +

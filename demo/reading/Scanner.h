@@ -49,7 +49,13 @@ public:
   // Goes on to the next word that is in no comment.
   void skip_comments(char comment);
 
-  // Nothing but blanks and comments follow `last`, which ends the text.
+  // Whether the next characters are these.
+  bool begins_with(std::string_view text) const
+  {
+    return std::string_view(m_position, remaining()).substr(0, text.size()) == text;
+  }
+
+  // Nothing but blanks and comments, and no byte in a binary file, follow `last`, which ends it.
   void expect_end(const std::string& last, char comment = '\n');
 
   // The next word of the line; empty if there is none.

@@ -41,6 +41,7 @@ public:
     m_soup.polygons.reserve((std::min)(m_header.faces, m_in.remaining() / 8),
                             (std::min)(3 * m_header.faces, m_in.remaining() / 2));
     m_header.is_binary ? read_binary_faces() : read_faces();
+    m_in.expect_end("the last of " + std::to_string(m_header.faces) + " faces", '#');
     add_data();
   }
 
@@ -191,7 +192,6 @@ private:
   {
     for(std::size_t f = 0; f < m_header.faces; ++f)
       read_face();
-    m_in.expect_end("the last of " + std::to_string(m_header.faces) + " faces", '#');
   }
 
   void read_face()

@@ -83,8 +83,7 @@ public:
     read_header();
     for(const Element& element : m_elements)
       read_element(element);
-    if(!m_is_binary)
-      m_in.expect_end("the last element");
+    m_in.expect_end("the last element");
     add_corner_lists();
     if(m_soup.data.corners.empty())
       add_texture_of_points();

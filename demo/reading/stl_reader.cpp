@@ -56,21 +56,11 @@ private:
     m_soup.polygons.add_corner(point->second);
   }
 
-  void check_size(std::size_t facets) const
-  {
-    constexpr std::size_t facet_bytes = 50;
-    if(m_in.remaining() > facet_bytes * facets)
-      m_in.fail_as_a_whole("has " + std::to_string(m_in.remaining() - facet_bytes * facets) +
-                           " bytes behind its last facet; the number of facets is " +
-                           std::to_string(facets));
-  }
-
   void read_binary()
   {
     m_in.set_binary();
     m_in.skip_bytes(header_bytes);
     const std::size_t facets = m_in.binary<std::uint32_t>(false);
-    check_size(facets);
     for(std::size_t f = 0; f < facets; ++f) {
       m_in.skip_bytes(12); // the normal
       for(int corner = 0; corner < 3; ++corner) {
@@ -82,6 +72,7 @@ private:
       m_soup.polygons.close();
       m_in.skip_bytes(2);
     }
+    m_in.expect_end("the last of " + std::to_string(facets) + " facets");
   }
 
   void read_text()

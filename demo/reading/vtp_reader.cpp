@@ -118,14 +118,16 @@ public:
     Tag tag = next_tag();
     for(; tag.name() != "/VTKFile" && tag.name() != "AppendedData"; tag = next_tag())
       read(tag);
-    m_in.skip_space();
-    if(tag.name() == "/VTKFile" && !m_in.at_line_end('<')) // comments may follow
-      m_in.expect_end("</VTKFile>");
+    if(tag.name() == "AppendedData")
+      skip_to_end();
+    expect_end();
     for(const auto& [name, array] : m_arrays)
       add_data(name, array);
   }
 
 private:
+  static constexpr std::string_view last_tag = "</VTKFile>";
+
   // Of points, from all pieces.
   struct Point_array
   {
@@ -144,6 +146,23 @@ private:
       m_in.return_to(m_tag);
       m_in.until("-->");
     }
+  }
+
+  // Skips appended numbers: raw ones may contain anything.
+  void skip_to_end()
+  {
+    const std::size_t last = m_in.bytes().rfind(last_tag);
+    if(last == std::string_view::npos)
+      m_in.fail_as_a_whole("ends too early; it is not complete");
+    m_in.return_to(m_in.bytes().data() + last + last_tag.size());
+  }
+
+  // Only comments may follow the last tag.
+  void expect_end()
+  {
+    for(m_in.skip_space(); m_in.begins_with("<!--"); m_in.skip_space())
+      m_in.until("-->");
+    m_in.expect_end(std::string(last_tag));
   }
 
   [[noreturn]] void fail_at(Scanner::Place place, const std::string& what)

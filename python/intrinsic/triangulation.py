@@ -551,12 +551,15 @@ class Triangulation:
     ) -> "Triangulation":
         """Read what `save()` has written. With the V and F that it was made of, results have
         positions."""
-        with open(path, encoding="ascii") as file:
+        with open(path, encoding="latin-1") as file:  # any byte can be read, for its line
             text = file.read()
         on = None if V is None else surface(V, F)
-        result = cls._of_core(on, _core.Triangulation.from_text(text, on))
+        try:
+            result = cls._of_core(on, _core.Triangulation.from_text(text, on))
+        except InputError as error:
+            raise InputError(f"{os.fspath(path)}: {error}") from None
         if on is not None and not np.array_equal(result.input_F, on.faces()):
-            raise InputError("the file is of another mesh: its faces differ from F")
+            raise InputError(f"{os.fspath(path)} is of another mesh: its faces differ from F")
         return result
 
     def __repr__(self) -> str:

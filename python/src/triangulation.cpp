@@ -67,9 +67,10 @@ py::dict refine(Bound_triangulation& self, double minimum_angle, double maximum_
   Watch watch(progress, "refine");
   return dictionary_of(released([&] {
     return self.changed([&](Triangulation& triangulation) {
-      const std::size_t limit =
-        maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
-          triangulation.input_mesh().number_of_faces(), minimum_angle, maximum_circumradius));
+      const std::size_t limit = maximum_number_of_insertions
+                                  ? *maximum_number_of_insertions
+                                  : IT::default_maximum_number_of_insertions(
+                                      triangulation, minimum_angle, maximum_circumradius);
       return IT::refine(triangulation, IT::parameters::minimum_angle(minimum_angle)
                                          .maximum_circumradius(maximum_circumradius)
                                          .simplicial(is_simplicial)
@@ -316,13 +317,25 @@ std::string text_of(const Bound_triangulation& self)
   });
 }
 
+// Only blank lines may follow what has been read.
+void expect_end(std::istringstream& stream, const std::string& text)
+{
+  if((stream >> std::ws).eof())
+    return;
+  const auto lines = std::count(text.begin(), text.begin() + stream.tellg(), '\n');
+  throw IT::File_format_error("text follows the triangulation",
+                              static_cast<std::size_t>(lines) + 1);
+}
+
 std::unique_ptr<Bound_triangulation> triangulation_from_text(const std::string& text,
                                                              const Shared_surface& surface)
 {
   return released([&] {
     std::istringstream stream(text);
-    return std::make_unique<Bound_triangulation>(surface,
-                                                 IT::read_intrinsic_triangulation<>(stream));
+    auto result =
+      std::make_unique<Bound_triangulation>(surface, IT::read_intrinsic_triangulation<>(stream));
+    expect_end(stream, text);
+    return result;
   });
 }
 

@@ -214,9 +214,15 @@ class Files(unittest.TestCase):
                 np.testing.assert_array_equal(getattr(same, name), getattr(T, name))
             with self.assertRaises(intrinsic.InputError):
                 intrinsic.Triangulation.load(path, *support.meshes()["cube"])
-            path.write_text("nothing\n")
-            with self.assertRaises(intrinsic.InputError):
-                intrinsic.Triangulation.load(path)
+            text = path.read_bytes()
+            lines = text.count(b"\n")
+            for wrong, line in ((b"nothing\n", 1), (text[:text.rindex(b" ")], lines), (text + b"\n0\n", lines + 2),
+                                (text[:40] + b"\xff" + text[41:], text[:40].count(b"\n") + 1)):
+                path.write_bytes(wrong)
+                with self.assertRaisesRegex(intrinsic.InputError, f"T.save: line {line}: "):
+                    intrinsic.Triangulation.load(path)
+            path.write_bytes(text + b"\n\n")
+            intrinsic.Triangulation.load(path)
 
 
 if __name__ == "__main__":

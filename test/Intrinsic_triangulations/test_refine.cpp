@@ -188,6 +188,30 @@ TEST(Refine, default_number_of_insertions)
   EXPECT_FALSE(result.remaining.empty());
 }
 
+// Faces of a circumradius have at most the area of the equilateral triangle.
+TEST(Refine, bounds_that_need_too_many_insertions)
+{
+  const Mesh mesh = random_sphere(50, 3);
+  for(const double radius : {1e-3, 1e-20, 1e-320}) {
+    Triangulation t(mesh);
+    EXPECT_THROW(IT::refine(t, IT::parameters::maximum_circumradius(1e-3 * radius)),
+                 IT::Invalid_input);
+    EXPECT_EQ(t.number_of_inserted_vertices(), 0u);
+    const auto result =
+      IT::refine(t, IT::parameters::maximum_circumradius(radius).maximum_number_of_insertions(10));
+    EXPECT_EQ(result.status, Refinement_status::insertion_limit);
+    EXPECT_EQ(result.insertions, 10u);
+  }
+  for(const double radius : {0.2, 0.1, 0.05}) {
+    Triangulation t(mesh);
+    const double least = IT::least_number_of_insertions(t, radius);
+    EXPECT_GT(least, 0);
+    const auto result = IT::refine(t, IT::parameters::maximum_circumradius(radius));
+    EXPECT_GE(double(result.insertions - result.removals), least);
+    EXPECT_LE(double(result.insertions - result.removals), 10 * least);
+  }
+}
+
 // Faces as wide as a tube that is 10,000 times as long as its circumference: the edges of the input
 // are crossed thousands of times.
 TEST(Refine, a_long_tube)

@@ -223,6 +223,27 @@ TEST(Weighted_Delaunay, of_data_meshes_holds_in_fifty_digits)
   EXPECT_GT(meshes, 30u);
 }
 
+// Some hidden vertices are almost on edges of others: faces have almost no area.
+TEST(Weighted_Delaunay, of_data_meshes_with_hidden_vertices_holds_up_to_rounded_weights)
+{
+  CGAL::Random random(10);
+  std::size_t vertices = 0, hidden = 0;
+  for_each_data_mesh(8000, [&](const Mesh& mesh) {
+    Triangulation t(mesh);
+    std::vector<double> weights = least_squares_of_lengths(t);
+    for(double& w : weights)
+      w *= std::isfinite(w) ? random.get_double(-3, 3) : 0;
+    const auto result =
+      IT::make_weighted_Delaunay(t, map_of(weights), IT::parameters::exact_decisions(true));
+    EXPECT_TRUE(IT::is_weighted_Delaunay(t, result.weight_map()));
+    EXPECT_TRUE(t.is_valid());
+    EXPECT_GT(Dual_edges(t, result.weights).least_change_of_weight(), -1e-14);
+    vertices += weights.size();
+    hidden += result.hidden_vertices.size();
+  });
+  EXPECT_GT(hidden, vertices / 4);
+}
+
 // Circles that do not meet, by exact decisions.
 TEST(Weighted_Delaunay, of_data_meshes_is_exact_for_circles)
 {

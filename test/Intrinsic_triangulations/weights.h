@@ -71,31 +71,75 @@ regular_triangulation(const std::vector<Point_2>& points, const std::vector<doub
   return {edges, hidden};
 }
 
-// Returns the least length of a dual edge, relative to both heights and the edge, in 50 digits:
-// lengths come from the strips of T1, and power centers from coordinates of the corners in the
-// plane. A triangulation is weighted Delaunay if it is not negative.
-inline double least_dual_edge(const Triangulation& t, const std::vector<double>& weights)
+// Dual edges in 50 digits: lengths come from the strips of T1, and power centers from coordinates
+// of the corners in the plane.
+class Dual_edges
 {
   typedef boost::multiprecision::cpp_bin_float_50 Number;
-  const Delta_complex& mesh = t.mesh();
-  IT::Precise_lengths<IT::Euclidean_geometry_traits<double>, Number> precise(t);
-  const auto height = [&](Halfedge_index h) {
-    const Number l = precise(h), b = precise(mesh.next(h)), a = precise(mesh.prev(h));
-    const Number wi = weights[mesh.source(h).idx()], wj = weights[mesh.target(h).idx()],
-                 wk = weights[mesh.target(mesh.next(h)).idx()];
-    const Number x = (l * l + a * a - b * b) / (2 * l), y = sqrt(Number(a * a - x * x));
-    const Number center = (l * l + wi - wj) / (2 * l);
-    return Number((a * a + wi - wk - 2 * center * x) / (2 * y));
+
+public:
+  Dual_edges(const Triangulation& t, const std::vector<double>& weights)
+    : m_mesh(t.mesh()), m_weights(weights), m_precise(t)
+  {}
+
+  // Returns the least length relative to both heights and the edge. A triangulation is weighted
+  // Delaunay if it is not negative.
+  double least()
+  {
+    return least([](const Face& a, const Face& b) {
+      return Number((a.center + b.center) / (abs(a.center) + abs(b.center) + a.side));
+    });
+  }
+
+  // Returns the least change of the weight of an apex that moves the dual edge by its length. It is
+  // relative to the squared longest side, and negative if the edge is not weighted Delaunay.
+  double least_change_of_weight()
+  {
+    return least([](const Face& a, const Face& b) {
+      return Number(2 * (a.center + b.center) * (std::min)(a.apex, b.apex) /
+                    (std::max)(a.greatest_square, b.greatest_square));
+    });
+  }
+
+private:
+  // A face over one of its sides, with the heights of the power center and of the apex.
+  struct Face
+  {
+    Number side, center, apex, greatest_square;
   };
-  Number result = 1;
-  for(Edge_index e : mesh.edges())
-    if(!mesh.is_border(e)) {
-      const Number left = height(mesh.halfedge(e)), right = height(mesh.opposite(mesh.halfedge(e)));
-      const Number relative = (left + right) / (abs(left) + abs(right) + precise(mesh.halfedge(e)));
-      if(!(relative >= result)) // NaN is kept
-        result = relative;
-    }
-  return static_cast<double>(result);
+
+  Face face(Halfedge_index h)
+  {
+    const auto weight = [&](Halfedge_index g) { return Number(m_weights[m_mesh.source(g).idx()]); };
+    const Number l = m_precise(h), b = m_precise(m_mesh.next(h)), a = m_precise(m_mesh.prev(h));
+    const Number wi = weight(h), wj = weight(m_mesh.next(h)), wk = weight(m_mesh.prev(h));
+    const Number x = (l * l + a * a - b * b) / (2 * l), y = sqrt(Number(a * a - x * x));
+    const Number center = (l * l + wi - wj) / (2 * l), longest = (std::max)({l, a, b});
+    return {l, (a * a + wi - wk - 2 * center * x) / (2 * y), y, longest * longest};
+  }
+
+  template <typename Measure>
+  double least(const Measure& measure)
+  {
+    Number result = 1;
+    for(Edge_index e : m_mesh.edges())
+      if(!m_mesh.is_border(e)) {
+        const Halfedge_index h = m_mesh.halfedge(e);
+        const Number number = measure(face(h), face(m_mesh.opposite(h)));
+        if(!(number >= result)) // NaN is kept
+          result = number;
+      }
+    return static_cast<double>(result);
+  }
+
+  const Delta_complex& m_mesh;
+  const std::vector<double>& m_weights;
+  IT::Precise_lengths<IT::Euclidean_geometry_traits<double>, Number> m_precise;
+};
+
+inline double least_dual_edge(const Triangulation& t, const std::vector<double>& weights)
+{
+  return Dual_edges(t, weights).least();
 }
 
 } // namespace Test_weights

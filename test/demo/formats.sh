@@ -238,10 +238,26 @@ wrong a.mesh.off 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n# end\nmore\n' \
   "line 8 $bad 'more' follows the last of 1 faces"
 wrong a.mesh.ply "ply\n${header}element face 1\n$list${rows}3 0 1 2 9\nmore\n" \
   "line 19 $bad 'more' follows the last element"
-python3 -c 'import struct, sys
-facet = struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
-sys.stdout.buffer.write(b"solid".ljust(80) + facet + b"abc")' >a.mesh.stl
-refuses 'has 3 bytes behind its last facet; the number of facets is 1' info a.mesh.stl
+python3 -c '
+import struct
+corners = 0, 0, 0, 1, 0, 0, 0, 1, 0
+facet = struct.pack("<I12fH", 1, 0, 0, 1, *corners, 0)
+ply = b"ply\nformat binary_big_endian 1.0\nelement vertex 3\n" + b"".join(
+    b"property float %c\n" % x for x in b"xyz")
+ply += b"element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+files = {"stl": b"solid".ljust(80) + facet,
+         "off": b"OFF BINARY\n" + struct.pack(">3i9f5i", 3, 1, 3, *corners, 3, 0, 1, 2, 0),
+         "ply": ply + struct.pack(">9fB3i", *corners, 3, 0, 1, 2)}
+for extension, content in files.items():
+    for name, end in ("a", b""), ("b", b"abc"), ("c", b"\n"):
+        with open(f"{name}.mesh.{extension}", "wb") as file:
+            file.write(content + end)'
+declare -A last=([stl]='the last of 1 facets' [off]='the last of 1 faces' [ply]='the last element')
+for extension in stl off ply; do
+  expect 0 info a.mesh.$extension
+  refuses "has 3 bytes behind ${last[$extension]}, which ends the file" info b.mesh.$extension
+  refuses "has 1 bytes behind ${last[$extension]}, which ends the file" info c.mesh.$extension
+done
 wrong a.mesh.stl 'solid a\nfacets\n' "line 2 $bad 'facet' or 'endsolid' expected"
 
 mesh a.mesh.ply "ply\n${header}element face 2\n$list${rows}3 0 1 7 9\n3 0 1 -1 9\n"

@@ -61,6 +61,9 @@ text c.mesh.vtp "$vtp\"binary\">AA=="
 text d.mesh.vtp "$vtp\"ascii\">0 1 2 3</DataArray>"
 text after.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 2;more'
 text e.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;more'
+text f.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;<!-- a --><more>'
+text g.mesh.vtp '<VTKFile type="PolyData"><AppendedData>_</AppendedData></VTKFile>;<more'
+text h.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;<!-- a'
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
@@ -141,6 +144,9 @@ calls <<'TABLE'
 2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
 2 | 'more' follows the last of 1 faces, which ends the file; remove what follows | info after.mesh.off
 2 | 'more' follows </VTKFile> | info e.mesh.vtp
+2 | '<more>' follows </VTKFile> | info f.mesh.vtp
+2 | '<more' follows </VTKFile> | info g.mesh.vtp
+2 | ends too early | info h.mesh.vtp
 2 | there is no vertex 7 | info index.mesh.off
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off

@@ -124,6 +124,9 @@ done
 for radius in -1 0 nan; do
   expect 2 refine slivers.mesh.off -o a.ply --max-circumradius=$radius
 done
+for radius in 1e-9 1e-320; do
+  refuses 'more than the default of 10000000' refine sheared.mesh.off -o a.ply --max-circumradius $radius
+done
 for limit in -1 many; do
   expect 2 refine slivers.mesh.off -o a.ply --max-insertions=$limit
 done

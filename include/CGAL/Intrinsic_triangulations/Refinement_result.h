@@ -9,9 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -37,26 +35,6 @@ inline const char* to_string(Refinement_status status)
     case Refinement_status::no_room: return "no_room";
   }
   return "unknown";
-}
-
-/// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns how many vertices `refine()` may insert by default. If circumradii are bounded, the
-/// limit is 10,000,000. Otherwise it is 1,000,000 plus 20 for each face of \f$T_1\f$. For angles
-/// of more than 30 degrees, refinement need not end, and the limit is 100,000 plus 20 for each
-/// face. It never exceeds 10,000,000. Refinements of ordinary meshes to 32 degrees that end insert
-/// fewer than 8 vertices for each face. A narrow tube or strip needs as many as its length divided
-/// by its width, up to a factor.
-/// \param faces the number of faces of \f$T_1\f$
-/// \param minimum_angle the least angle, in degrees
-/// \param maximum_circumradius the greatest circumradius
-template <typename FT>
-std::size_t default_maximum_number_of_insertions(std::size_t faces, const FT& minimum_angle,
-                                                 const FT& maximum_circumradius)
-{
-  const std::size_t most = 10000000, least = minimum_angle > 30 ? 100000 : 1000000;
-  return maximum_circumradius == std::numeric_limits<FT>::infinity()
-           ? (std::min)(most, least + 20 * faces)
-           : most;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement

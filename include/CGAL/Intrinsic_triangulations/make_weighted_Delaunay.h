@@ -7,19 +7,19 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
-#include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -64,120 +64,73 @@ struct Weighted_Delaunay_result
 
 namespace internal {
 
-// Decisions by the stored lengths and weights. An edge that is not weighted Delaunay and cannot be
-// flipped waits for larger weights.
-template <typename Traits>
-class Weighted_flipping
-{
-  typedef typename Traits::FT FT;
-  typedef Intrinsic_triangulation<Traits> Triangulation;
-
-public:
-  Weighted_flipping(Triangulation& tri, std::vector<FT>& weights) : m_tri(tri), m_weights(weights)
-  {}
-
-  bool is_certainly_Delaunay(Edge_index e) const
-  {
-    const Halfedge_index h = m_tri.mesh().halfedge(e);
-    return m_tri.mesh().is_border(e) ||
-           m_is_good.is_certain(diamond(m_tri.length_map(), h, m_tri.mesh()), weights(h));
-  }
-
-  bool is_Delaunay(Edge_index e) const
-  {
-    return satisfies_condition(e) || !m_tri.is_flippable(m_tri.mesh().halfedge(e));
-  }
-
-  // Returns whether that was possible. The new edge is Delaunay, up to rounding of lengths.
-  bool flip(Halfedge_index h)
-  {
-    if(!succeeds<Traits>([&] { m_tri.flip(h); }))
-      return false;
-    m_has_failed = m_has_failed || !satisfies_condition(m_tri.mesh().edge(h));
-    return true;
-  }
-
-  bool has_failed() const { return m_has_failed; }
-
-  // If an edge is not weighted Delaunay, and the union of its faces is not convex, one end is
-  // hidden. Raises the weight of this end until the edge is weighted Delaunay. As lifted points,
-  // the end lies above the triangle of the three others, and comes down to it: it is not moved too
-  // far. Returns whether such an edge was found.
-  bool raise_weights()
-  {
-    bool result = false;
-    for(Edge_index e : m_tri.mesh().edges())
-      if(!satisfies_condition(e) && !m_tri.is_flippable(m_tri.mesh().halfedge(e)))
-        result = raise_weight(hidden_end(e)) || result;
-    return result;
-  }
-
-private:
-  Diamond_weights<FT> weights(Halfedge_index h) const
-  {
-    return diamond_weights(boost::make_function_property_map<Vertex_index>(
-                             [this](Vertex_index v) { return m_weights[v.idx()]; }),
-                           h, m_tri.mesh());
-  }
-
-  bool satisfies_condition(Edge_index e) const
-  {
-    const Halfedge_index h = m_tri.mesh().halfedge(e);
-    return m_tri.mesh().is_border(e) || m_tri.is_constrained(e) ||
-           m_is_good(diamond(m_tri.length_map(), h, m_tri.mesh()), weights(h));
-  }
-
-  // Returns the halfedge of `e` from the end at which the diamond is not convex. The sum of the
-  // cotangents of its two angles is less than at the other end.
-  Halfedge_index hidden_end(Edge_index e) const
-  {
-    const Halfedge_index h = m_tri.mesh().halfedge(e), o = opposite(h);
-    if(m_tri.mesh().next(h) == o)
-      return o;
-    return m_tri.mesh().prev(h) == o || cotangents_at_target(h) > cotangents_at_target(o) ? h : o;
-  }
-
-  FT cotangents_at_target(Halfedge_index h) const
-  {
-    return cotangents_at_source(diamond(m_tri.length_map(), opposite(h), m_tri.mesh()));
-  }
-
-  // The condition is linear in the weight of the source of `h`. Returns whether that has changed.
-  bool raise_weight(Halfedge_index h)
-  {
-    const Diamond<FT> length = diamond(m_tri.length_map(), h, m_tri.mesh());
-    const auto [left, right] = weighted_triangles(length, weights(h));
-    const FT sum = left.scaled_height() * quadrupled_area(length.ij, length.il, length.lj) +
-                   right.scaled_height() * quadrupled_area(length.ij, length.jk, length.ki);
-    FT& weight = m_weights[m_tri.mesh().source(h).idx()];
-    const FT before = weight;
-    weight -= sum * (length.ij * length.ij) / cotangents_at_target(h);
-    if(!(weight > before))
-      throw Numerical_error("rounding of the lengths hides vertex " +
-                            std::to_string(m_tri.mesh().source(h).idx()));
-    return true;
-  }
-
-  Triangulation& m_tri;
-  std::vector<FT>& m_weights;
-  Is_locally_weighted_Delaunay<FT> m_is_good;
-  bool m_has_failed = false;
-};
-
-// Flips until an edge that is not weighted Delaunay has a hidden end.
+// Flips until all edges that can be flipped are weighted Delaunay, by stored lengths.
 template <typename Traits, typename Visitor>
-std::size_t flip_with_weights(Intrinsic_triangulation<Traits>& tri,
-                              std::vector<typename Traits::FT>& weights, std::size_t limit,
-                              Visitor& visitor)
+Flipping_result flip_with_weights(Intrinsic_triangulation<Traits>& tri,
+                                  std::vector<typename Traits::FT>& weights, std::size_t limit,
+                                  Visitor& visitor)
 {
-  const Flipping_result result = flip_in_rounds(
-    tri, [&] { return Weighted_flipping<Traits>(tri, weights); }, limit, rounds_of_flips(), visitor,
-    Concurrency());
-  check_flip_limit(result.end == Flipping_result::End::limit);
-  if(!result.is_Delaunay())
-    throw Numerical_error(
-      "rounding of the lengths keeps the triangulation from becoming weighted Delaunay");
-  return result.flips;
+  typedef Weighted_flipping<Stored_lengths<Traits>> Flipping;
+  return flip_in_rounds(
+    tri, [&] { return Flipping(tri, weights); }, limit, rounds_of_flips(), visitor, Concurrency());
+}
+
+// Flips and raises the weights of hidden vertices, in turn. Adds the number of flips to `flips`.
+template <typename Flip, typename Raise>
+void hide_vertices(std::size_t& flips, const Flip& flip, const Raise& raise)
+{
+  do {
+    const Flipping_result result = flip();
+    flips += result.flips;
+    check_flip_limit(result.end == Flipping_result::End::limit);
+    if(!result.is_Delaunay())
+      throw Numerical_error(
+        "rounding of the lengths keeps the triangulation from becoming weighted Delaunay");
+  } while(raise());
+}
+
+// By stored lengths.
+template <typename Traits, typename Visitor>
+void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
+                   Weighted_Delaunay_result<typename Traits::FT>& result, std::size_t limit,
+                   Visitor& visitor)
+{
+  typedef Weighted_flipping<Stored_lengths<Traits>> Flipping;
+  hide_vertices(
+    result.flips,
+    [&] { return flip_with_weights(tri, result.weights, limit - result.flips, visitor); },
+    [&] { return Flipping(tri, result.weights).raise_weights(); });
+}
+
+// Resets T2 to T1, with its inserted vertices, if edges are bent.
+template <typename Traits, typename Visitor>
+void straighten_edges(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
+{
+  if(Exact_flipping<Traits>(tri).find_lengths())
+    return;
+  if(!can_be_reset(tri))
+    throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
+  restart_from_input(tri, visitor);
+}
+
+// By many digits of lengths and weights, after flips by stored lengths.
+template <typename Traits, typename Visitor>
+void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
+                             Weighted_Delaunay_result<double>& result, std::size_t limit,
+                             Visitor& visitor)
+{
+  typedef Many_digits_lengths<Traits> Lengths;
+  result.flips += flip_with_weights(tri, result.weights, limit - result.flips, visitor).flips;
+  straighten_edges(tri, visitor);
+  std::vector<typename Lengths::FT> precise(result.weights.begin(), result.weights.end());
+  Weighted_flipping<Lengths> flipping(tri, precise);
+  hide_vertices(
+    result.flips,
+    [&] { return flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor); },
+    [&] { return flipping.raise_weights(); });
+  flipping.lengths().store();
+  for(std::size_t i = 0; i < precise.size(); ++i)
+    result.weights[i] = static_cast<double>(precise[i]);
 }
 
 } // namespace internal
@@ -193,7 +146,10 @@ std::size_t flip_with_weights(Intrinsic_triangulation<Traits>& tri,
 /// it, so that all its edges are ties. The result names such vertices.
 ///
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
-/// there were more flips than edges, lengths are recomputed from \f$T_1\f$.
+/// there were more flips than edges, lengths are recomputed from \f$T_1\f$. If many vertices are
+/// hidden, faces can have almost no area, and stored lengths do not resolve it. With
+/// `exact_decisions`, and if rounding prevents the result, lengths and weights with 512 binary
+/// digits decide. They come from the exact surface. Weights and lengths of the result are rounded.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` for Euclidean triangles
 /// \tparam WeightMap a model of `ReadablePropertyMap` with key type `Vertex_index` and a value type
@@ -207,6 +163,11 @@ std::size_t flip_with_weights(Intrinsic_triangulation<Traits>& tri,
 ///     \cgalParamDescription{the number of flips that are allowed}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{a hundred million plus a thousand for each edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_decisions}
+///     \cgalParamDescription{whether 512 binary digits decide; the time is 10 to 100 times as long}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of every flip}
@@ -242,9 +203,16 @@ auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMa
   result.weights.assign(mesh.num_vertices(), FT(0));
   for(Vertex_index v : mesh.vertices())
     result.weights[v.idx()] = FT(get(weight, v));
-  do
-    result.flips += internal::flip_with_weights(tri, result.weights, limit - result.flips, visitor);
-  while(internal::Weighted_flipping<Traits>(tri, result.weights).raise_weights());
+  [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
+  if constexpr(internal::has_exact_decisions<Traits>() && !internal::Is_exact<Traits>::value) {
+    const std::vector<double> given = result.weights;
+    if(is_exact ||
+       !internal::succeeds<Traits>([&] { internal::flip_and_hide(tri, result, limit, visitor); })) {
+      result.weights = given;
+      internal::flip_and_hide_precisely(tri, result, limit, visitor);
+    }
+  } else
+    internal::flip_and_hide(tri, result, limit, visitor);
   for(Vertex_index v : mesh.vertices())
     if(result.weights[v.idx()] > FT(get(weight, v)))
       result.hidden_vertices.push_back(v);

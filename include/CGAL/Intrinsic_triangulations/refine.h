@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/number_of_insertions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
@@ -270,6 +271,20 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
   return result;
 }
 
+// Returns how many vertices may be inserted.
+template <typename Traits, typename NamedParameters>
+std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
+                            const typename Traits::FT& degrees,
+                            const typename Traits::FT& circumradius, const NamedParameters& np)
+{
+  if constexpr(CGAL::parameters::is_default_parameter<
+                 NamedParameters, internal_np::maximum_number_of_insertions_t>::value)
+    return default_maximum_number_of_insertions(tri, degrees, circumradius);
+  else
+    return static_cast<std::size_t>(
+      CGAL::parameters::get_parameter(np, internal_np::maximum_number_of_insertions));
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
@@ -359,6 +374,7 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
 /// \returns what has been done, how it ended, and the faces that violate the bounds, with the
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
+/// \throws Invalid_input if the bound on circumradii needs more insertions than the default
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
 ///   `double`, exactly: `certify_Delaunay()` confirms it
@@ -375,10 +391,6 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const bool simplicial = choose_parameter(get_parameter(np, internal_np::simplicial), false);
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
-  const auto insertions = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal_np::maximum_number_of_insertions),
-                     default_maximum_number_of_insertions(tri.input_mesh().number_of_faces(),
-                                                          degrees, circumradius)));
   const auto flips = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                      default_flip_limit(tri.mesh().number_of_edges())));
@@ -386,7 +398,8 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   auto&& visitor = internal::visitor_of(np, silent);
   const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
                                                                   simplicial, predicate);
-  const internal::Refinement_limits limits{insertions, flips};
+  const internal::Refinement_limits limits{
+    internal::insertion_limit(tri, degrees, circumradius, np), flips};
   [[maybe_unused]] const bool are_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>())
     if(internal::Is_exact<Traits>::value || are_exact)

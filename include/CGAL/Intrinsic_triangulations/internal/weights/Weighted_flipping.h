@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_WEIGHTS_WEIGHTED_FLIPPING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_WEIGHTS_WEIGHTED_FLIPPING_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+namespace Intrinsic_triangulations::internal {
+
+typedef Binary_float<512> Many_digits;
+
+} // namespace Intrinsic_triangulations::internal
+
+template <>
+class Algebraic_structure_traits<Intrinsic_triangulations::internal::Many_digits>
+  : public Intrinsic_triangulations::internal::Binary_float_structure<
+      Intrinsic_triangulations::internal::Many_digits>
+{};
+
+template <>
+class Real_embeddable_traits<Intrinsic_triangulations::internal::Many_digits>
+  : public Intrinsic_triangulations::internal::Binary_float_embedding<
+      Intrinsic_triangulations::internal::Many_digits>
+{};
+
+namespace Intrinsic_triangulations::internal {
+
+// The stored lengths of T2.
+template <typename Traits>
+class Stored_lengths
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+
+public:
+  typedef typename Traits::FT FT;
+
+  explicit Stored_lengths(Triangulation& tri) : m_tri(tri) {}
+
+  const Triangulation& triangulation() const { return m_tri; }
+  auto length_map() const { return m_tri.length_map(); }
+  // the relative error that decisions grant to a length
+  static FT error() { return rounding_unit<FT>(); }
+
+  bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
+
+  // Returns whether that was possible.
+  bool flip(Halfedge_index h)
+  {
+    return succeeds<Traits>([&] { m_tri.flip(h); });
+  }
+
+private:
+  Triangulation& m_tri;
+};
+
+// The lengths of T2 on the exact surface of T1, with 512 binary digits.
+template <typename Traits>
+class Many_digits_lengths
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+
+public:
+  typedef Many_digits FT;
+
+  // Its edges are straight.
+  explicit Many_digits_lengths(Triangulation& tri) : m_tri(tri), m_flipping(tri)
+  {
+    m_flipping.recompute_lengths();
+    Precise_lengths<Traits, FT> lengths(tri);
+    m_length.resize(tri.mesh().num_edges());
+    for(Edge_index e : tri.mesh().edges())
+      m_length[e.idx()] = lengths(tri.mesh().halfedge(e));
+  }
+
+  const Triangulation& triangulation() const { return m_tri; }
+  auto length_map() const
+  {
+    return boost::make_function_property_map<Edge_index>(
+      [this](Edge_index e) { return m_length[e.idx()]; });
+  }
+  // Flips keep more digits. Weights that depend on each other converge linearly to this accuracy.
+  static FT error() { return FT(std::ldexp(1., -128)); }
+
+  bool is_flippable(Halfedge_index h) const
+  {
+    return m_flipping.can_be_turned(h) && is_convex_at_source(h) &&
+           is_convex_at_source(opposite(h));
+  }
+
+  bool flip(Halfedge_index h)
+  {
+    const FT length = typename Euclidean_geometry_traits<FT>::Compute_flipped_length()(
+      diamond(length_map(), h, m_tri.mesh()));
+    const bool result = m_flipping.flip(h);
+    if(result)
+      m_length[m_tri.mesh().edge(h).idx()] = length;
+    return result;
+  }
+
+  // Rounds the lengths, and stores them.
+  void store() { m_flipping.recompute_lengths(rounding_unit<double>() / 2); }
+
+private:
+  // Faces that are straight at the source are not convex.
+  bool is_convex_at_source(Halfedge_index h) const
+  {
+    const Diamond<FT> length = diamond(length_map(), h, m_tri.mesh());
+    const FT square = length.ij * length.ij;
+    return cotangents_at_source(length) >
+           FT(std::ldexp(1., -128)) * (square + length.jk * length.jk + length.ki * length.ki) *
+             (square + length.il * length.il + length.lj * length.lj);
+  }
+
+  Triangulation& m_tri;
+  Exact_flipping<Traits> m_flipping;
+  std::vector<FT> m_length;
+};
+
+// Decisions by lengths and weights. An edge that is not weighted Delaunay and cannot be flipped
+// waits for larger weights.
+template <typename Lengths>
+class Weighted_flipping
+{
+  typedef typename Lengths::FT FT;
+
+public:
+  template <typename Triangulation>
+  Weighted_flipping(Triangulation& tri, std::vector<FT>& weights)
+    : m_lengths(tri), m_mesh(tri.mesh()), m_weights(weights), m_is_good_edge(m_mesh.num_edges())
+  {}
+
+  Lengths& lengths() { return m_lengths; }
+
+  bool is_certainly_Delaunay(Edge_index e) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e);
+    return m_mesh.is_border(e) || m_is_good_edge[e.idx()] ||
+           m_is_good.is_certain(diamond(m_lengths.length_map(), h, m_mesh), weights(h));
+  }
+
+  bool is_Delaunay(Edge_index e) const
+  {
+    return satisfies_condition(e) || !m_lengths.is_flippable(m_mesh.halfedge(e));
+  }
+
+  // Returns whether that was possible. The new edge is Delaunay, up to rounding of lengths.
+  bool flip(Halfedge_index h)
+  {
+    if(!m_lengths.flip(h))
+      return false;
+    m_is_good_edge[m_mesh.edge(h).idx()] = false;
+    for(Edge_index e : edges_around(h, m_mesh))
+      m_is_good_edge[e.idx()] = false;
+    m_has_failed = m_has_failed || !satisfies_condition(m_mesh.edge(h));
+    return true;
+  }
+
+  bool has_failed() const { return m_has_failed; }
+
+  // Returns whether an end of `e` is hidden, after all possible flips.
+  bool has_hidden_end(Edge_index e) const
+  {
+    return !satisfies_condition(e) && !m_lengths.is_flippable(m_mesh.halfedge(e));
+  }
+
+  // If an edge is not weighted Delaunay, and the union of its faces is not convex, one end is
+  // hidden. Raises the weight of this end until the edge is weighted Delaunay. As lifted points,
+  // the end lies above the triangle of the three others, and comes down to it: it is not moved too
+  // far. Returns whether such an edge was found.
+  bool raise_weights()
+  {
+    bool result = false;
+    for(Edge_index e : m_mesh.edges())
+      if(has_hidden_end(e))
+        result = raise_weight(hidden_end(e)) || result;
+    return result;
+  }
+
+private:
+  Diamond_weights<FT> weights(Halfedge_index h) const
+  {
+    return diamond_weights(boost::make_function_property_map<Vertex_index>(
+                             [this](Vertex_index v) { return m_weights[v.idx()]; }),
+                           h, m_mesh);
+  }
+
+  bool satisfies_condition(Edge_index e) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e);
+    m_is_good_edge[e.idx()] = m_is_good_edge[e.idx()] || m_mesh.is_border(e) ||
+                              m_lengths.triangulation().is_constrained(e) ||
+                              m_is_good(diamond(m_lengths.length_map(), h, m_mesh), weights(h));
+    return m_is_good_edge[e.idx()];
+  }
+
+  // Returns the halfedge of `e` from the end at which the diamond is not convex. The sum of the
+  // cotangents of its two angles is less than at the other end.
+  Halfedge_index hidden_end(Edge_index e) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e), o = opposite(h);
+    if(m_mesh.next(h) == o)
+      return o;
+    return m_mesh.prev(h) == o || cotangents_at_target(h) > cotangents_at_target(o) ? h : o;
+  }
+
+  FT cotangents_at_target(Halfedge_index h) const
+  {
+    return cotangents_at_source(diamond(m_lengths.length_map(), opposite(h), m_mesh));
+  }
+
+  // The condition is linear in the weight of the source of `h`. Returns whether that has changed.
+  bool raise_weight(Halfedge_index h)
+  {
+    const Diamond<FT> length = diamond(m_lengths.length_map(), h, m_mesh);
+    const auto [left, right] = weighted_triangles(length, weights(h));
+    const FT sum = left.scaled_height() * quadrupled_area(length.ij, length.il, length.lj) +
+                   right.scaled_height() * quadrupled_area(length.ij, length.jk, length.ki);
+    FT& weight = m_weights[m_mesh.source(h).idx()];
+    const FT before = weight;
+    weight -= sum * (length.ij * length.ij) / cotangents_at_target(h);
+    if(++m_raises > 1000 * m_weights.size())
+      throw Numerical_error("the weights of hidden vertices converge too slowly");
+    if(!(weight > before))
+      throw Numerical_error("rounding of the lengths hides vertex " +
+                            std::to_string(m_mesh.source(h).idx()));
+    for_each_outgoing_halfedge(m_mesh.source(h), m_mesh, [&](Halfedge_index out) {
+      m_is_good_edge[m_mesh.edge(out).idx()] = false;
+      if(!m_mesh.is_border(out))
+        m_is_good_edge[m_mesh.edge(m_mesh.next(out)).idx()] = false;
+    });
+    return true;
+  }
+
+  Lengths m_lengths;
+  const Delta_complex& m_mesh;
+  std::vector<FT>& m_weights;
+  mutable std::vector<char> m_is_good_edge; // known to satisfy the condition
+  Is_locally_weighted_Delaunay<FT> m_is_good{Lengths::error()};
+  bool m_has_failed = false;
+  std::size_t m_raises = 0;
+};
+
+} // namespace Intrinsic_triangulations::internal
+
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_WEIGHTS_WEIGHTED_FLIPPING_H
