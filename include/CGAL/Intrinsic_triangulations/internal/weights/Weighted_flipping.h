@@ -7,11 +7,11 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -25,27 +25,10 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
+namespace CGAL::Intrinsic_triangulations::internal {
 
-namespace Intrinsic_triangulations::internal {
-
-typedef Binary_float<512> Many_digits;
-
-} // namespace Intrinsic_triangulations::internal
-
-template <>
-class Algebraic_structure_traits<Intrinsic_triangulations::internal::Many_digits>
-  : public Intrinsic_triangulations::internal::Binary_float_structure<
-      Intrinsic_triangulations::internal::Many_digits>
-{};
-
-template <>
-class Real_embeddable_traits<Intrinsic_triangulations::internal::Many_digits>
-  : public Intrinsic_triangulations::internal::Binary_float_embedding<
-      Intrinsic_triangulations::internal::Many_digits>
-{};
-
-namespace Intrinsic_triangulations::internal {
+// It has at least 512 binary digits.
+typedef Decimal_float<154> Many_digits;
 
 // The stored lengths of T2.
 template <typename Traits>
@@ -262,8 +245,6 @@ private:
   std::size_t m_raises = 0;
 };
 
-} // namespace Intrinsic_triangulations::internal
-
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_WEIGHTS_WEIGHTED_FLIPPING_H
