@@ -32,13 +32,13 @@ constexpr const char* refine_help =
   R"(The result is Delaunay and is written with exit code 0 whatever the status, which is in the
 statistics and in the last line on standard error:
   bounds_met              every face obeys the bounds
-  bounds_met_but_excused  faces that violate the bound on angles are excused by narrow vertices
+  bounds_met_but_excused  faces that violate the bound on angles are excused by small-angle vertices
   insertion_limit         --max-insertions was reached; some faces violate the bounds. Lower
                           --min-angle, or raise --max-insertions
   no_room                 floating point coordinates are too coarse for the faces that are left
-On closed meshes without narrow vertices and constrained edges, refinement to at most 30 degrees
-is proven to terminate, in exact arithmetic; with boundary this is an open question, but 25
-degrees were reached on all meshes of CGAL. With greater angles it need not terminate: hence the
+On closed meshes without small-angle vertices and constrained edges, refinement to at most 30
+degrees is proven to terminate, in exact arithmetic; with boundary this is an open question, but
+25 degrees were reached on all meshes of CGAL. With greater angles it need not terminate: hence the
 smaller default of --max-insertions. If rounded lengths do not suffice, refinement starts anew
 with exact decisions; the last line and "exact_decisions" in the statistics report this. With
 --exact the decisions are exact from the beginning, and the result is certified: the statistics

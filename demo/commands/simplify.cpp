@@ -78,7 +78,7 @@ code 0 and the status "nothing_removable" in the statistics. Vertices without fa
 --vertices and --ratio do not count them.
 
 With --min-angle, vertices are finally inserted into the coarse triangulation until its angles
-obey the bound, except at narrow vertices, as by `intrinsic refine`. All output is about the
+obey the bound, except at small-angle vertices, as by `intrinsic refine`. All output is about the
 refined coarse triangulation.
 
 With --close-loops and --pinch-handles the topology is simplified first: boundary loops up to a

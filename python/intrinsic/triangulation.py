@@ -146,7 +146,7 @@ class Refinement:
     remaining_faces : (r,) int array
         Faces that violate a bound.
     excused_faces : int
-        How many of these are excused by a narrow vertex.
+        How many of these are excused by a small-angle vertex.
     is_exact : bool
         Whether decisions were exact.
     """

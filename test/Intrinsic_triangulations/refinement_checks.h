@@ -62,7 +62,7 @@ inline Real least_sector(Vertex_index v, const Triangulation& t, const std::vect
   return least;
 }
 
-inline std::set<Vertex_index> narrow_vertices(const Triangulation& t)
+inline std::set<Vertex_index> small_angle_vertices(const Triangulation& t)
 {
   const std::vector<char> fixed = fixed_edges(t);
   std::set<Vertex_index> result;
@@ -74,11 +74,12 @@ inline std::set<Vertex_index> narrow_vertices(const Triangulation& t)
 
 // For each face of T2, the small-angle vertices such that it lies in faces of T1 at the vertex and
 // only edges of T1 that end there cross it.
-class Faces_beside_narrow_vertices
+class Faces_beside_small_angle_vertices
 {
 public:
-  explicit Faces_beside_narrow_vertices(const Triangulation& t)
-    : m_narrow(Test_surfaces::narrow_vertices(t)), m_candidates(t.mesh().num_faces(), m_narrow)
+  explicit Faces_beside_small_angle_vertices(const Triangulation& t)
+    : m_vertices(Test_surfaces::small_angle_vertices(t)),
+      m_candidates(t.mesh().num_faces(), m_vertices)
   {
     const Correspondence correspondence(t);
     const IT::Common_subdivision<> s(correspondence);
@@ -96,7 +97,7 @@ public:
   }
 
   const std::set<Vertex_index>& operator[](Face_index f) const { return m_candidates[f.idx()]; }
-  const std::set<Vertex_index>& narrow_vertices() const { return m_narrow; }
+  const std::set<Vertex_index>& small_angle_vertices() const { return m_vertices; }
 
 private:
   void keep(Face_index f, const std::set<Vertex_index>& vertices)
@@ -106,24 +107,25 @@ private:
       v = vertices.count(*v) ? std::next(v) : kept.erase(v);
   }
 
-  std::set<Vertex_index> m_narrow;
+  std::set<Vertex_index> m_vertices;
   std::vector<std::set<Vertex_index>> m_candidates;
 };
 
 // A face that violates the bound is excused if and only if the rule allows it, by the vertex that
 // the rule names; a face without an excuse has the reason `otherwise`.
 inline void check_excuse(const IT::Remaining_face& r, const Triangulation& t,
-                         const Faces_beside_narrow_vertices& beside, IT::Remaining_reason otherwise)
+                         const Faces_beside_small_angle_vertices& beside,
+                         IT::Remaining_reason otherwise)
 {
   std::vector<Vertex_index> small_corners;
   for(Halfedge_index h : IT::sides(r.face, t.mesh()))
-    if(beside.narrow_vertices().count(t.mesh().source(h)))
+    if(beside.small_angle_vertices().count(t.mesh().source(h)))
       small_corners.push_back(t.mesh().source(h));
   if(small_corners.size() == 1) {
-    EXPECT_EQ(r.reason, IT::Remaining_reason::at_narrow_vertex) << r.face;
+    EXPECT_EQ(r.reason, IT::Remaining_reason::at_small_angle_vertex) << r.face;
     EXPECT_EQ(r.vertex, small_corners[0]) << r.face;
   } else if(!beside[r.face].empty()) {
-    EXPECT_EQ(r.reason, IT::Remaining_reason::beside_narrow_vertex) << r.face;
+    EXPECT_EQ(r.reason, IT::Remaining_reason::beside_small_angle_vertex) << r.face;
     EXPECT_TRUE(beside[r.face].count(r.vertex)) << r.face;
   } else {
     EXPECT_EQ(r.reason, otherwise) << r.face;
@@ -139,7 +141,7 @@ inline void check_angles(const Triangulation& t, double degrees,
   const bool limited = result.status == IT::Refinement_status::insertion_limit;
   const auto otherwise =
     limited ? IT::Remaining_reason::insertion_limit : IT::Remaining_reason::no_room;
-  const Faces_beside_narrow_vertices beside(t);
+  const Faces_beside_small_angle_vertices beside(t);
   std::map<Face_index, IT::Remaining_face> remaining;
   std::size_t unexcused = 0;
   for(const IT::Remaining_face& r : result.remaining) {

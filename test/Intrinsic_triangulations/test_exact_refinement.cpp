@@ -346,15 +346,15 @@ TEST(Exact_refinement, reset_gives_the_input)
   }
 }
 
-TEST(Exact_refinement, faces_excused_are_those_at_narrow_vertices)
+TEST(Exact_refinement, faces_excused_are_those_at_small_angle_vertices)
 {
   for(Remaining_reason reason :
-      {Remaining_reason::at_narrow_vertex, Remaining_reason::beside_narrow_vertex,
+      {Remaining_reason::at_small_angle_vertex, Remaining_reason::beside_small_angle_vertex,
        Remaining_reason::insertion_limit, Remaining_reason::no_room, Remaining_reason::at_rounding,
        Remaining_reason::no_area})
     EXPECT_EQ(IT::is_excused({Face_index(0), reason, Vertex_index(0)}),
-              reason == Remaining_reason::at_narrow_vertex ||
-                reason == Remaining_reason::beside_narrow_vertex);
+              reason == Remaining_reason::at_small_angle_vertex ||
+                reason == Remaining_reason::beside_small_angle_vertex);
 }
 
 // The number of vertices is that which geometry needs: as in `double` where that has no doubt.

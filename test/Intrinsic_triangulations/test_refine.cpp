@@ -76,7 +76,7 @@ bool is_closed(const Delta_complex& mesh)
 // 30 degrees where that is proven to end, in exact arithmetic; otherwise 25, which is measured.
 double highest_bound(const Triangulation& t)
 {
-  return is_closed(t.input_mesh()) && narrow_vertices(t).empty() ? 30 : 25;
+  return is_closed(t.input_mesh()) && small_angle_vertices(t).empty() ? 30 : 25;
 }
 
 TEST(Refine, small_meshes)

@@ -41,15 +41,19 @@ inline const char* to_string(Refinement_status status)
 /// states why a face violates the bounds after a refinement.
 enum class Remaining_reason
 {
-  at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
-  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a small-angle vertex, and
-                        ///< only edges of \f$T_1\f$ that end at this vertex cross it
-  insertion_limit,      ///< no more insertions were allowed
-  no_room,              ///< rounded numbers leave no room for the new edges
-  at_rounding,          ///< it is of the order of the rounding of coordinates on \f$T_1\f$ (only
-                        ///< with exact decisions)
-  no_area ///< its corners lie on a line, exactly, along a boundary or constrained edge
-          ///< (only with exact decisions)
+  at_small_angle_vertex,     ///< exactly one of its corners is a small-angle vertex (Section 3.6)
+  beside_small_angle_vertex, ///< it lies in faces of \f$T_1\f$ at a small-angle vertex, and
+                             ///< only edges of \f$T_1\f$ that end at this vertex cross it
+  insertion_limit,           ///< no more insertions were allowed
+  no_room,                   ///< rounded numbers leave no room for the new edges
+  at_rounding,               ///< it is of the order of the rounding of coordinates on \f$T_1\f$
+                             ///< (only with exact decisions)
+  no_area,                   ///< its corners lie on a line, exactly, along a boundary or
+                             ///< constrained edge (only with exact decisions)
+  at_narrow_vertex [[deprecated("use at_small_angle_vertex")]] = at_small_angle_vertex,
+  ///< \deprecated
+  beside_narrow_vertex [[deprecated("use beside_small_angle_vertex")]] = beside_small_angle_vertex
+  ///< \deprecated
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
@@ -57,8 +61,10 @@ enum class Remaining_reason
 inline const char* to_string(Remaining_reason reason)
 {
   switch(reason) {
-    case Remaining_reason::at_narrow_vertex: return "one of its corners is a narrow vertex";
-    case Remaining_reason::beside_narrow_vertex: return "it lies in input faces at a narrow vertex";
+    case Remaining_reason::at_small_angle_vertex:
+      return "one of its corners is a small-angle vertex";
+    case Remaining_reason::beside_small_angle_vertex:
+      return "it lies in input faces at a small-angle vertex";
     case Remaining_reason::insertion_limit: return "no more insertions are allowed";
     case Remaining_reason::no_room: return "there is no room for new edges";
     case Remaining_reason::at_rounding: return "it is as small as the rounding of coordinates";
@@ -80,8 +86,8 @@ struct Remaining_face
 /// returns whether a small-angle vertex excuses `f`.
 inline bool is_excused(const Remaining_face& f)
 {
-  return f.reason == Remaining_reason::at_narrow_vertex ||
-         f.reason == Remaining_reason::beside_narrow_vertex;
+  return f.reason == Remaining_reason::at_small_angle_vertex ||
+         f.reason == Remaining_reason::beside_small_angle_vertex;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement

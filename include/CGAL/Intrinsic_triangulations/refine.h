@@ -124,7 +124,7 @@ template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
                                             const Bounds& bounds, const Refinement_result& result)
 {
-  const Small_angle_vertices<Traits> narrow(tri, bounds.small_angle(), result.is_exact);
+  const Small_angle_vertices<Traits> vertices(tri, bounds.small_angle(), result.is_exact);
   std::optional<Edge_courses<Traits>> made;
   const auto courses = [&]() -> const auto&
   {
@@ -138,7 +138,7 @@ std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits
     if(bounds.is_too_large(f) || bounds.is_not_simplicial(f))
       remaining.push_back(unexcused(f));
     else if(bounds.is_too_thin(f)) {
-      const auto excuse = narrow.excuse(f, courses);
+      const auto excuse = vertices.excuse(f, courses);
       remaining.push_back(excuse ? *excuse : unexcused(f));
     }
   }
@@ -293,11 +293,11 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 /// of the input do not change. After any status, \f$T_2\f$ is Delaunay, and the result names every
 /// face that violates a bound.
 ///
-/// Excused faces. A vertex is narrow if its angle sum is less than 60 degrees (90 if \f$T_2\f$ is
-/// to be simplicial, since three faces are needed). It is also narrow if two boundary or
-/// constrained edges enclose less than 60 degrees. No triangulation has large angles at a narrow
+/// Excused faces. A small-angle vertex has an angle sum of less than 60 degrees, or two boundary or
+/// constrained edges that enclose less than 60 degrees. If \f$T_2\f$ is to be simplicial, the sum
+/// must be 90 degrees, since three faces are needed. No triangulation has large angles at such a
 /// vertex. A face that violates the bound on angles, and only this one, is excused in two cases:
-/// - Exactly one of its corners is narrow.
+/// - Exactly one of its corners is a small-angle vertex.
 /// - It lies in faces of \f$T_1\f$ at one small-angle vertex \f$v\f$, and all edges of \f$T_1\f$
 ///   that cross it end at \f$v\f$.
 ///

@@ -55,7 +55,7 @@ public:
       m_limits(limits),
       m_visitor(visitor),
       m_inserter(tri, is_exact),
-      m_narrow(tri, bounds.small_angle(), is_exact),
+      m_small_angle_vertices(tri, bounds.small_angle(), is_exact),
       m_walk(tri.intrinsic()),
       m_search(m_mesh.num_vertices()),
       m_stack(m_mesh.num_edges())
@@ -103,7 +103,8 @@ private:
   bool has_bad_shape(Face_index f) const
   {
     const auto courses = [this]() -> const auto& { return m_inserter.courses(); };
-    return m_bounds.is_too_large(f) || (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, courses));
+    return m_bounds.is_too_large(f) ||
+           (m_bounds.is_too_thin(f) && !m_small_angle_vertices.excuse(f, courses));
   }
 
   void push_if_bad(Face_index f)
@@ -391,7 +392,7 @@ private:
   bool m_stops_if_filter_fails = false;
   bool m_has_filter_failed = false;
   Vertex_inserter<Traits> m_inserter;
-  Small_angle_vertices<Traits> m_narrow;
+  Small_angle_vertices<Traits> m_small_angle_vertices;
   Walk m_walk;
   Dijkstra_search<Vertex_index, FT> m_search;
   Refinement_result* m_result = nullptr;

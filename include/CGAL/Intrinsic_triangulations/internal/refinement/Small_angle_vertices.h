@@ -43,21 +43,21 @@ public:
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which small-angle
-  // vertex. Either exactly one of its corners is narrow, or it lies in faces of T1 at a
-  // small-angle vertex. In the second case all edges that cross it must be edges at this vertex.
+  // vertex. Either exactly one of its corners is one, or it lies in faces of T1 at a small-angle
+  // vertex. In the second case all edges that cross it must be edges at this vertex.
   // `courses()` has the courses of all edges and is called only if they are needed.
   template <typename Courses>
   std::optional<Remaining_face> excuse(Face_index f, const Courses& courses) const
   {
-    Vertex_index narrow;
+    Vertex_index vertex;
     int count = 0;
     for(Halfedge_index h : sides(f, m_tri.mesh()))
-      if(is_narrow(m_tri.mesh().source(h))) {
-        narrow = m_tri.mesh().source(h);
+      if(has_small_angle(m_tri.mesh().source(h))) {
+        vertex = m_tri.mesh().source(h);
         ++count;
       }
     if(count == 1)
-      return Remaining_face{f, Remaining_reason::at_narrow_vertex, narrow};
+      return Remaining_face{f, Remaining_reason::at_small_angle_vertex, vertex};
     return excuse_by_input_faces(f, courses());
   }
 
@@ -69,10 +69,10 @@ private:
     no
   };
 
-  static Answer answer(bool is_narrow) { return is_narrow ? Answer::yes : Answer::no; }
+  static Answer answer(bool is_small) { return is_small ? Answer::yes : Answer::no; }
 
   // Few vertices have thin faces, and few are asked about.
-  bool is_narrow(Vertex_index v) const
+  bool has_small_angle(Vertex_index v) const
   {
     if(v.idx() >= m_answer.size())
       return false;
@@ -98,8 +98,8 @@ private:
                                                       const Edge_courses<Traits>& courses) const
   {
     for(Vertex_index v : first_candidates(f, courses))
-      if(is_narrow(v) && is_crossed_by_edges_at(v, f, courses))
-        return Remaining_face{f, Remaining_reason::beside_narrow_vertex, v};
+      if(has_small_angle(v) && is_crossed_by_edges_at(v, f, courses))
+        return Remaining_face{f, Remaining_reason::beside_small_angle_vertex, v};
     return {};
   }
 
@@ -132,7 +132,7 @@ private:
   }
 
   // Angles around a vertex are angles of T1, whose corners need no strips, however often edges
-  // cross. Inserted vertices are not narrow.
+  // cross. Inserted vertices have no small angle.
   BOOST_NOINLINE void set_by_input()
   {
     const Delta_complex &mesh = m_tri.mesh(), &input = m_tri.input_mesh();
@@ -150,7 +150,7 @@ private:
       m_answer[v] = answer(has_small_sector(v, input, is_fixed, angle));
   }
 
-  // whether the vertex `v` of T1 or T2 is narrow
+  // whether `v` is a small-angle vertex of T1 or T2
   template <typename Is_fixed, typename Angle>
   bool has_small_sector(Vertex_index v, const Delta_complex& mesh, const Is_fixed& is_fixed,
                         const Angle& angle) const
