@@ -39,7 +39,7 @@ statistics and in the last line on standard error:
 On closed meshes without small-angle vertices and constrained edges, refinement to at most 30
 degrees is proven to terminate, in exact arithmetic; with boundary this is an open question, but
 25 degrees were reached on all meshes of CGAL. With greater angles it need not terminate: hence the
-smaller default of --max-insertions. If rounded lengths do not suffice, refinement starts anew
+smaller default of --max-insertions. If rounded lengths do not suffice, refinement restarts
 with exact decisions; the last line and "exact_decisions" in the statistics report this. With
 --exact the decisions are exact from the beginning, and the result is certified: the statistics
 have "certified", whether it is geodesic and exactly Delaunay, "ties", the number of edges whose

@@ -365,7 +365,7 @@ private:
     statistics["operations"] = surface.history().size();
   }
 
-  // The last level gets better faces. Its vertices are described anew.
+  // The last level gets better faces. Its vertices are described again.
   void refine_coarse(IS::Evolving_surface& surface)
   {
     Refinement_bounds bounds = m_options.refinement;
