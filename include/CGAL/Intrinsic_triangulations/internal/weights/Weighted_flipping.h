@@ -7,11 +7,11 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -25,27 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-
-namespace Intrinsic_triangulations::internal {
-
-typedef Binary_float<512> Many_digits;
-
-} // namespace Intrinsic_triangulations::internal
-
-template <>
-class Algebraic_structure_traits<Intrinsic_triangulations::internal::Many_digits>
-  : public Intrinsic_triangulations::internal::Binary_float_structure<
-      Intrinsic_triangulations::internal::Many_digits>
-{};
-
-template <>
-class Real_embeddable_traits<Intrinsic_triangulations::internal::Many_digits>
-  : public Intrinsic_triangulations::internal::Binary_float_embedding<
-      Intrinsic_triangulations::internal::Many_digits>
-{};
-
-namespace Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The stored lengths of T2.
 template <typename Traits>
@@ -75,14 +55,14 @@ private:
   Triangulation& m_tri;
 };
 
-// The lengths of T2 on the exact surface of T1, with 512 binary digits.
+// The lengths of T2 on the exact surface of T1, with 155 decimal digits.
 template <typename Traits>
 class Many_digits_lengths
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
 
 public:
-  typedef Many_digits FT;
+  typedef Decimal_float<155> FT;
 
   // Its edges are straight.
   explicit Many_digits_lengths(Triangulation& tri) : m_tri(tri), m_flipping(tri)
@@ -262,8 +242,6 @@ private:
   std::size_t m_raises = 0;
 };
 
-} // namespace Intrinsic_triangulations::internal
-
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_WEIGHTS_WEIGHTED_FLIPPING_H
