@@ -148,7 +148,7 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
 /// there were more flips than edges, lengths are recomputed from \f$T_1\f$. If many vertices are
 /// hidden, faces can have almost no area, and stored lengths do not resolve it. With
-/// `exact_decisions`, and if rounding prevents the result, lengths and weights with 512 binary
+/// `exact_decisions`, and if rounding prevents the result, lengths and weights with 155 decimal
 /// digits decide. They come from the exact surface. Weights and lengths of the result are rounded.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` for Euclidean triangles
@@ -165,7 +165,7 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 ///     \cgalParamDefault{a hundred million plus a thousand for each edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether 512 binary digits decide; the time is 10 to 100 times as long}
+///     \cgalParamDescription{whether 155 decimal digits decide, in 10 to 100 times the time}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

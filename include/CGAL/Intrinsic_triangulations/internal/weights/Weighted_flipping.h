@@ -27,9 +27,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// It has at least 512 binary digits.
-typedef Decimal_float<154> Many_digits;
-
 // The stored lengths of T2.
 template <typename Traits>
 class Stored_lengths
@@ -58,14 +55,14 @@ private:
   Triangulation& m_tri;
 };
 
-// The lengths of T2 on the exact surface of T1, with 512 binary digits.
+// The lengths of T2 on the exact surface of T1, with 155 decimal digits.
 template <typename Traits>
 class Many_digits_lengths
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
 
 public:
-  typedef Many_digits FT;
+  typedef Decimal_float<155> FT;
 
   // Its edges are straight.
   explicit Many_digits_lengths(Triangulation& tri) : m_tri(tri), m_flipping(tri)
