@@ -281,8 +281,8 @@ TEST(Crowding, spiral_in_a_rectangle)
   check_layout(map);
 }
 
-// A flat rectangle, whose corners have right angles, is its own image: a path of curvatures from any
-// scale factors ends where all are equal.
+// A flat rectangle, whose corners have right angles, is its own image. A path of curvatures from
+// any scale factors ends where all are equal.
 TEST(Curvature_path, leads_back_to_a_flat_rectangle)
 {
   typedef DCM::internal::Wide_number<DCM::internal::Extended> FT;
