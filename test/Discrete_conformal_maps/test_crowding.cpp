@@ -8,6 +8,9 @@
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
 #include "../Intrinsic_triangulations/generators.h"
@@ -276,6 +279,41 @@ TEST(Crowding, spiral_in_a_rectangle)
   EXPECT_EQ(map.status(), DCM::Map_status::success);
   EXPECT_TRUE(map.crowded_faces().empty());
   check_layout(map);
+}
+
+// A flat rectangle, whose corners have right angles, is its own image. A path of curvatures from
+// any scale factors ends where all are equal.
+TEST(Curvature_path, leads_back_to_a_flat_rectangle)
+{
+  typedef DCM::internal::Wide_number<DCM::internal::Extended> FT;
+  const std::size_t n = 12, m = 3;
+  const Mesh mesh = grid(n, m, [](double x, double y) { return Point(x, y, 0); });
+  std::vector<DCM::Vertex_condition> conditions(mesh.number_of_vertices());
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    if((p.x() == 0 || p.x() == double(n)) && (p.y() == 0 || p.y() == double(m)))
+      conditions[v.idx()] = DCM::Vertex_condition::curvature(pi / 2);
+  }
+  DCM::internal::Doubled_problem problem(
+    CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>(mesh), conditions,
+    DCM::Flipping::to_Delaunay);
+  problem.complete();
+  auto energy = DCM::internal::symmetric_energy<FT, DCM::internal::Flat_triangle<FT>>(
+    problem, problem.triangulation());
+  CGAL::Random random(1);
+  std::vector<FT> start;
+  for(std::size_t v = 0; v < problem.size(); ++v)
+    start.push_back(FT(random.get_double(-8, 8)));
+  energy.set_origin(start);
+  energy.evaluate(Eigen::VectorXd::Zero(Eigen::Index(problem.size())));
+  DCM::Default_flattening_visitor silent;
+  const auto result =
+    DCM::internal::Precise_newton_iteration<decltype(energy)>(energy, problem.domain(true))
+      .run(1e-13, 300, silent);
+  EXPECT_EQ(result.status, DCM::Minimization_status::converged);
+  const std::vector<FT> u = energy.scale_factors();
+  for(const FT& x : u)
+    EXPECT_NEAR(static_cast<double>(FT(x - u.front())), 0, 1e-9);
 }
 
 } // namespace Test_crowding

@@ -129,6 +129,8 @@ constexpr double group_ratio = 30, weight_of_group = 100;
 // The number of steps that are taken with more digits, on the exact surface, and of moves of groups
 // of vertices alone.
 constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100000;
+// A minimization that has taken so many steps has lost its way.
+constexpr std::size_t steps_to_lose_the_way = 250;
 // A start needs few digits, and few steps.
 constexpr double curvature_at_start = 1e-3;
 constexpr std::size_t steps_to_start = 300;

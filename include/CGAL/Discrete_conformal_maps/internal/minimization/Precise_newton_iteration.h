@@ -92,6 +92,7 @@ private:
   // of the path, in one step
   static constexpr double least_part = 1e-7;
   static constexpr double longest_step_within_bounds = 100, longest_damped_step = 10;
+  static constexpr double greatest_difference_of_neighbors = 2;
   // of derivatives at bounds
   inline static const double bound_error = std::sqrt(tolerance::rounding_of_gradient<FT>());
 
@@ -361,10 +362,24 @@ private:
     move_to(u);
   }
 
-  // A step within bounds that is as long as that leads nowhere, by very many flips.
+  // Returns whether a step leads nowhere, by very many flips. Within bounds, its length counts,
+  // otherwise the greatest difference of neighbors: all of them can move far together.
   bool is_too_long(const std::vector<FT>& direction) const
   {
-    return has_bounds() && !(length(direction) <= longest_step_within_bounds);
+    return has_bounds() ? !(length(direction) <= longest_step_within_bounds)
+                        : !(greatest_difference(direction) <= greatest_difference_of_neighbors);
+  }
+
+  double greatest_difference(const std::vector<FT>& direction) const
+  {
+    const auto& hessian = m_energy.Hessian();
+    double result = 0;
+    for(Eigen::Index v : m_variables.indices())
+      for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, v); i; ++i)
+        result =
+          (std::max)(result, std::abs(static_cast<double>(
+                               FT(direction[std::size_t(i.row())] - direction[std::size_t(v)]))));
+    return result;
   }
 
   static double length(const std::vector<FT>& direction)

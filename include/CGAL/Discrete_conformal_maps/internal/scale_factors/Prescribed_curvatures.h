@@ -206,6 +206,17 @@ public:
     return sum;
   }
 
+  // whether the prescribed curvatures obey Gauss and Bonnet, up to rounding
+  bool is_balanced() const
+  {
+    const std::vector<double> excess = curvature_excess();
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t c = 0; c < excess.size(); ++c)
+      if(fixed[c] == 0 && std::abs(excess[c]) > tolerance::curvature)
+        return false;
+    return true;
+  }
+
   // The least number of vertices with prescribed scale factors that a component needs for this
   // excess. Each can have a curvature of less than a full turn.
   static std::size_t needed_cones(double excess)

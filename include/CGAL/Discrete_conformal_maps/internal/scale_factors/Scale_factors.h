@@ -17,9 +17,9 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_values.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/falls_without_end.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/shift_to_zero.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
@@ -38,39 +38,15 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The scale factors of a doubled problem at the vertices of the surface itself, with faces of the
 // geometry of `Triangle`.
 template <template <typename> class Triangle>
-class Scale_factors
+class Scale_factors : public Scale_values
 {
-  typedef Eigen::VectorXd Vector;
   typedef Doubled_problem::Triangulation Triangulation;
   template <typename FT>
   using Energy = Symmetric_energy<Conformal_energy<FT, Triangle<FT>>>;
 
 public:
   // `start` has scale factors to begin with; prescribed ones do not count
-  Scale_factors(Doubled_problem& problem, const Vector& start) : m_problem(problem), m_u(start) {}
-
-  // the scale factors, rounded to `double`
-  const Vector& values() const { return m_u; }
-  // whether scale factors have more digits, because `double` has too few
-  bool is_extended() const { return m_precise.index() > 0; }
-  // whether `Extended` has too few digits
-  bool is_more_extended() const { return m_precise.index() > 1; }
-  // whether lengths with these scale factors may be beyond the range of `double`
-  bool is_wide() const { return m_is_wide; }
-  // Returns the scale factors as `Extended` or `More_extended`, with the digits that there are.
-  template <typename FT>
-  std::vector<FT> precise_values() const
-  {
-    std::vector<FT> result(m_u.begin(), m_u.end());
-    std::visit(
-      [&](const auto& u) {
-        for(std::size_t v = 0; v < u.size(); ++v)
-          if(!m_problem.is_fixed()[v])
-            result[v] = converted<FT>(u[v]);
-      },
-      m_precise);
-    return result;
-  }
+  Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
   const Minimization_result& result() const { return m_result; }
   // of the vertices where curvatures are prescribed
@@ -80,12 +56,6 @@ public:
   void stop() { m_status = Map_status::not_converged; }
   // whether all faces have the triangle inequality, up to rounding
   bool has_layout() const { return m_has_layout; }
-
-  void start_from(const std::vector<double>& log_scale)
-  {
-    m_u = Eigen::Map<const Vector>(log_scale.data(), m_u.size());
-    m_precise = std::vector<double>();
-  }
 
   // Takes scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
@@ -105,15 +75,12 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    m_is_wide = false;
-    if(m_problem.bend() > 0)
-      tolerance = tolerance::promised_angle;
-    if(Triangle<double>::has_similar_ones && !m_problem.has_precise_lengths() && is_beyond_range())
-      m_max_curvature_error = std::numeric_limits<double>::infinity();
-    else
-      minimize_in_range(minimizer, tolerance, visitor);
+    const std::vector<Extended> start = precise_values<Extended>();
+    if(!m_has_been_lost)
+      minimize_from_start(minimizer, tolerance, visitor);
     if constexpr(Triangle<double>::has_similar_ones)
-      minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
+      if(m_has_been_lost || is_lost(tolerance))
+        follow_curvatures(start, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
   }
@@ -159,6 +126,20 @@ protected:
   }
 
 private:
+  template <typename Minimizer, typename Visitor>
+  void minimize_from_start(const Minimizer& minimizer, double& tolerance, Visitor& visitor)
+  {
+    m_is_wide = false;
+    if(m_problem.bend() > 0)
+      tolerance = tolerance::promised_angle;
+    if(Triangle<double>::has_similar_ones && !m_problem.has_precise_lengths() && is_beyond_range())
+      m_max_curvature_error = std::numeric_limits<double>::infinity();
+    else
+      minimize_in_range(minimizer, tolerance, visitor);
+    if constexpr(Triangle<double>::has_similar_ones)
+      minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
+  }
+
   template <typename Minimizer, typename Visitor>
   void minimize_in_range(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
@@ -211,6 +192,43 @@ private:
       minimize_beyond_range(minimizer, tolerance, visitor);
   }
 
+  // Whether a solution exists that the minimizer has not found, unless it may not go on.
+  bool is_lost(double tolerance) const
+  {
+    return m_problem.flipping() == Flipping::to_Delaunay && !m_problem.has_radii() &&
+           !m_problem.has_needles() && !is_within(tolerance) &&
+           m_status == Map_status::not_converged && m_problem.is_balanced() &&
+           (m_result.status != Minimization_status::iteration_limit ||
+            m_result.iterations >= tolerance::steps_to_lose_the_way);
+  }
+
+  // Finds the scale factors on the path of curvatures from the curvatures of `start`, on the exact
+  // surface, to the prescribed ones. Then it finds the next ones as well. Leaves others if the path
+  // does not reach its end.
+  template <typename Visitor>
+  void follow_curvatures(const std::vector<Extended>& start, Visitor& visitor)
+  {
+    typedef Wide_number<Extended> FT;
+    m_problem.straighten_boundaries();
+    m_problem.make_precise();
+    m_problem.complete();
+    const Vector before = m_u;
+    auto energy = symmetric_energy<FT, Triangle<FT>>(m_problem, m_problem.triangulation());
+    energy.set_origin({start.begin(), start.end()});
+    energy.evaluate(Vector::Zero(m_u.size()));
+    descend(energy, tolerance::gradient, visitor);
+    m_has_been_lost =
+      m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
+    if(m_has_been_lost) {
+      store(energy.scale_factors());
+      note_rounded(shift_to_zero(m_problem, std::get<std::vector<Extended>>(m_precise)));
+      m_is_wide = true;
+    } else {
+      m_u = before;
+      m_status = Map_status::not_converged;
+    }
+  }
+
   // whether the error of curvatures moves no side in the plane by more than is promised
   bool can_be_laid_out() const
   {
@@ -252,7 +270,7 @@ private:
   Energy<FT> energy_at_start(const Triangulation& triangulation) const
   {
     Energy<FT> result = symmetric_energy<FT, Triangle<FT>>(m_problem, triangulation);
-    if constexpr(std::is_same_v<FT, Extended> || std::is_same_v<FT, More_extended>)
+    if constexpr(!std::is_same_v<FT, double>)
       if(m_problem.has_precise_lengths() && is_extended()) {
         result.set_origin(precise_values<FT>());
         result.evaluate(Vector::Zero(m_u.size()));
@@ -309,13 +327,6 @@ private:
     return true;
   }
 
-  // If scale factors differ so much, intermediate lengths may be beyond the range of `double`.
-  bool is_beyond_range() const
-  {
-    return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() && m_u.size() > 0 &&
-           m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
-  }
-
   template <typename Minimizer, typename Visitor>
   void minimize_beyond_range(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
@@ -325,24 +336,6 @@ private:
     minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
     if(const auto u = std::get_if<std::vector<Extended>>(&m_precise)) // null if needles failed
       note_rounded(shift_to_zero(m_problem, *u));
-  }
-
-  template <typename FT>
-  void note_rounded(const std::vector<FT>& u)
-  {
-    for(std::size_t v = 0; v < u.size(); ++v)
-      m_u[Eigen::Index(v)] = static_cast<double>(u[v]);
-  }
-
-  // Keeps scale factors with the digits that they have.
-  template <typename FT>
-  void store(const std::vector<FT>& u)
-  {
-    typedef std::conditional_t<std::is_same_v<FT, More_extended>, FT, Extended> Precise;
-    std::vector<Precise> result;
-    for(const FT& x : u)
-      result.push_back(converted<Precise>(x));
-    m_precise = std::move(result);
   }
 
   // Without enough digits, intermediate flips have turned needles over: the next search does not
@@ -439,12 +432,9 @@ private:
                                                              : Map_status::not_converged;
   }
 
-  Doubled_problem& m_problem;
-  Vector m_u;
-  std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;
   Minimization_result m_result;
   Map_status m_status = Map_status::success;
-  bool m_has_layout = true, m_is_wide = false;
+  bool m_has_layout = true, m_has_been_lost = false;
   double m_max_curvature_error = 0;
   double m_rounding_error = 0; // of the curvatures
 };

@@ -39,10 +39,12 @@ To converted(const Intrinsic_triangulations::Decimal_float<Digits>& x)
   if constexpr(std::is_same<To, Extended>::value) {
     const double high = static_cast<double>(x);
     return Extended(high) + Extended(static_cast<double>(x - high));
-  } else if constexpr(std::is_same<To, Wide_number<double>>::value) {
+  } else if constexpr(std::is_same<To, Wide_number<double>>::value ||
+                      std::is_same<To, Wide_number<Extended>>::value) {
+    typedef std::decay_t<decltype(To().mantissa())> Mantissa;
     int exponent = 0;
     const Intrinsic_triangulations::Decimal_float<Digits> mantissa = frexp(x, &exponent);
-    return To(static_cast<double>(mantissa), exponent);
+    return To(converted<Mantissa>(mantissa), exponent);
   } else
     return static_cast<To>(x);
 }

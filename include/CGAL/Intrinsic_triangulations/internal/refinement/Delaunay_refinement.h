@@ -288,12 +288,22 @@ private:
     ++m_result->insertions;
     visit([&] { m_visitor.after_insertion(m, m_inserter); });
     m_is_free.resize((std::max)(m_is_free.size(), std::size_t(m.idx()) + 1), false);
-    m_is_free[m.idx()] = true;
+    m_is_free[m.idx()] = can_be_free(m);
     for_each_outgoing_halfedge(m, m_mesh, [this](Halfedge_index h) {
       if(!m_mesh.is_border(h))
         note_change(m_mesh.face(h));
     });
     restore_Delaunay();
+  }
+
+  // Rounding can move a circumcenter to a vertex of the input, or to a fixed edge. Such vertices
+  // stay.
+  bool can_be_free(Vertex_index v) const
+  {
+    bool result = m_tri.is_inserted(v);
+    for_each_outgoing_halfedge(v, m_mesh,
+                               [&](Halfedge_index h) { result = result && !is_fixed(h); });
+    return result;
   }
 
   // Returns the vertices whose distance from `center` along edges is at most `radius`, the closest
