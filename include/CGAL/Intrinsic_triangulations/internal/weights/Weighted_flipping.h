@@ -220,7 +220,7 @@ private:
     FT& weight = m_weights[m_mesh.source(h).idx()];
     const FT before = weight;
     weight -= sum * (length.ij * length.ij) / cotangents_at_target(h);
-    if(++m_raises > 1000 * m_weights.size())
+    if(++m_raises > 100 * m_weights.size())
       throw Numerical_error("the weights of hidden vertices converge too slowly");
     if(!(weight > before))
       throw Numerical_error("rounding of the lengths hides vertex " +
