@@ -13,6 +13,8 @@
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Abstract_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
@@ -69,17 +71,16 @@ public:
 
   // Minimizes the energy; if `double` has too few digits for `tolerance`, with more, and then with
   // still more. Where rounding or limits keep the minimizer from its own, this one is enough.
-  template <typename Minimizer, typename Visitor>
-  void minimize(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  void minimize(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     const std::vector<Extended> start = precise_values<Extended>();
-    if(!m_has_been_lost)
+    if(!m_follows_curvatures)
       minimize_from_start(minimizer, tolerance, visitor);
     if constexpr(Triangle<double>::has_similar_ones)
-      if(m_has_been_lost || is_lost(tolerance))
+      if(m_follows_curvatures || is_lost(tolerance))
         follow_curvatures(start, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
@@ -88,8 +89,7 @@ public:
   // Continues, with more digits, to scale factors with which needles on the exact surface have a
   // layout.
   // \pre They have been found.
-  template <typename Visitor>
-  void sharpen(Visitor& visitor)
+  void sharpen(Any_visitor& visitor)
   {
     if(!m_problem.has_needles())
       return;
@@ -107,8 +107,8 @@ public:
 
   // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the
   // values from now on. The triangulation of the problem may have been moved to `triangulation`.
-  template <typename FT, typename Visitor>
-  std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
+  template <typename FT>
+  std::vector<FT> refine(const Triangulation& triangulation, Any_visitor& visitor)
   {
     auto energy = energy_at_start<FT>(triangulation);
     const double left =
@@ -126,8 +126,7 @@ protected:
   }
 
 private:
-  template <typename Minimizer, typename Visitor>
-  void minimize_from_start(const Minimizer& minimizer, double& tolerance, Visitor& visitor)
+  void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
     m_is_wide = false;
     if(m_problem.bend() > 0)
@@ -140,8 +139,7 @@ private:
       minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
   }
 
-  template <typename Minimizer, typename Visitor>
-  void minimize_in_range(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  void minimize_in_range(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     minimize_rounded(minimizer, tolerance, visitor);
     if(is_rounded(tolerance) && !has_no_solution())
@@ -151,8 +149,7 @@ private:
   }
 
   // in `double`, unless `double` does not resolve the minimum; measured with all digits
-  template <typename Minimizer, typename Visitor>
-  void minimize_rounded(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  void minimize_rounded(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     auto energy = energy_at_start<double>(m_problem.triangulation());
     if(is_unknown(energy, tolerance))
@@ -179,9 +176,8 @@ private:
     return true;
   }
 
-  template <typename Minimizer, typename Visitor>
-  void minimize_with_bends_or_beyond_range(const Minimizer& minimizer, double& tolerance,
-                                           Visitor& visitor)
+  void minimize_with_bends_or_beyond_range(const Any_minimizer& minimizer, double& tolerance,
+                                           Any_visitor& visitor)
   {
     if(std::isfinite(m_max_curvature_error) && bends(tolerance))
       minimize_in<Extended>(minimizer, tolerance, visitor);
@@ -203,30 +199,41 @@ private:
   }
 
   // Finds the scale factors on the path of curvatures from the curvatures of `start`, on the exact
-  // surface, to the prescribed ones. Then it finds the next ones as well. Leaves others if the path
-  // does not reach its end.
-  template <typename Visitor>
-  void follow_curvatures(const std::vector<Extended>& start, Visitor& visitor)
+  // surface, to the prescribed ones. If the path does not reach its end, leaves the scale factors.
+  // If it does, a path leads to the next prescribed curvatures, too.
+  void follow_curvatures(const std::vector<Extended>& start, Any_visitor& visitor)
   {
     typedef Wide_number<Extended> FT;
     m_problem.straighten_boundaries();
     m_problem.make_precise();
     m_problem.complete();
     const Vector before = m_u;
+    const double error = m_max_curvature_error;
     auto energy = symmetric_energy<FT, Triangle<FT>>(m_problem, m_problem.triangulation());
     energy.set_origin({start.begin(), start.end()});
-    energy.evaluate(Vector::Zero(m_u.size()));
-    descend(energy, tolerance::gradient, visitor);
-    m_has_been_lost =
-      m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
-    if(m_has_been_lost) {
+    m_follows_curvatures = reaches_minimum(energy, visitor);
+    if(m_follows_curvatures) {
       store(energy.scale_factors());
       note_rounded(shift_to_zero(m_problem, std::get<std::vector<Extended>>(m_precise)));
       m_is_wide = true;
     } else {
       m_u = before;
+      m_max_curvature_error = error;
       m_status = Map_status::not_converged;
     }
+  }
+
+  // not if an evaluation takes flips without end
+  template <typename FT>
+  bool reaches_minimum(Energy<FT>& energy, Any_visitor& visitor)
+  {
+    try {
+      energy.evaluate(Vector::Zero(m_u.size()));
+      descend(energy, tolerance::gradient, visitor);
+    } catch(const Intrinsic_triangulations::Error&) {
+      return false;
+    }
+    return m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
   }
 
   // whether the error of curvatures moves no side in the plane by more than is promised
@@ -245,8 +252,8 @@ private:
   }
 
   // Goes on from a gradient of this norm until no more than the rounding of `FT` is left.
-  template <typename FT, typename Visitor>
-  void approach(Energy<FT>& energy, double norm, Visitor& visitor) const
+  template <typename FT>
+  void approach(Energy<FT>& energy, double norm, Any_visitor& visitor) const
   {
     for(double before = 1; norm > tolerance::rounding_of_gradient<FT>() && norm < before / 10;) {
       energy.move_origin();
@@ -254,9 +261,8 @@ private:
       before = norm;
       // the digits of x end at this point
       Energy_reference<Energy<FT>> any_energy(energy);
-      const Newton_minimizer minimizer(tolerance::reduction * norm);
-      norm =
-        minimizer(static_cast<Abstract_energy&>(any_energy), x, domain(), visitor).gradient_norm;
+      const Any_minimizer minimizer = Newton_minimizer(tolerance::reduction * norm);
+      norm = minimizer(any_energy, x, domain(), visitor).gradient_norm;
     }
   }
 
@@ -280,8 +286,8 @@ private:
     return result;
   }
 
-  template <typename FT, typename Visitor>
-  void sharpen_in(Visitor& visitor)
+  template <typename FT>
+  void sharpen_in(Any_visitor& visitor)
   {
     auto energy = energy_at_start<FT>(m_problem.triangulation());
     note_values(energy);
@@ -296,8 +302,8 @@ private:
   }
 
   // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
-  template <typename FT, typename Minimizer, typename Visitor>
-  void minimize_in(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  template <typename FT>
+  void minimize_in(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     auto energy = energy_at_start<FT>(m_problem.triangulation());
     if(is_unknown(energy, tolerance))
@@ -327,8 +333,7 @@ private:
     return true;
   }
 
-  template <typename Minimizer, typename Visitor>
-  void minimize_beyond_range(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  void minimize_beyond_range(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     m_is_wide = true;
     auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
@@ -340,8 +345,8 @@ private:
 
   // Without enough digits, intermediate flips have turned needles over: the next search does not
   // start where this one has ended.
-  template <typename FT, typename Visitor>
-  void descend_from_start(Energy<FT>& energy, double tolerance, Visitor& visitor)
+  template <typename FT>
+  void descend_from_start(Energy<FT>& energy, double tolerance, Any_visitor& visitor)
   {
     const Vector start = m_u;
     descend(energy, tolerance::gradient, visitor);
@@ -360,8 +365,8 @@ private:
            m_problem.flipping() == Flipping::to_Delaunay;
   }
 
-  template <typename FT, typename Visitor>
-  void descend(Energy<FT>& energy, double gradient_tolerance, Visitor& visitor)
+  template <typename FT>
+  void descend(Energy<FT>& energy, double gradient_tolerance, Any_visitor& visitor)
   {
     const Minimization_result last =
       Precise_newton_iteration<Energy<FT>>(energy, domain())
@@ -373,14 +378,13 @@ private:
     note_values(energy);
   }
 
-  template <typename FT, typename Minimizer, typename Visitor>
-  void run(Energy<FT>& energy, const Minimizer& minimizer, Visitor& visitor)
+  template <typename FT>
+  void run(Energy<FT>& energy, const Any_minimizer& minimizer, Any_visitor& visitor)
   {
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
     Energy_reference<Energy<FT>> any_energy(energy);
-    const Minimization_result last =
-      minimizer(static_cast<Abstract_energy&>(any_energy), x, domain(), visitor);
+    const Minimization_result last = minimizer(any_energy, x, domain(), visitor);
     m_result = last.after(m_result);
     m_has_layout =
       m_problem.flipping() == Flipping::to_Delaunay || energy.energy().number_of_flat_faces() == 0;
@@ -434,7 +438,7 @@ private:
 
   Minimization_result m_result;
   Map_status m_status = Map_status::success;
-  bool m_has_layout = true, m_has_been_lost = false;
+  bool m_has_layout = true, m_follows_curvatures = false;
   double m_max_curvature_error = 0;
   double m_rounding_error = 0; // of the curvatures
 };

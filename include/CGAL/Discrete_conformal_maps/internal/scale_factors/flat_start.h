@@ -37,9 +37,8 @@ inline std::set<Vertex_index> closed_neighborhood(Vertex_index v, const Doubled_
 // from them. Far from these vertices, the metric resembles the plane into which the sphere unfolds
 // from the first one. No bounds hold for its scale factors, so that they are found even if limbs
 // of the sphere are long. The problem has no prescribed curvatures, neither before nor afterwards.
-template <typename Visitor>
-std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index at_infinity,
-                                 Visitor& visitor)
+inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index at_infinity,
+                                        Any_visitor& visitor)
 {
   const std::set<Vertex_index> cones = closed_neighborhood(at_infinity, problem);
   double copies = 0;
@@ -56,7 +55,7 @@ std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index at_infin
   scale.minimize(Newton_minimizer(tolerance::gradient, tolerance::steps_to_start),
                  tolerance::curvature_at_start, visitor);
   prescribe(0);
-  return scale.status() == Map_status::success ? scale.template precise_values<Extended>()
+  return scale.status() == Map_status::success ? scale.precise_values<Extended>()
                                                : std::vector<Extended>();
 }
 
