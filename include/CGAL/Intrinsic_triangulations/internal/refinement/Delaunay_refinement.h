@@ -68,6 +68,7 @@ public:
   {
     m_result = &result;
     m_stops_if_filter_fails = stops_if_filter_fails;
+    m_number_of_vertices = m_mesh.number_of_vertices();
     for(Face_index f : m_mesh.faces())
       push_if_bad(f);
     while(!m_queue.empty() && !is_stopped()) {
@@ -134,13 +135,14 @@ private:
   bool is_stopped() const { return m_has_filter_failed && m_stops_if_filter_fails; }
 
   // A face stays as it is if rounded numbers leave no room for the new vertex. Exceptions of the
-  // visitor go on to the caller.
+  // visitor go on to the caller. So does an exception that leaves a new vertex behind. The visitor
+  // does not know this vertex.
   void refine(const Candidate& c)
   {
     try {
       c.has_bad_shape ? insert_circumcenter(c.face) : make_simplicial(c.face);
     } catch(const Numerical_error&) {
-      if(m_is_visited)
+      if(m_is_visited || m_mesh.number_of_vertices() != m_number_of_vertices)
         throw;
       fail();
     }
@@ -152,6 +154,7 @@ private:
     m_is_visited = true;
     call();
     m_is_visited = false;
+    m_number_of_vertices = m_mesh.number_of_vertices();
   }
 
   // ---- Simplicial triangulations ----
@@ -398,7 +401,8 @@ private:
   const Bounds& m_bounds;
   Refinement_limits m_limits;
   Visitor& m_visitor;
-  bool m_is_visited = false; // while the visitor is called
+  bool m_is_visited = false;                         // while the visitor is called
+  Delta_complex::size_type m_number_of_vertices = 0; // that the visitor knows
   bool m_stops_if_filter_fails = false;
   bool m_has_filter_failed = false;
   Vertex_inserter<Traits> m_inserter;
