@@ -376,6 +376,8 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// \throws Invalid_input if the bound on circumradii needs more insertions than the default
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
+/// One exception needs `reset_to_input()`: an edge has no positive length, since a vertex on an
+/// edge of \f$T_1\f$ is too close to another one. The message of `Numerical_error` says so.
 /// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
 ///   `double`, exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
