@@ -185,6 +185,15 @@ Outgoing_halfedges_found count_outgoing_halfedges(Vertex_index v, const Delta_co
   return result;
 }
 
+void check_join(Halfedge_index h, const Delta_complex& before)
+{
+  Delta_complex mesh = before;
+  split(h, mesh);
+  IT::join_edge(h, mesh);
+  expect_valid(mesh, counts(before));
+  EXPECT_TRUE(same_faces(before, mesh));
+}
+
 // The edge of a degree-1 vertex j becomes two, with a loop around j and a diagonal.
 void check_split_inside_face(Halfedge_index h, const Delta_complex& before)
 {
@@ -300,6 +309,8 @@ TEST(Delta_complex, split_edge_and_back)
   for_each_complex([](const Delta_complex& mesh) {
     for(Halfedge_index h : mesh.halfedges()) {
       SCOPED_TRACE(h.idx());
+      if(!in_one_face(h, mesh))
+        check_join(h, mesh);
       if(mesh.is_border(h) || mesh.is_border(mesh.opposite(h)))
         check_split_border_edge(h, mesh);
       else if(in_one_face(h, mesh))

@@ -6,6 +6,7 @@
 #include "flat_changes.h"
 #include "subdivision_checks.h"
 
+#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -285,6 +286,40 @@ TEST(Insertion_exact, places_without_room_change_nothing)
           t, [&] { inserter.split_edge(t.mesh().halfedge(e), place); });
   inserter.insert({Face_index(0), {0.5, 0.25, 0.25}}); // it goes on
   EXPECT_TRUE(t.is_valid(true));
+}
+
+// Edge 0 is a side of one or two triangles, whose apices lie closer to its midpoint than the least
+// length.
+template <typename Traits = IT::Euclidean_geometry_traits<double>>
+IT::Intrinsic_triangulation<Traits> with_near_apices(int triangles)
+{
+  Mesh mesh;
+  const auto i = mesh.add_vertex({0, 0, 0}), j = mesh.add_vertex({1, 0, 0});
+  mesh.add_face(i, j, mesh.add_vertex({0.5, 0x1p-128, 0}));
+  if(triangles == 2)
+    mesh.add_face(j, i, mesh.add_vertex({0.5, -0x1p-128, 0}));
+  IT::Intrinsic_triangulation<Traits> result(mesh);
+  result.set_constrained(Edge_index(0), true);
+  return result;
+}
+
+TEST(Insertion_exact, splits_with_a_near_apex_change_nothing)
+{
+  for(int triangles : traced({1, 2}))
+    for(Halfedge_index h : traced({Halfedge_index(0), Halfedge_index(1)})) {
+      Triangulation t = with_near_apices(triangles);
+      Inserter inserter(t, true);
+      expect_refusal<IT::Numerical_error>(t, [&] { inserter.split_edge(h, 0.5); });
+      inserter.split_edge(h, 0.25); // it goes on
+      EXPECT_TRUE(t.is_valid(true));
+      EXPECT_EQ(t.mesh().number_of_faces(), 2u * static_cast<unsigned int>(triangles));
+
+      typedef IT::Exact_Euclidean_geometry_traits<> Exact;
+      auto exact = with_near_apices<Exact>(triangles);
+      EXPECT_THROW(IT::Vertex_inserter<Exact>(exact).split_edge(h, 0.5), IT::Numerical_error);
+      EXPECT_TRUE(exact.is_valid(true));
+      expect_equal(exact.mesh(), exact.input_mesh());
+    }
 }
 
 // Parts of an edge can be halved until there is NaN between their ends.

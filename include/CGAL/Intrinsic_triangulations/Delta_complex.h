@@ -295,6 +295,48 @@ Halfedge_index first_part(Halfedge_index h, const Surface_mesh<P>& mesh)
   return mesh.prev(mesh.is_border(h) ? h : mesh.opposite(mesh.prev(h)));
 }
 
+namespace internal {
+
+// Removes the edge after `part` that divides the triangle of `whole`, and links this triangle.
+template <typename P>
+void join_face(Halfedge_index part, Halfedge_index whole, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index cut = mesh.next(part), third = mesh.next(cut),
+                       second = mesh.next(mesh.next(mesh.opposite(cut)));
+  if(mesh.halfedge(mesh.target(cut)) == cut)
+    mesh.set_halfedge(mesh.target(cut), second);
+  mesh.remove_face(mesh.face(mesh.opposite(cut)));
+  mesh.remove_edge(mesh.edge(cut));
+  set_triangle(whole, second, third, mesh.face(part), mesh);
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// takes `split_edge()` back. Removes the source of `h` with its edges, except the edge of `h`,
+/// which becomes the whole edge. Complexity: constant.
+/// \pre `split_edge()` has inserted the source of `h`, no edge has been flipped since, and the
+///   sides of the whole edge are not in one face
+template <typename P>
+void join_edge(Halfedge_index h, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index o = mesh.opposite(h), im = first_part(h, mesh), mi = mesh.opposite(im);
+  const Vertex_index m = mesh.target(im), i = mesh.target(mi);
+  if(mesh.is_border(im))
+    mesh.set_next(mesh.prev(im), h);
+  else
+    internal::join_face(im, h, mesh);
+  if(mesh.is_border(o))
+    mesh.set_next(o, mesh.next(mi));
+  else
+    internal::join_face(o, o, mesh);
+  mesh.set_target(o, i);
+  if(mesh.halfedge(i) == mi)
+    mesh.set_halfedge(i, o);
+  mesh.remove_edge(mesh.edge(im));
+  mesh.remove_vertex(m);
+}
+
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns whether `v` can be removed by `remove_degree_3_vertex()`. Complexity: constant.
 template <typename P>

@@ -75,15 +75,13 @@ class Intrinsic_triangulation : public Triangulation_pair<Traits_>
   typedef Triangulation_pair<Traits_> Base;
   using Base::attach, Base::insert_into_edge, Base::insert_into_face, Base::m_coordinates,
     Base::m_input, Base::m_input_metric, Base::m_inserted, Base::m_is_constrained, Base::m_length,
-    Base::m_mesh, Base::m_outgoing_halfedges, Base::m_traits, Base::set_edge, Base::set_lengths;
+    Base::m_mesh, Base::m_outgoing_halfedges, Base::m_traits, Base::set_edge, Base::set_lengths,
+    Base::undo_of_split;
 
 public:
   using Base::first_inserted_outgoing, Base::input, Base::inserted_vertex, Base::intrinsic,
     Base::is_constrained, Base::is_inserted, Base::shared_length;
-  using typename Base::FT;
-  using typename Base::Integer;
-  using typename Base::size_type;
-  using typename Base::Traits;
+  using typename Base::FT, typename Base::Integer, typename Base::size_type, typename Base::Traits;
 
   /// \name Construction
   /// @{
@@ -151,18 +149,13 @@ public:
                           const Traits& traits = Traits(), typename Base::Metric metric = {})
     : Base(traits, std::move(input), std::move(mesh), std::move(inserted), std::move(metric))
   {
-    for(const Delta_complex* complex : {&m_input, &m_mesh})
-      if(!is_valid_Delta_complex(*complex))
-        throw Invalid_input(internal::Delta_complex_defect(*complex));
+    internal::check_Delta_complex(m_input);
+    internal::check_Delta_complex(m_mesh);
     m_outgoing_halfedges = Outgoing_halfedges(m_input, boost::dummy_property_map());
     internal::check_lengths(this->input(), m_input_metric, m_traits);
     internal::check_inserted(*this);
     Base::number_inserted_outgoing_halfedges();
-    internal::check_triangles(this->input(), m_traits);
-    internal::check_triangles(intrinsic(), m_traits);
-    const std::string defect = internal::correspondence_defect(*this);
-    if(!defect.empty())
-      throw Invalid_input(defect);
+    internal::check_correspondence(*this);
     if constexpr(internal::has_metric<Traits>())
       internal::check_exact_triangles(internal::exact_input(*this));
   }
@@ -251,7 +244,8 @@ public:
   /// @}
   /// \name Inserted Vertices
   /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments. Vertices can
-  /// be inserted if `Traits` is a model of `IntrinsicGeometryTraitsWithDistance`.
+  /// be inserted if `Traits` is a model of `IntrinsicGeometryTraitsWithDistance`. If an operation
+  /// throws, nothing has changed.
   /// @{
 
   /// inserts a vertex into a face of \f$T_2\f$ and joins it to the corners (see
@@ -263,13 +257,14 @@ public:
   /// \returns the new vertex
   /// \throws Numerical_error if an edge has no positive finite length
   /// \throws Overflow_error if a normal coordinate is out of range
-  /// After an exception nothing has changed.
   Vertex_index split_face(const Face_location<FT>& p, const Face_split<Integer>& at,
                           const Surface_point<FT>& q)
   {
-    if constexpr(internal::Is_exact<Traits>::value)
-      return measured(insert_into_face(p.first, at, q, {}), internal::exact_decisions(*this));
     const auto side = sides(p.first, m_mesh);
+    if constexpr(internal::Is_exact<Traits>::value) {
+      const Vertex_index m = insert_into_face(p.first, at, q, {});
+      return measured(m, internal::exact_decisions(*this), [&] { take_back(m, side[0]); });
+    }
     std::array<FT, 3> outgoing_length;
     for(std::size_t s = 0; s < 3; ++s)
       outgoing_length[s] =
@@ -292,13 +287,14 @@ public:
   /// \returns \f$m\f$
   /// \throws Numerical_error if an edge has no positive finite length
   /// \throws Overflow_error if a normal coordinate is out of range
-  /// After an exception nothing has changed.
   /// \pre the two sides of the edge are not in one face
   Vertex_index split_edge(Halfedge_index h, const FT& t, const Edge_split<Integer>& n,
                           const Edge_split<size_type>& r, const Surface_point<FT>& q)
   {
-    if constexpr(internal::Is_exact<Traits>::value)
-      return measured(insert_into_edge(h, n, r, q, {}), internal::exact_decisions(*this));
+    if constexpr(internal::Is_exact<Traits>::value) {
+      const auto undo = undo_of_split(h);
+      return measured(insert_into_edge(h, n, r, q, {}), internal::exact_decisions(*this), undo);
+    }
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const auto shared = [&](size_type r, Vertex_index v) {
@@ -390,12 +386,20 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // sets the lengths of the edges of the new vertex `m` and returns `m`
-  template <typename Decisions>
-  Vertex_index measured(Vertex_index m, const Decisions& decisions)
+  // Takes the last insertion, of `m` into the face with the first halfedge `first`, back.
+  void take_back(Vertex_index m, Halfedge_index first)
   {
-    for_each_outgoing_halfedge(
-      m, m_mesh, [&](Halfedge_index h) { m_length[m_mesh.edge(h)] = decisions.length(h); });
+    m_mesh.set_halfedge(m, m_mesh.opposite(m_mesh.prev(first))); // so that this face stays
+    remove_degree_3_vertex(m);
+  }
+
+  // Sets the lengths of the edges of the new vertex `m` and returns `m`. If a length is not
+  // positive and finite, `undo()` takes the insertion back.
+  template <typename Decisions, typename Undo>
+  Vertex_index measured(Vertex_index m, const Decisions& decisions, const Undo& undo)
+  {
+    const auto measure = [&](Halfedge_index h) { m_length[m_mesh.edge(h)] = decisions.length(h); };
+    internal::change_or_undo([&] { for_each_outgoing_halfedge(m, m_mesh, measure); }, undo);
     return m;
   }
 
@@ -403,14 +407,10 @@ private:
   template <typename Length>
   void turn(Halfedge_index h, const Length& length)
   {
-    m_coordinates.flip(h, m_mesh, m_outgoing_halfedges);
-    try {
-      m_length[m_mesh.edge(h)] = length();
-    } catch(...) {
-      for(int flips = 0; flips < 3; ++flips)
-        m_coordinates.flip(h, m_mesh, m_outgoing_halfedges);
-      throw;
-    }
+    const auto flip = [&] { m_coordinates.flip(h, m_mesh, m_outgoing_halfedges); };
+    flip();
+    internal::change_or_undo([&] { m_length[m_mesh.edge(h)] = length(); },
+                             [&] { flip(), flip(), flip(); });
   }
 };
 

@@ -20,25 +20,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// whether points inside faces have distances in this geometry, so that vertices can be inserted
-template <typename Traits, typename = void>
-struct Has_distance : std::false_type
-{};
-
-template <typename Traits>
-struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_distance_object())>>
-  : std::true_type
-{};
-
-} // namespace internal
 
 template <typename Traits>
 class Intrinsic_triangulation;
@@ -53,8 +38,6 @@ class Intrinsic_triangulation;
 template <typename Traits_>
 class Triangulation_pair
 {
-  typedef Triangulation_pair Self;
-
 public:
   /// the geometry.
   typedef Traits_ Traits;
@@ -87,13 +70,11 @@ public:
 
   /// returns the connectivity of \f$T_1\f$.
   const Delta_complex& input_mesh() const { return m_input; }
-
   /// returns the connectivity of \f$T_2\f$.
   const Delta_complex& mesh() const { return m_mesh; }
 
   /// returns the length of the edge `e` of \f$T_1\f$.
   const FT& input_length(Edge_index e) const { return m_input_length[e]; }
-
   /// returns the length of the edge `e` of \f$T_2\f$.
   const FT& length(Edge_index e) const { return m_length[e]; }
 
@@ -322,7 +303,7 @@ private:
     attach();
   }
 
-  Triangulation_pair(const Self& other)
+  Triangulation_pair(const Triangulation_pair& other)
     : m_traits(other.m_traits),
       m_input(other.m_input),
       m_input_metric(other.m_input_metric),
@@ -333,9 +314,12 @@ private:
     attach();
   }
 
-  Triangulation_pair(Self&& other) = default;
-  Self& operator=(Self&& other) = default;
-  Self& operator=(const Self& other) { return *this = Self(other); }
+  Triangulation_pair(Triangulation_pair&& other) = default;
+  Triangulation_pair& operator=(Triangulation_pair&& other) = default;
+  Triangulation_pair& operator=(const Triangulation_pair& other)
+  {
+    return *this = Triangulation_pair(other);
+  }
 
   // (re)binds the property maps to the meshes
   void attach()
@@ -376,6 +360,26 @@ private:
     if(!m_mesh.is_border(o))
       set_edge(m_mesh.next(o), length.ml, false);
     return m;
+  }
+
+  // Returns a function that takes the next insertion, into the edge of `h`, back.
+  auto undo_of_split(Halfedge_index h)
+  {
+    const auto first = [this](Halfedge_index x) {
+      return m_mesh.is_border(x) ? x : m_mesh.halfedge(m_mesh.face(x));
+    };
+    const Edge_index e = m_mesh.edge(h);
+    return [this, h, e, n = m_coordinates.normal_coordinate(e), length = FT(m_length[e]),
+            firsts = std::array{first(h), first(m_mesh.opposite(h))}] {
+      const size_type r = m_coordinates.roundabout(first_part(h, m_mesh));
+      join_edge(h, m_mesh);
+      for(Halfedge_index x : firsts)
+        if(!m_mesh.is_border(x))
+          m_mesh.set_halfedge(m_mesh.face(x), x);
+      m_coordinates.set(e, n);
+      m_coordinates.set(h, r);
+      m_length[e] = length;
+    };
   }
 
   void set_edge(Halfedge_index h, const FT& length, bool is_constrained)

@@ -83,6 +83,22 @@ public:
   using Error::Error;
 };
 
+namespace internal {
+
+// Calls `change()`. If it throws, calls `undo()` and throws again.
+template <typename Change, typename Undo>
+void change_or_undo(const Change& change, const Undo& undo)
+{
+  try {
+    change();
+  } catch(...) {
+    undo();
+    throw;
+  }
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsExceptions
 /// a file does not follow its format; `line()` returns where reading stopped.
 class File_format_error : public Error

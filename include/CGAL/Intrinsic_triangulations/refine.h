@@ -168,14 +168,10 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                      Refinement_result& result)
 {
   bool is_certain = false;
-  try {
-    is_certain =
-      Delaunay_refinement<Traits, Bounds, Visitor>(tri, bounds, limits, visitor, result.is_exact)
-        .run(stops_if_filter_fails, result);
-  } catch(...) {
-    tri.collect_garbage();
-    throw;
-  }
+  Delaunay_refinement<Traits, Bounds, Visitor> refinement(tri, bounds, limits, visitor,
+                                                          result.is_exact);
+  change_or_undo([&] { is_certain = refinement.run(stops_if_filter_fails, result); },
+                 [&] { tri.collect_garbage(); });
   if(tri.mesh().has_garbage()) {
     tri.collect_garbage();
     visitor.after_renumbering();
@@ -376,8 +372,6 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// \throws Invalid_input if the bound on circumradii needs more insertions than the default
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// One exception needs `reset_to_input()`: an edge has no positive length, since a vertex on an
-/// edge of \f$T_1\f$ is too close to another one. The message of `Numerical_error` says so.
 /// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
 ///   `double`, exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>

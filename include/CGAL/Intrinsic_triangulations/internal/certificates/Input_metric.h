@@ -57,6 +57,16 @@ template <typename Traits>
 struct Is_exact<Traits, std::void_t<typename Traits::Exact_number>> : std::true_type
 {};
 
+// whether points inside faces have distances in this geometry, so that vertices can be inserted
+template <typename Traits, typename = void>
+struct Has_distance : std::false_type
+{};
+
+template <typename Traits>
+struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_distance_object())>>
+  : std::true_type
+{};
+
 // The default traits that `Traits` is, or is derived from; void if there are none.
 template <typename Integer>
 Euclidean_geometry_traits<double, Integer>

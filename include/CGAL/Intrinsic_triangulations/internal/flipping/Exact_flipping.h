@@ -194,15 +194,11 @@ private:
   template <typename Length>
   void turn(Halfedge_index h, const Length& length)
   {
-    try {
-      m_tri.turn(h, [&] {
-        m_courses.after_flip(h);
-        return length();
-      });
-    } catch(...) {
+    const auto measure = [&] {
       m_courses.after_flip(h);
-      throw;
-    }
+      return length();
+    };
+    change_or_undo([&] { m_tri.turn(h, measure); }, [&] { m_courses.after_flip(h); });
   }
 
   typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;

@@ -62,15 +62,11 @@ public:
 
   BOOST_NOINLINE void flip(Halfedge_index h)
   {
-    try {
-      m_tri.turn(h, [&] {
-        m_courses.after_flip(h);
-        return m_decisions.length(h);
-      });
-    } catch(...) { // the edge has been flipped back
+    const auto length = [&] {
       m_courses.after_flip(h);
-      throw;
-    }
+      return m_decisions.length(h);
+    };
+    change_or_undo([&] { m_tri.turn(h, length); }, [&] { m_courses.after_flip(h); });
   }
 
   BOOST_NOINLINE Vertex_index split_shared_edge(Halfedge_index h, double t,
@@ -79,9 +75,10 @@ public:
   {
     check_lengths_of_parts(h, t);
     const auto q = m_tri.part_of_input_edge(h).point(t, m_tri.input_mesh());
+    const auto undo = m_tri.undo_of_split(h); // the courses of shared edges are empty
     const Vertex_index m = m_tri.insert_into_edge(h, n, r, q, {});
     m_courses.after_split(h);
-    return m_tri.measured(m, m_decisions);
+    return m_tri.measured(m, m_decisions, undo);
   }
 
   // The rounded position of a vertex is not on an edge that is not shared. So the vertex is
@@ -92,8 +89,11 @@ public:
   {
     const Vertex_index m =
       insert_near(face_location(Edge_point<double>{h, t}, m_mesh), closeness, insert);
-    if(can_be_flipped(h, false))
-      flip(h);
+    try {
+      if(can_be_flipped(h, false))
+        flip(h);
+    } catch(const Error&) { // its length, or its normal coordinate, is out of range: it stays
+    }
     return m;
   }
 
@@ -133,17 +133,11 @@ public:
     const Halfedge_index first = m_mesh.halfedge(f);
     const Vertex_index m = m_tri.insert_into_face(f, at, p.on_input, {});
     m_courses.after_insertion(m);
-    const auto undo = [&] { // so that `f` is the face that stays, with its first halfedge
-      m_tri.m_mesh.set_halfedge(m, m_mesh.opposite(m_mesh.prev(first)));
-      m_tri.remove_degree_3_vertex(m);
-    };
-    try {
-      if(is_geodesic(m))
-        return m_tri.measured(m, m_decisions);
-    } catch(...) {
-      undo();
-      throw;
-    }
+    const auto undo = [&] { m_tri.take_back(m, first); };
+    bool is_valid = false;
+    change_or_undo([&] { is_valid = is_geodesic(m); }, undo);
+    if(is_valid)
+      return m_tri.measured(m, m_decisions, undo);
     undo();
     return {};
   }

@@ -44,7 +44,7 @@ public:
   {
     const auto* inside = std::get_if<Face_location<double>>(&p);
     const Vertex_index m = inside ? insert_in_face(*inside) : insert_on_edge(*on_edge(p));
-    m_tri.measured(m, exact_decisions(m_tri));
+    m_tri.measured(m, exact_decisions(m_tri), [] {});
   }
 
 private:

@@ -68,7 +68,6 @@ public:
   {
     m_result = &result;
     m_stops_if_filter_fails = stops_if_filter_fails;
-    m_number_of_vertices = m_mesh.number_of_vertices();
     for(Face_index f : m_mesh.faces())
       push_if_bad(f);
     while(!m_queue.empty() && !is_stopped()) {
@@ -135,14 +134,13 @@ private:
   bool is_stopped() const { return m_has_filter_failed && m_stops_if_filter_fails; }
 
   // A face stays as it is if rounded numbers leave no room for the new vertex. Exceptions of the
-  // visitor go on to the caller. So does an exception that leaves a new vertex behind. The visitor
-  // does not know this vertex.
+  // visitor go on to the caller.
   void refine(const Candidate& c)
   {
     try {
       c.has_bad_shape ? insert_circumcenter(c.face) : make_simplicial(c.face);
     } catch(const Numerical_error&) {
-      if(m_is_visited || m_mesh.number_of_vertices() != m_number_of_vertices)
+      if(m_is_visited)
         throw;
       fail();
     }
@@ -154,7 +152,6 @@ private:
     m_is_visited = true;
     call();
     m_is_visited = false;
-    m_number_of_vertices = m_mesh.number_of_vertices();
   }
 
   // ---- Simplicial triangulations ----
@@ -401,8 +398,7 @@ private:
   const Bounds& m_bounds;
   Refinement_limits m_limits;
   Visitor& m_visitor;
-  bool m_is_visited = false;                         // while the visitor is called
-  Delta_complex::size_type m_number_of_vertices = 0; // that the visitor knows
+  bool m_is_visited = false; // while the visitor is called
   bool m_stops_if_filter_fails = false;
   bool m_has_filter_failed = false;
   Vertex_inserter<Traits> m_inserter;

@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/Delta_complex_defect.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/number_utils.h>
@@ -98,6 +100,22 @@ std::string correspondence_defect(const Triangulation_pair<Traits>& pair)
     if(coordinates.is_shared(e) && !has_shared_length(pair, e))
       return "edge " + std::to_string(e.idx()) + " is in the input with another length";
   return curve_defect(coordinates, mesh, input, pair.outgoing_halfedges());
+}
+
+inline void check_Delta_complex(const Delta_complex& mesh)
+{
+  if(const std::string defect = Delta_complex_defect(mesh); !defect.empty())
+    throw Invalid_input(defect);
+}
+
+// Checks the triangles of the two valid complexes, and how they fit together.
+template <typename Traits>
+void check_correspondence(const Triangulation_pair<Traits>& pair)
+{
+  check_triangles(pair.input(), pair.traits());
+  check_triangles(pair.intrinsic(), pair.traits());
+  if(const std::string defect = correspondence_defect(pair); !defect.empty())
+    throw Invalid_input(defect);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
