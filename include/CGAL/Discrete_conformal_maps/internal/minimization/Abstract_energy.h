@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Gradient_path.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 
 #include <Eigen/Core>
@@ -15,8 +14,27 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns whether the gradient of an energy has continuous derivatives, as far as the energy
+// declares it. Then a path to its minimum exists on which the gradient shrinks in proportion. Such
+// an energy can move its origin.
+template <typename Energy, typename = void>
+struct Has_smooth_gradient
+{
+  static constexpr bool is_possible = false;
+  static bool get(const Energy&) { return false; }
+};
+template <typename Energy>
+struct Has_smooth_gradient<
+  Energy, std::void_t<decltype(std::declval<const Energy&>().has_smooth_gradient())>>
+{
+  static constexpr bool is_possible = true;
+  static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
+};
 
 // A convex energy whose type is known at run time only, so that minimizers are compiled once for
 // all energies. A model of `ConvexEnergy`.

@@ -19,27 +19,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Discrete_conformal_maps::internal {
-
-// Returns whether the gradient of an energy has continuous derivatives, as far as the energy
-// declares it. Then a path to its minimum exists on which the gradient shrinks in proportion. Such
-// an energy can move its origin.
-template <typename Energy, typename = void>
-struct Has_smooth_gradient
-{
-  static constexpr bool is_possible = false;
-  static bool get(const Energy&) { return false; }
-};
-template <typename Energy>
-struct Has_smooth_gradient<
-  Energy, std::void_t<decltype(std::declval<const Energy&>().has_smooth_gradient())>>
-{
-  static constexpr bool is_possible = true;
-  static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
-};
 
 // Follows the path on which the gradient g of an energy shrinks to zero in proportion. Angle
 // defects move from their present values to the prescribed ones. Its tangent is Newton's
