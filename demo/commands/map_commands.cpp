@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/triangulation_stages.h"
+#include "page/show_angles.h"
 #include "writing/map_distortion.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>

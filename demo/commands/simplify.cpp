@@ -9,6 +9,7 @@
 #include "commands/attempts.h"
 #include "commands/removal_cost.h"
 #include "commands/triangulation_stages.h"
+#include "page/show_angles.h"
 #include "writing/Fine_level.h"
 #include "writing/Mesh_writer.h"
 #include "writing/coarse_mesh.h"

@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "commands/kept_edges.h"
+#include "page/show_angles.h"
 #include "pictures/develop_faces.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
@@ -216,17 +217,6 @@ std::vector<double> curvatures(Command_run& run)
         12;
   for(const Mesh::Vertex_index v : mesh.vertices())
     result[v] = area[v] > 0 && !mesh.is_border(v) ? result[v] / area[v] : 0;
-  return result;
-}
-
-std::vector<double> interpolated(IT::Side side, const std::vector<double>& values,
-                                 const Subdivision& subdivision)
-{
-  const auto map = [&](auto first) {
-    return boost::make_iterator_property_map(first, get(boost::vertex_index, subdivision.mesh()));
-  };
-  std::vector<double> result(subdivision.mesh().number_of_vertices());
-  IT::interpolate(side, subdivision, map(values.begin()), map(result.begin()));
   return result;
 }
 

@@ -11,9 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Delaunay_certificate.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <string>
@@ -104,10 +101,6 @@ void describe(Command_run& run, const Triangulation& triangulation);
 // The stages "trace" and "subdivide": the common subdivision in space, its size in the statistics.
 Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 
-// A function that is linear on the faces of one side, at the vertices of the subdivision.
-std::vector<double> interpolated(CGAL::Intrinsic_triangulations::Side side,
-                                 const std::vector<double>& values, const Subdivision& subdivision);
-
 // Shows a subdivision on the page, with the curvature of the input, and histograms of the angles of
 // the input and of the triangulation.
 void show(View_page& page, Command_run& run, const Triangulation& triangulation,
@@ -121,19 +114,6 @@ void develop_if_large(View_page& page, Command_run& run, const Triangulation& tr
 
 // Shows the common subdivision of the triangulation, which is made for that.
 void show(Command_run& run, const Triangulation& triangulation);
-
-// Adds the angles of the triangles of a mesh to the histograms of the page.
-template <class Any_mesh, class Length_map>
-void show_angles(View_page& page, const char* name, const Any_mesh& mesh, const Length_map& length)
-{
-  std::vector<double> angles(mesh.num_halfedges(), -1);
-  CGAL::Intrinsic_triangulations::compute_angles(
-    mesh, length,
-    boost::make_iterator_property_map(angles.begin(), get(boost::halfedge_index, mesh)));
-  for(double& angle : angles)
-    angle *= 180 / CGAL::Intrinsic_triangulations::pi<double>();
-  page.add_angles(name, angles);
-}
 
 // The curvature of each vertex of the input, divided by its area; zero on the boundary.
 std::vector<double> curvatures(Command_run& run);

@@ -33,19 +33,6 @@ Polygons drawable(const Polygon_soup& soup)
   return result;
 }
 
-std::vector<std::array<Polygons::Index, 2>> edges_of(const Polygons& polygons)
-{
-  std::vector<std::array<Polygons::Index, 2>> result;
-  for(const Polygons::Polygon& p : polygons)
-    for(std::size_t k = 0; k < p.size(); ++k) {
-      const Polygons::Index a = p[k], b = p[(k + 1) % p.size()];
-      result.push_back({(std::min)(a, b), (std::max)(a, b)});
-    }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 // Of the triangles.
 std::vector<double> angles(const Output_mesh& mesh)
 {

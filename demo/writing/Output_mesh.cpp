@@ -37,6 +37,19 @@ const char* name_of(const Corner_data& data)
   return data.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
 }
 
+std::vector<std::array<Polygons::Index, 2>> edges_of(const Polygons& polygons)
+{
+  std::vector<std::array<Polygons::Index, 2>> result;
+  for(const Polygons::Polygon& p : polygons)
+    for(std::size_t k = 0; k < p.size(); ++k) {
+      const Polygons::Index a = p[k], b = p[(k + 1) % p.size()];
+      result.push_back({(std::min)(a, b), (std::max)(a, b)});
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 std::vector<std::int64_t> parts_of(const std::vector<std::int64_t>& values, const std::string& name,
                                    const Output_mesh& mesh)
 {

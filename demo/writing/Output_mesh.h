@@ -118,6 +118,9 @@ struct Output_mesh
   }
 };
 
+// The sides of the polygons, each once.
+std::vector<std::array<Polygons::Index, 2>> edges_of(const Polygons& polygons);
+
 // The polygons whose attribute `name` is one of `values`.
 std::vector<std::int64_t> parts_of(const std::vector<std::int64_t>& values, const std::string& name,
                                    const Output_mesh& mesh);

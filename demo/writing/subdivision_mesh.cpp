@@ -6,6 +6,10 @@
 
 #include "writing/subdivision_elements.h"
 
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+
+#include <boost/property_map/property_map.hpp>
+
 #include <utility>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -77,5 +81,16 @@ Output_mesh subdivision_mesh(const Subdivision& subdivision)
   set_placement(
     part, [&](IT::Vertex_index v) { return subdivision.weights(IT::Side::input, v); },
     [&](IT::Face_index f) { return subdivision.parent_face(IT::Side::input, f); }, result);
+  return result;
+}
+
+std::vector<double> interpolated(IT::Side side, const std::vector<double>& values,
+                                 const Subdivision& subdivision)
+{
+  const auto map = [&](auto first) {
+    return boost::make_iterator_property_map(first, get(boost::vertex_index, subdivision.mesh()));
+  };
+  std::vector<double> result(subdivision.mesh().number_of_vertices());
+  IT::interpolate(side, subdivision, map(values.begin()), map(result.begin()));
   return result;
 }

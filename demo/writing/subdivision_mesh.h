@@ -21,4 +21,8 @@ using Subdivision = CGAL::Intrinsic_triangulations::Common_subdivision<
 // These are computed when they are asked for: the subdivision must live as long.
 Output_mesh subdivision_mesh(const Subdivision& subdivision);
 
+// A function that is linear on the faces of one side, at the vertices of the subdivision.
+std::vector<double> interpolated(CGAL::Intrinsic_triangulations::Side side,
+                                 const std::vector<double>& values, const Subdivision& subdivision);
+
 #endif // INTRINSIC_SUBDIVISION_MESH_H

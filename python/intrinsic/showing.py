@@ -13,12 +13,15 @@ import webbrowser
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import floats
+from ._arrays import Floats, floats
 from ._meshes import arrays
-from .errors import MissingPartError
+from .errors import InputError, MissingPartError
+from .maps import ConformalMap, HyperbolicMap, SphereMap
+from .triangulation import Triangulation
 
 
 class Page:
@@ -47,24 +50,49 @@ class Page:
         return f"<Page of {len(self.html)} characters>"
 
 
+def _named(functions: dict[str, ArrayLike], n: int) -> list[tuple[str, Floats]]:
+    return [(name, floats(f, (n,), name)) for name, f in functions.items()]
+
+
+def _page_of_triangulation(shown: Triangulation, functions: dict[str, ArrayLike]) -> str:
+    n, n2 = len(shown.V) - len(shown.inserted[0]), shown.n_vertices
+    at_vertices = [(name, floats(f, (n2 if np.shape(f) == (n2,) else n,), name))
+                   for name, f in functions.items()]
+    return shown._page(at_vertices)
+
+
+def _page_of_map(shown: ConformalMap, functions: dict[str, ArrayLike]) -> str:
+    pieces = shown.subdivision
+    if pieces.V is None:
+        raise InputError("the surface has no positions")
+    values = [("log_scale", shown.log_scale), *_named(functions, len(shown.log_scale))]
+    kind = ("sphere" if isinstance(shown, SphereMap)
+            else "disk" if isinstance(shown, HyperbolicMap) else "plane")
+    return _core.page_of_map(pieces.V, pieces.starts, pieces.corners, pieces.corner_image,
+                             pieces.image, pieces.homogeneous, kind,
+                             [(name, pieces.from_input @ f) for name, f in values])
+
+
 def show(
     V: Any, F: ArrayLike | None = None, *, open: bool = True, height: int = 600,
     **functions: ArrayLike,
 ) -> Page:
-    """Show a mesh, and functions at its vertices, in a browser.
+    """Show a mesh, an intrinsic triangulation or a map, and functions at vertices, in a browser.
 
     Parameters
     ----------
-    V : (n, 3) array of floats, or a mesh object
-        Positions.
+    V : (n, 3) array of floats, a mesh object, a Triangulation, or a map
+        Positions, or what has a surface with positions. A triangulation is drawn with the edges of
+        both triangulations, a map with its image.
     F : (m, 3) array of integers
-        The corners of each face.
+        The corners of each face, if V are positions.
     open : bool
         Whether a browser is opened. A notebook shows the result without.
     height : int
         The height of the frame in a notebook, in pixels.
     **functions : (n,) arrays of floats
-        Values at vertices, by name, among which the page lets you choose.
+        Values at vertices, by name, among which the page lets you choose. Functions on a
+        Triangulation may have values at its inserted vertices too.
 
     Returns
     -------
@@ -72,16 +100,23 @@ def show(
 
     Raises
     ------
+    InputError
+        If the surface has no positions.
     MissingPartError
         If the package was built without nlohmann_json, or without three.js, which the build
         fetches from the network.
     """
-    points, faces = arrays(V, F)
-    values = {name: floats(f, (len(points),), name) for name, f in functions.items()}
     if not _core.has_pages:
         raise MissingPartError("pages need nlohmann_json and three.js, which were not there when "
                                "this package was built")
-    page = Page(_core.page(points, faces, list(values.items())), height)
+    if isinstance(V, Triangulation):
+        text = _page_of_triangulation(V, functions)
+    elif isinstance(V, ConformalMap):
+        text = _page_of_map(V, functions)
+    else:
+        points, faces = arrays(V, F)
+        text = _core.page(points, faces, _named(functions, len(points)))
+    page = Page(text, height)
     if open:
         page.open()
     return page

@@ -484,6 +484,12 @@ class Triangulation:
         return Curves(starts, faces, coordinates, along, points)
 
     @_locked
+    def _page(self, functions: list[tuple[str, Floats]]) -> str:
+        """Return a page that shows the surface with both triangulations."""
+        self._positions()
+        return _core.page_of_triangulation(self._core, functions)
+
+    @_locked
     def common_subdivision(self) -> CommonSubdivision:
         """Return the polygons into which the edges of both triangulations cut the surface."""
         d = self._core.common_subdivision()

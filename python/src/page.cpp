@@ -2,21 +2,38 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Bound_triangulation.h"
 #include "Surface.h"
 #include "bindings.h"
 #include "page/View_page.h"
+#include "page/show_angles.h"
+#include "writing/subdivision_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
 
 #include <pybind11/stl.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
-// Each function has a name and a value for each point, which the Python layer has checked.
+// Each function has a name and a value for each vertex, which the Python layer has checked.
+typedef std::vector<std::pair<std::string, Number_array>> Functions;
+
+std::string text_of(View_page& page, std::size_t points, std::size_t faces)
+{
+  page.set_statistics({{"points", points}, {"faces", faces}});
+  Text text;
+  page.write_html(text);
+  return text.take();
+}
+
 std::string page_of(const Number_array& points, const Index_array& faces,
-                    const std::vector<std::pair<std::string, Number_array>>& functions)
+                    const Functions& functions)
 {
   return released([&] {
     Polygon_soup soup = soup_of(points, faces);
@@ -25,10 +42,79 @@ std::string page_of(const Number_array& points, const Index_array& faces,
     clean(soup.data, soup.points.size());
     View_page page;
     show(page, "mesh", soup);
-    page.set_statistics({{"points", soup.points.size()}, {"faces", soup.polygons.size()}});
-    Text text;
-    page.write_html(text);
-    return text.take();
+    return text_of(page, soup.points.size(), soup.polygons.size());
+  });
+}
+
+// The common subdivision, with functions at the vertices of the input or of the triangulation.
+std::string page_of_triangulation(const Bound_triangulation& self, const Functions& functions)
+{
+  return released([&] {
+    const Triangulation& triangulation = self.triangulation();
+    Subdivision subdivision(self.correspondence());
+    IT::interpolate(IT::Side::input, subdivision, self.surface()->mesh.points(),
+                    subdivision.mesh().points());
+    Output_mesh mesh = subdivision_mesh(subdivision);
+    for(const auto& [name, values] : functions) {
+      const bool is_on_input =
+        std::size_t(values.size()) == triangulation.input_mesh().number_of_vertices();
+      mesh.point_data.push_back(
+        {name, interpolated(is_on_input ? IT::Side::input : IT::Side::intrinsic, vector_of(values),
+                            subdivision)});
+    }
+    View_page page;
+    page.add_surface("surface", mesh);
+    show_angles(page, "input", triangulation.input_mesh(), triangulation.input_length_map());
+    show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
+    return text_of(page, triangulation.mesh().number_of_vertices(),
+                   triangulation.mesh().number_of_faces());
+  });
+}
+
+Polygons polygons_of(const Index_array& starts, const Index_array& corners)
+{
+  Polygons result;
+  for(py::ssize_t i = 0; i + 1 < starts.size(); ++i) {
+    for(std::int64_t c = starts.data()[i]; c < starts.data()[i + 1]; ++c)
+      result.add_corner(std::size_t(corners.data()[c]));
+    result.close();
+  }
+  return result;
+}
+
+// Rows of two or three numbers.
+std::vector<std::array<double, 3>> rows_of(const Number_array& array)
+{
+  std::vector<std::array<double, 3>> result(std::size_t(array.shape(0)), {0, 0, 0});
+  for(std::size_t i = 0; i < result.size(); ++i)
+    for(py::ssize_t k = 0; k < array.shape(1); ++k)
+      result[i][std::size_t(k)] = array.data()[py::ssize_t(i) * array.shape(1) + k];
+  return result;
+}
+
+// The pieces of a map, with their images in the plane, the Poincare disk, or on the sphere.
+std::string page_of_map(const Number_array& points, const Index_array& starts,
+                        const Index_array& corners, const Index_array& corner_image,
+                        const Number_array& image, const Number_array& homogeneous,
+                        const std::string& kind, const Functions& functions)
+{
+  return released([&] {
+    Output_mesh mesh;
+    for(const std::array<double, 3>& p : rows_of(points))
+      mesh.points.emplace_back(p[0], p[1], p[2]);
+    mesh.polygons = polygons_of(starts, corners);
+    mesh.edges = edges_of(mesh.polygons);
+    if(kind != "sphere")
+      mesh.texture = {"", 3, rows_of(homogeneous), polygons_of(starts, corner_image)};
+    for(const auto& [name, values] : functions)
+      mesh.point_data.push_back({name, vector_of(values)});
+    View_page page;
+    page.add_surface("surface", mesh);
+    page.set_image(kind == "sphere" ? Image_kind::sphere
+                   : kind == "disk" ? Image_kind::disk
+                                    : Image_kind::plane,
+                   rows_of(image));
+    return text_of(page, mesh.points.size(), mesh.polygons.size());
   });
 }
 
@@ -38,4 +124,6 @@ void bind_page(py::module_& module)
 {
   module.attr("has_pages") = View_page::is_available();
   module.def("page", &page_of);
+  module.def("page_of_triangulation", &page_of_triangulation);
+  module.def("page_of_map", &page_of_map);
 }
