@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace {
@@ -23,7 +24,7 @@ public:
   // If the connectivity is no surface, the mesh must not be used.
   Mesh operator()()
   {
-    m_edges.reserve(m_halfedge.size() / 2);
+    count_ascending_sides();
     number_ascending_sides();
     sort_edges();
     number_descending_sides();
@@ -60,67 +61,78 @@ private:
     return Mesh::Halfedge_index(static_cast<Index>(2 * edge + is_descending));
   }
 
-  void number_ascending_sides()
+  // Calls `visit(corner, v, w)` for the sides of all polygons, from `v` to `w`.
+  template <class Visit>
+  void for_each_side(const Visit& visit) const
   {
     std::size_t corner = 0;
-    for(const Polygons::Polygon& p : m_soup.polygons)
-      for(std::size_t i = 0; i < p.size(); ++i, ++corner) {
-        const Edge side = {p[i], p[i + 1 == p.size() ? 0 : i + 1]};
-        if(side[0] < side[1]) {
-          m_halfedge[corner] = halfedge(m_edges.size(), false);
-          m_edges.push_back(side);
-        }
-      }
+    for(const Polygons::Polygon& p : m_soup.polygons) {
+      for(std::size_t i = 1; i < p.size(); ++i)
+        visit(corner++, p[i - 1], p[i]);
+      visit(corner++, p[p.size() - 1], p[0]);
+    }
+  }
+
+  // Branch-free, as the next loop: which sides ascend is unpredictable.
+  void count_ascending_sides()
+  {
+    m_first.assign(m_soup.points.size() + 2, 0);
+    for_each_side([&](std::size_t, Index v, Index w) { m_first[v + 2] += v < w; });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+  }
+
+  void number_ascending_sides()
+  {
+    m_edges.resize(m_first.back() + 1);
+    std::size_t edge = 0;
+    for_each_side([&](std::size_t corner, Index v, Index w) {
+      m_edges[edge] = {v, w};
+      m_halfedge[corner] = halfedge(edge, false);
+      edge += v < w;
+    });
+    m_edges.pop_back();
   }
 
   // By the smaller vertex in linear time, then by the larger one if they are many.
   void sort_edges()
   {
-    m_first.assign(m_soup.points.size() + 2, 0);
-    for(const Edge& e : m_edges)
-      ++m_first[e[0] + 2];
-    for(std::size_t v = 2; v < m_first.size(); ++v)
-      m_first[v] += m_first[v - 1];
     m_sorted.resize(m_edges.size());
     for(Index e = 0; e < m_edges.size(); ++e)
       m_sorted[m_first[m_edges[e][0] + 1]++] = {m_edges[e][1], e};
-    for(std::size_t v = 0; v < m_soup.points.size(); ++v) {
-      const auto begin = m_sorted.begin() + m_first[v], end = m_sorted.begin() + m_first[v + 1];
+    for(Index v = 0; v < m_soup.points.size(); ++v)
       if(are_many(v))
-        std::sort(begin, end);
-      m_is_linked = m_is_linked && !has_edge_twice(begin, end, are_many(v));
-    }
+        std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1]);
   }
 
-  bool are_many(std::size_t v) const { return m_first[v + 1] - m_first[v] > 8; }
+  bool are_many(Index v) const { return m_first[v + 1] - m_first[v] > 8; }
 
-  template <class Iterator>
-  static bool has_edge_twice(Iterator begin, Iterator end, bool are_sorted)
+  // Returns the first edge from the smaller vertex `v` to `w`. If no face ascends there, the result
+  // is another edge, or the end of the edges of `v`.
+  std::vector<Numbered_end>::const_iterator find_edge(Index v, Index w) const
   {
-    const auto is_same = [](const Numbered_end& a, const Numbered_end& b) {
-      return a.first == b.first;
-    };
-    if(are_sorted)
-      return std::adjacent_find(begin, end, is_same) != end;
-    for(; begin != end; ++begin)
-      if(std::any_of(begin + 1, end, [&](const Numbered_end& x) { return is_same(x, *begin); }))
-        return true;
-    return false;
+    const auto first = m_sorted.begin() + m_first[v], end = m_sorted.begin() + m_first[v + 1];
+    if(are_many(v))
+      return std::lower_bound(first, end, Numbered_end(w, 0));
+    return std::find_if(first, end, [w](const Numbered_end& x) { return x.first == w; });
   }
 
   // The number of an edge from the smaller vertex `v` to `w`; a new one if no face ascends there.
   Index edge(Index v, Index w)
   {
-    auto e = m_sorted.begin() + m_first[v];
-    const auto end = m_sorted.begin() + m_first[v + 1];
-    if(are_many(v))
-      e = std::lower_bound(e, end, Numbered_end(w, 0));
-    else
-      e = std::find_if(e, end, [w](const Numbered_end& x) { return x.first == w; });
-    if(e != end && e->first == w)
+    const auto e = find_edge(v, w);
+    if(e != m_sorted.begin() + m_first[v + 1] && e->first == w)
       return e->second;
     m_edges.push_back({v, w});
     return static_cast<Index>(m_edges.size() - 1);
+  }
+
+  // Returns whether no other face ascends along the edge of `h`.
+  bool ascends_once(Mesh::Halfedge_index h) const
+  {
+    const Edge& e = m_edges[h.idx() / 2];
+    const auto end = m_sorted.begin() + m_first[e[0] + 1];
+    return std::count_if(find_edge(e[0], e[1]), end,
+                         [&](const Numbered_end& x) { return x.first == e[1]; }) <= 1;
   }
 
   // The last side of each face comes first.
@@ -137,15 +149,14 @@ private:
     }
   }
 
-  // The halfedge of a vertex is on the first edge that has it.
+  // The halfedge of a vertex is on the first edge that has it: it is written last.
   void set_ends()
   {
-    for(std::size_t e = 0; e < m_edges.size(); ++e)
-      for(const bool is_descending : {true, false}) {
+    for(std::size_t e = m_edges.size(); e-- > 0;)
+      for(const bool is_descending : {false, true}) {
         const Mesh::Vertex_index target(m_edges[e][is_descending ? 0 : 1]);
         m_mesh.set_target(halfedge(e, is_descending), target);
-        if(!m_mesh.halfedge(target).is_valid())
-          m_mesh.set_halfedge(target, halfedge(e, is_descending));
+        m_mesh.set_halfedge(target, halfedge(e, is_descending));
       }
   }
 
@@ -174,7 +185,7 @@ private:
     for(const Mesh::Halfedge_index h : m_mesh.halfedges())
       if(m_mesh.is_border(h)) {
         Mesh::Halfedge_index& of_source = leaving[m_mesh.source(h)];
-        m_is_linked = m_is_linked && !of_source.is_valid();
+        m_is_linked = m_is_linked && !of_source.is_valid() && ascends_once(h);
         of_source = h;
       }
     for(const Mesh::Halfedge_index h : leaving)
@@ -201,7 +212,7 @@ private:
   const Polygon_soup& m_soup;
   Mesh m_mesh;
   std::vector<Mesh::Halfedge_index> m_halfedge; // that leaves each corner
-  bool m_is_linked = true; // no edge is for two sides, and no vertex has two border halfedges
+  bool m_is_linked = true; // no two faces ascend or descend along an edge, one fan at the boundary
   std::vector<Edge> m_edges;
   std::vector<Index> m_first;         // of each smaller vertex, in the next
   std::vector<Numbered_end> m_sorted; // of those edges along which a face ascends

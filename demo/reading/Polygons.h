@@ -52,6 +52,23 @@ public:
     std::size_t m_i;
   };
 
+  Polygons() = default;
+
+  // Makes triangles of integers. Negative ones name no point.
+  // Throws std::length_error if there are more corners than numbers for them.
+  template <class Integer>
+  static Polygons of_triangles(const Integer* first, const Integer* last)
+  {
+    Polygons result;
+    result.m_indices.resize(static_cast<std::size_t>(last - first));
+    std::transform(first, last, result.m_indices.begin(),
+                   [](Integer i) { return index_of(static_cast<std::size_t>(i)); });
+    result.m_ends.resize(result.m_indices.size() / 3 + 1);
+    for(std::size_t i = 0; i < result.m_ends.size(); ++i)
+      result.m_ends[i] = end_of(3 * i);
+    return result;
+  }
+
   // No point has this index.
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
@@ -81,18 +98,10 @@ public:
   }
 
   // Adds a corner to the polygon that is not closed yet.
-  void add_corner(std::size_t index)
-  {
-    m_indices.push_back(index < none ? static_cast<Index>(index) : none);
-  }
+  void add_corner(std::size_t index) { m_indices.push_back(index_of(index)); }
 
   // Throws std::length_error if there are more corners than numbers for them.
-  void close()
-  {
-    if(m_indices.size() >= none)
-      throw std::length_error("too many corners");
-    m_ends.push_back(static_cast<Index>(m_indices.size()));
-  }
+  void close() { m_ends.push_back(end_of(m_indices.size())); }
 
   template <class Range>
   void push_back(const Range& polygon)
@@ -103,6 +112,15 @@ public:
   }
 
 private:
+  static Index index_of(std::size_t i) { return i < none ? static_cast<Index>(i) : none; }
+
+  static Index end_of(std::size_t corners)
+  {
+    if(corners >= none)
+      throw std::length_error("too many corners");
+    return static_cast<Index>(corners);
+  }
+
   std::vector<Index> m_indices;
   std::vector<Index> m_ends = {0};
 };

@@ -66,16 +66,9 @@ bool is_of_lengths(Defect_kind kind)
          kind == Defect_kind::TRIANGLE_INEQUALITY_VIOLATED;
 }
 
-void add_faces(const Index_array& faces, Polygon_soup& soup)
+Polygons triangles_of(const Index_array& faces)
 {
-  const std::int64_t* const corner = faces.data();
-  const auto corners = static_cast<std::size_t>(faces.size());
-  soup.polygons.reserve(corners / 3, corners);
-  for(std::size_t i = 0; i < corners; i += 3) {
-    for(std::size_t c = i; c < i + 3; ++c)
-      soup.polygons.add_corner(static_cast<std::size_t>(corner[c])); // none, if negative
-    soup.polygons.close();
-  }
+  return Polygons::of_triangles(faces.data(), faces.data() + faces.size());
 }
 
 // Returns whether the squares of lengths are in the range of numbers, and far from its ends.
@@ -139,7 +132,7 @@ Polygon_soup soup_of(const Number_array& points, const Index_array& faces)
   result.points.reserve(static_cast<std::size_t>(points.size()) / 3);
   for(const double* p = points.data(); p != points.data() + points.size(); p += 3)
     result.points.emplace_back(p[0], p[1], p[2]);
-  add_faces(faces, result);
+  result.polygons = triangles_of(faces);
   return result;
 }
 
@@ -164,7 +157,7 @@ Surface surface_of_lengths(const Number_array& lengths, const Index_array& faces
     const std::int64_t* const end = faces.data() + faces.size();
     const std::int64_t last = faces.size() == 0 ? -1 : *std::max_element(faces.data(), end);
     soup.points.resize(static_cast<std::size_t>(last + 1), Point(0, 0, 0));
-    add_faces(faces, soup);
+    soup.polygons = triangles_of(faces);
     check(IT::diagnose_polygon_soup(soup.points, soup.polygons), is_of_lengths);
     Surface result{mesh_of(soup), {}};
     const Mesh& mesh = result.mesh;

@@ -74,6 +74,68 @@ class TakenArrays(unittest.TestCase):
         self.assertEqual(lengths.sum(), total)
 
 
+def bipyramid(n):
+    """Both apices come first and have many edges."""
+    angles = 2 * np.pi * np.arange(n) / n
+    rim = np.stack([np.cos(angles), np.sin(angles), np.zeros(n)], axis=1)
+    i, j = 2 + np.arange(n), 2 + (np.arange(n) + 1) % n
+    faces = [np.stack([np.zeros(n, int), i, j], axis=1), np.stack([j, i, np.ones(n, int)], axis=1)]
+    return np.vstack([[[0, 0, 1], [0, 0, -2]], rim]), np.concatenate(faces)
+
+
+def damaged(F, n, random):
+    """Return the faces with a few random changes, each of which may leave a surface."""
+    for _ in range(random.integers(0, 5)):
+        i, kind = random.integers(len(F)), random.integers(5)
+        if kind == 0:
+            F = F[random.random(len(F)) < 0.9] if len(F) > 3 else F
+        elif kind == 1:
+            F = np.concatenate([F[:i], F[i:i + 1, ::-1], F[i + 1:]])
+        elif kind == 2:
+            F = np.concatenate([F, np.roll(F[i:i + 1], 1, axis=1)])
+        elif kind == 3:
+            F = np.where(F == random.integers(n), random.integers(n), F)
+        else:
+            F = np.concatenate([F, random.permutation(n)[None, :3]])
+    return random.permutation(np.array([np.roll(f, k) for f, k in
+                                        zip(F, random.integers(0, 3, len(F)))]))
+
+
+def is_surface(F):
+    """By brute force: no side twice in one direction, and one fan at each vertex."""
+    sides = [(f[k], f[(k + 1) % 3]) for f in F for k in range(3)]
+    if len(set(sides)) < len(sides) or any(a == b for a, b in sides):
+        return False
+    for v in np.unique(F):
+        fans = []
+        for f in F[(F == v).any(axis=1)]:
+            rim = set(f) - {v}
+            fans = [fan for fan in fans if not fan & rim] + [
+                rim.union(*(fan for fan in fans if fan & rim))]
+        if len(fans) > 1:
+            return False
+    return True
+
+
+class Surfaces(unittest.TestCase):
+    def test_against_brute_force(self):
+        random = np.random.default_rng(6)
+        count = {True: 0, False: 0}
+        for _ in range(300):
+            for V, F in (intrinsic.shapes.icosphere(0), bipyramid(12)):
+                order = random.permutation(len(V))
+                F = damaged(order[F], len(V), random)
+                try:
+                    T = intrinsic.Triangulation(V[np.argsort(order)], F)
+                    is_taken = True
+                    np.testing.assert_array_equal(T.input_F, F)
+                except InputError:
+                    is_taken = False
+                self.assertEqual(is_taken, is_surface(F), F.tolist())
+                count[is_taken] += 1
+        self.assertGreater(min(count.values()), 100)
+
+
 class Elements(unittest.TestCase):
     """Errors name the element."""
 
@@ -106,6 +168,12 @@ class Elements(unittest.TestCase):
     def test_edge_with_three_faces(self):
         bad_V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]]
         error = self.error(bad_V, [[0, 1, 2], [1, 0, 3], [0, 1, 4]], NotAManifoldError)
+        self.assertEqual(sorted(error.edge), [0, 1])
+
+    def test_edge_with_three_faces_and_one_fan_at_each_vertex(self):
+        V = [[0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]
+        F = [[0, 1, 2], [0, 1, 3], [0, 3, 4], [0, 4, 1], [3, 1, 5], [1, 4, 5]]
+        error = self.error(V, F, NotAManifoldError)
         self.assertEqual(sorted(error.edge), [0, 1])
 
     def test_orientation(self):
