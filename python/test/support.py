@@ -65,6 +65,12 @@ def bumpy_grid(n=8):
     return V, F
 
 
+def lengths_of(V, F):
+    """Return the lengths of the sides opposite to the corners, rounded as the compiled part does."""
+    d = V[F[:, [1, 2, 0]]] - V[F[:, [2, 0, 1]]]
+    return np.sqrt(d[..., 0] * d[..., 0] + d[..., 1] * d[..., 1] + d[..., 2] * d[..., 2])
+
+
 def meshes():
     """Ten surfaces by name: closed or with boundary, of several genera, some of them bad."""
     shapes = intrinsic.shapes
@@ -87,7 +93,7 @@ def meshes():
 def write_mesh(path, V, F):
     lines = [f"OFF\n{len(V)} {len(F)} 0"]
     lines += [" ".join(map(repr, map(float, p))) for p in V]
-    lines += ["3 " + " ".join(map(str, f)) for f in F]
+    lines += [f"{len(f)} " + " ".join(map(str, f)) for f in F]
     path.write_text("\n".join(lines) + "\n")
 
 

@@ -130,6 +130,43 @@ class Program(unittest.TestCase):
             np.testing.assert_allclose(ours, files["out.ply"].vertex["distance"],
                                        atol=1e-6 * abs(ours).max())
 
+    def test_signed_distance_on_polygons(self):
+        """The program splits squares. The boundary of one is the curve."""
+        V, _ = support.bumpy_grid()
+        first = np.array([i for i in range(len(V)) if i % 9 < 8 and i + 9 < len(V)])
+        squares = np.stack([first, first + 1, first + 10, first + 9], axis=1)
+        loop = [*squares[20], squares[20][0]]
+        with tempfile.NamedTemporaryFile("w", suffix=".obj") as curve:
+            curve.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in V[loop].tolist())
+            curve.write("l 1 2 3 4 5\n")
+            curve.flush()
+            _, files, texts = run_program("distance", V, squares, "--curve", curve.name, "--signed",
+                                          "--save", "FOLDER/T.save", output="out.ply")
+        with tempfile.NamedTemporaryFile("w", suffix=".save") as saved:
+            saved.write(texts["T.save"])
+            saved.flush()
+            F = intrinsic.Triangulation.load(saved.name).input_F
+        assert_array_equal([np.unique(f) for f in F.reshape(-1, 6)], np.sort(squares))
+        assert_array_equal(intrinsic.signed_distance(V, F, loop), files["out.ply"].vertex["distance"])
+
+    def test_lengths_instead_of_positions(self):
+        for V, F in self.each():
+            given = {"lengths": support.lengths_of(V, F)}
+            _, files, _ = run_program("operators", V, F, "--prefix", "FOLDER/P")
+            assert_sparse_equal(intrinsic.laplacian(None, F, **given),
+                                files["P_laplacian.mtx"].tocsc())
+            assert_sparse_equal(intrinsic.connection_laplacian(None, F, **given),
+                                files["P_connection_laplacian.mtx"].tocsc())
+            _, files, _ = run_program("distance", V, F, "--source", "3", output="out.ply")
+            assert_array_equal(intrinsic.distance(None, F, 3, **given),
+                               files["out.ply"].vertex["distance"])
+            stats, _, _ = run_program("path", V, F, "--from", "0", "--to", "5", "--flips",
+                                      output="out.vtp")
+            self.assertEqual(intrinsic.geodesic(None, F, [0, 5], **given).length, stats["length"])
+            _, files, _ = run_program("flatten", V, F, output="out.obj")
+            assert_array_equal(intrinsic.flatten(None, F, **given).subdivision.image,
+                               files["out.obj"].texture)
+
     def test_transfer(self):
         for V, F in self.each():
             random = np.random.default_rng(6)
