@@ -148,10 +148,10 @@ public:
         for(const Index s : segments(i))
           note(s, m_segment[s].next);
       while(!m_queue.empty()) {
-        const auto [angle, s, t, is_left] = m_queue.top();
+        const auto [angle, s, t, is_left, is_certain] = m_queue.top();
         m_queue.pop();
         if(!m_segment[s].is_removed && !m_segment[t].is_removed && m_segment[s].next == t)
-          has_moved = straighten(s, t, is_left) || has_moved;
+          has_moved = straighten(s, t, is_left, is_certain) || has_moved;
       }
     }
     return is_geodesic() ? Shortening_status::geodesic : Shortening_status::blocked;
@@ -187,7 +187,8 @@ public:
 private:
   typedef internal::Fan Fan;
   typedef std::vector<Halfedge_index> Halfedges;
-  typedef std::tuple<FT, Index, Index, bool> Joint; // angle, two segments, on their left
+  // angle, two segments, whether it is on their left, whether it is certainly less than pi
+  typedef std::tuple<FT, Index, Index, bool, bool> Joint;
 
   static constexpr std::size_t greatest_number_of_idle_moves = 1000;
 
@@ -284,7 +285,7 @@ private:
     if(s == Segments::null || t == Segments::null)
       return;
     if(is_spur(s, t)) {
-      m_queue.push({FT(0), s, t, true});
+      m_queue.push({FT(0), s, t, true, true});
       return;
     }
     for(bool is_left : {true, false})
@@ -300,7 +301,8 @@ private:
     if(outgoing.empty() || certainly_not(is_less_than_pi))
       m_segment.set_straight(s, is_left);
     else
-      m_queue.push({certainly(is_less_than_pi) ? sum.angle() : angle(outgoing), s, t, is_left});
+      m_queue.push({certainly(is_less_than_pi) ? sum.angle() : angle(outgoing), s, t, is_left,
+                    certainly(is_less_than_pi)});
   }
 
   FT angle(const Fan& outgoing) const
@@ -320,8 +322,8 @@ private:
 
   // ---- Moves ----
 
-  // Returns whether the path has moved.
-  bool straighten(Index s, Index t, bool is_left)
+  // Returns whether the path has moved. Flips keep the angle, so a certain decision stays certain.
+  bool straighten(Index s, Index t, bool is_left, bool is_certain)
   {
     if(is_spur(s, t))
       return cut_spur(s, t);
@@ -330,18 +332,18 @@ private:
     if(m_segment.outermost(outgoing.front()) != at_out ||
        m_segment.outermost(m_mesh.opposite(outgoing.back())) != at_in || !is_free(outgoing))
       return false;
-    if(!m_flattener.is_less_than_pi(outgoing)) {
+    if(!is_certain && !m_flattener.is_less_than_pi(outgoing)) {
       m_segment.set_straight(s, is_left);
       return false;
     }
-    m_flattener.flip_out(outgoing, s == t);
+    const bool is_bent = m_flattener.flip_out(outgoing, s == t);
     const Fan arc = outer_arc(outgoing, s == t);
     if(!is_shorter(arc, s, t)) {
       m_segment.set_straight(s, true); // up to rounding, by length
       m_segment.set_straight(s, false);
       return false;
     }
-    replace(s, t, arc, is_left);
+    replace(s, t, arc, is_left, is_bent);
     return true;
   }
 
@@ -349,7 +351,7 @@ private:
   {
     if(s == t || !m_segment.are_neighbors(s, t))
       return false;
-    replace(s, t, {}, true);
+    replace(s, t, {}, true, false);
     return true;
   }
 
@@ -381,8 +383,9 @@ private:
   }
 
   // Replaces two segments, or a loop of one, by an arc around the vertex between them. The vertex
-  // is on the left of the halfedges of the arc.
-  void replace(Index s, Index t, const Fan& arc, bool is_left)
+  // is on the left of the halfedges of the arc. Its angles on this side are at least pi if it
+  // `is_bent`.
+  void replace(Index s, Index t, const Fan& arc, bool is_left, bool is_bent)
   {
     const Index path = m_segment[s].path;
     const bool is_whole_loop = m_path[path].is_loop && m_segment[t].next == s;
@@ -407,6 +410,8 @@ private:
       m_segment.link(previous, next);
     if(is_first)
       m_path[path].first = !added.empty() ? added.front() : next;
+    for(std::size_t i = 1; is_bent && i < added.size(); ++i)
+      m_segment.set_straight(added[i - 1], !is_left);
     for(const Index a : added)
       note(m_segment[a].previous, a);
     note(previous, next);

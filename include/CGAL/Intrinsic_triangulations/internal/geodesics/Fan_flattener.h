@@ -36,8 +36,9 @@ public:
   // Flips the edges inside the fan as long as one can be flipped. The face of a loop of one edge is
   // at both ends of the fan, and its apex at both ends of the arc. This face stays unless the whole
   // angle at its apex is less than pi. To flip its other sides one by one could wind them around
-  // the loop without end.
-  void flip_out(Fan& outgoing, bool is_one_edge)
+  // the loop without end. Returns whether the angles between sides opposite to the apex are known
+  // to be at least pi.
+  bool flip_out(Fan& outgoing, bool is_one_edge)
   {
     const std::size_t limit = m_flips.size() + 16 * outgoing.size();
     flip_between(outgoing, is_one_edge ? 2 : 1, limit);
@@ -48,6 +49,10 @@ public:
       find_fan(m_mesh.opposite(outgoing.back()), outgoing.front(), m_mesh, outgoing);
       flip_between(outgoing, 2, limit);
     }
+    return !is_one_edge && m_flips.size() < limit &&
+           std::all_of(outgoing.begin() + 1, outgoing.end() - 1, [&](Halfedge_index h) {
+             return flip_status(h, m_mesh) == Operation_status::possible;
+           });
   }
 
   // takes all flips back
