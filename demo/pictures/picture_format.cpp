@@ -10,6 +10,8 @@ namespace {
 
 bool is_png(const std::string& path) { return extension_of(path) == ".png"; }
 
+bool is_svg(const std::string& path) { return path == "-" || extension_of(path) == ".svg"; }
+
 } // namespace
 
 std::unique_ptr<Canvas> canvas(Text& text, const std::string& path, double width, double height,
@@ -21,6 +23,8 @@ std::unique_ptr<Canvas> canvas(Text& text, const std::string& path, double width
 
 void check_picture_available(const std::string& option, const std::string& path)
 {
+  if(!path.empty() && !is_png(path) && !is_svg(path))
+    throw Program_error(path + ": " + option + " needs a name that ends with .svg or .png");
   Text text;
   if(is_png(path) && !png_canvas(text, 1, 1))
     throw Program_error(option +

@@ -60,10 +60,10 @@ const char* advice(const IT::Input_diagnosis& diagnosis, const Common_options& o
 {
   if(!is_repairable(diagnosis))
     return "; correct it in the file";
-  if(number_of_soup_defects(diagnosis) > 0 && !options.are_soups_allowed && !options.is_repaired())
-    return "; --repair makes it a surface";
   if(diagnosis.count(IT::Defect_kind::LENGTH_OUT_OF_RANGE) > 0)
     return "; scale the mesh";
+  if(number_of_soup_defects(diagnosis) > 0 && !options.are_soups_allowed && !options.is_repaired())
+    return "; --repair makes it a surface";
   if(number_of_polygons(diagnosis) > 0 && options.is_strict)
     return "; split it, or leave out --strict";
   return options.is_repaired() ? "; `intrinsic view` shows where" : "; --repair may mend it";

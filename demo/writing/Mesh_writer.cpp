@@ -539,22 +539,24 @@ void write_vtp(Text& text, const Output_mesh& mesh)
 
 constexpr std::array<std::string_view, 4> names = {"off", "obj", "ply", "vtp"};
 
-// By its name or extension, with or without dot, in any case.
-Mesh_format mesh_format(const std::string& name)
+// By the extension of a path, or by a name for standard output, in any case.
+Mesh_format mesh_format(const std::string& path, const Output_options& options)
 {
+  const std::string name =
+    path == "-" ? options.format : std::filesystem::path(path).extension().string();
   const std::string key = lower_case(name.substr(name.compare(0, 1, ".") == 0 ? 1 : 0));
   for(std::size_t i = 0; i < names.size(); ++i)
     if(names[i] == key)
       return static_cast<Mesh_format>(i);
-  throw Program_error("no such output format: '" + name + "' (there are off, obj, ply and vtp)");
+  throw Program_error(path + ": no such output format: '" + name +
+                      "' (there are off, obj, ply and vtp)");
 }
 
 } // namespace
 
 Mesh_format output_format(const std::string& path, const Output_options& options, Carried what)
 {
-  const Mesh_format format =
-    mesh_format(path == "-" ? options.format : std::filesystem::path(path).extension().string());
+  const Mesh_format format = mesh_format(path, options);
   const auto check = [&](bool is_possible, const char* message) {
     if(!is_possible)
       throw Program_error(path + ": this format " + message);

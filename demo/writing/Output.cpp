@@ -19,10 +19,18 @@ namespace {
 
 bool is_replaceable(const fs::path& path) { return !fs::exists(path) || fs::is_regular_file(path); }
 
+// The absolute path without links; unchanged if it is empty, or names a pipe.
+fs::path resolved(const fs::path& path)
+{
+  std::error_code failed;
+  const fs::path result = path.empty() ? path : fs::weakly_canonical(fs::absolute(path), failed);
+  return failed ? path : result;
+}
+
 bool are_same(const fs::path& a, const fs::path& b)
 {
   std::error_code ignored;
-  return fs::equivalent(a, b, ignored) || fs::weakly_canonical(a) == fs::weakly_canonical(b);
+  return fs::equivalent(a, b, ignored) || resolved(a) == resolved(b);
 }
 
 void check_can_be_created(const std::string& path)
@@ -74,7 +82,7 @@ private:
 };
 
 Atomic_file::Atomic_file(const fs::path& path)
-  : m_path(fs::weakly_canonical(path)), // a link stays one
+  : m_path(resolved(path)), // a link stays one
     m_temporary(m_path)
 {
   if(is_replaceable(m_path))

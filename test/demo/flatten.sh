@@ -112,7 +112,7 @@ for cones in empty none; do
   is_conformal a.json
   claim "json('a.json').cones == 0" "near(flat_area(obj('a.obj')), area(obj('a.obj')), 1e-9)"
   expect 2 flatten regular.mesh.off -o b.obj --cones $cones
-  says 'prescribed on component 0 sum up to 12.5664 radians less than 2 pi times its Euler char'
+  says 'prescribed on the surface sum up to 12.5664 radians less than 2 pi times its Euler char'
 done
 
 # Exterior angles of a triangle on the boundary of the square; straight elsewhere.

@@ -187,6 +187,11 @@ for name in inline short raw appended; do
   cmp o.off good.off
   rm o.off
 done
+expect 0 delaunay <(cat inline.mesh.vtp) -o a.off
+"$program" delaunay inline.mesh.vtp -o b.off --stats /dev/stdout 2>err | grep -q '"flips"' ||
+  fail 'no statistics in a pipe'
+cmp a.off b.off
+rm a.off b.off
 expect 2 info <(sed 's/header_type/compressor="vtkZLibDataCompressor" header_type/' inline.mesh.vtp)
 says 'the numbers are compressed; save the file without compression'
 

@@ -106,6 +106,10 @@ expect 0 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --stats
 claim "near(json('plate.json').area, 2 * pi, 1e-9)"
 refuses 'the surface is a sphere, which is hyperbolic only with cones: use uniformize' \
   hyperbolic regular.mesh.off -o plate.obj
+with_isolated regular lonely
+refuses 'the surface is a sphere' hyperbolic lonely.mesh.off -o plate.obj
+off disks '9 9 9,0 0 0,1 0 0,0 1 0,2 0 0,3 0 0,2 1 0' '1 2 3,4 5 6'
+refuses 'the component of vertex 1 is a disk' hyperbolic disks.mesh.off -o plate.obj
 for v in 0 1 2 3; do echo "$v 1"; done >few.mesh.txt
 refuses 'its area would be -8.56637 (Gauss-Bonnet)' \
   hyperbolic regular.mesh.off -o plate.obj --cones few.mesh.txt

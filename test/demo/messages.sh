@@ -117,13 +117,14 @@ for command in delaunay refine 'distance --source 0' flatten 'simplify --vertice
 2 | mesh is required | -o a.ply
 2 | there is no option '--unknown' | flat.mesh.ply -o a.ply --unknown
 2 | no such output format: '.stl' (there are off, obj, ply and vtp) | flat.mesh.ply -o a.stl
-2 | no such output format: '' | flat.mesh.ply -o no_extension
+2 | no_extension: no such output format: '' | flat.mesh.ply -o no_extension
 2 | is a directory | flat.mesh.ply -o folder.ply
 2 | there is no directory | flat.mesh.ply -o nowhere/a.ply
 2 | is the input, which is never overwritten | flat.mesh.ply -o flat.mesh.ply
 2 | is the input, which is never overwritten | flat.mesh.ply -o link.mesh.ply
 2 | is the input, which is never overwritten | flat.mesh.ply -o a.ply --stats ./flat.mesh.ply
 2 | is named for two outputs | flat.mesh.ply -o a.ply --stats a.ply
+2 | is named for two outputs | flat.mesh.ply -o a.ply --stats ./a.ply
 2 | is named for two outputs | flat.mesh.ply -o - --stats -
 2 | ; split it, or leave out --strict | polygon.mesh.off --strict -o a.ply
 2 | --threads: '0' is not an integer | flat.mesh.ply -o a.ply --threads 0
@@ -190,6 +191,8 @@ calls <<'TABLE'
 2 | ' is not a point of the mesh: on triangles that are not a surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (add a part on it; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
 2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
+2 | a.jpg: --picture needs a name that ends with .svg or .png | delaunay flat.mesh.off -o a.ply --picture a.jpg
+2 | a.txt: --circles needs a name that ends with .svg or .png | pack flat.mesh.off -o a.ply --circles a.txt
 2 | --section: the radius is a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
 2 | --section: on triangles that are not a surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -303,16 +304,28 @@ private:
            long(m_topology[c].boundary_loops);
   }
 
+  // how a message names a component: by its first vertex if there are others with faces
+  std::string name(std::size_t component) const
+  {
+    const auto has_faces = [](const Topological_type& type) { return type.components > 0; };
+    if(std::count_if(m_topology.begin(), m_topology.end(), has_faces) == 1)
+      return "the surface";
+    std::size_t v = 0;
+    while(m_components[v] != component)
+      ++v;
+    return "the component of vertex " + std::to_string(v);
+  }
+
   // why a component, whose double would have the area `area`, is not hyperbolic
   std::string not_hyperbolic(std::size_t component, double area) const
   {
-    const std::string name = m_components.size() == 1 ? "the surface"
-                                                      : "component " + std::to_string(component),
-                      kind = Intrinsic_triangulations::description(m_topology[component]);
+    const std::string kind = Intrinsic_triangulations::description(m_topology[component]);
     if(is_flat(component))
-      return name + " is " + kind + ", which is hyperbolic only with cones: use uniformize";
+      return name(component) + " is " + kind +
+             ", which is hyperbolic only with cones: use uniformize";
     std::ostringstream text;
-    text << name << " is " << kind << " and cannot be hyperbolic with the prescribed curvatures: "
+    text << name(component) << " is " << kind
+         << " and cannot be hyperbolic with the prescribed curvatures: "
          << "its area would be " << (has_boundary(component) ? area / 2 : area)
          << " (Gauss-Bonnet); greater curvatures make it greater";
     return text.str();
@@ -341,7 +354,7 @@ private:
   {
     const double own = has_boundary(component) ? excess / 2 : excess; // not of the double
     std::ostringstream text;
-    text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
+    text << "the curvatures prescribed on " << name(component) << " sum up to " << std::abs(own)
          << " radians " << (own > 0 ? "more" : "less")
          << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
          << (has_fixed ? ": more than vertices with prescribed scale factors can have"
