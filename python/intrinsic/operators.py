@@ -35,7 +35,8 @@ def laplacian(
     F : (m, 3) array of integers
         The corners of each face, from 0.
     lengths : (m, 3) array of floats
-        Instead of V: the length of the side opposite to each corner.
+        Instead of V: the length of the side opposite to each corner. Both faces of an edge give
+        exactly the same length.
     mollify : float or "auto"
         As of `Triangulation`.
     progress : callable

@@ -206,7 +206,8 @@ class Triangulation:
     exact : bool
         Whether `delaunay()` and `refine()` decide exactly which edges are Delaunay.
     lengths : (m, 3) array of floats
-        Instead of V: the length of the side opposite to each corner.
+        Instead of V: the length of the side opposite to each corner. Both faces of an edge give
+        exactly the same length.
     mollify : float or "auto"
         Lengthens all edges until triangle inequalities have this slack, relative to the mean edge
         length. "auto" does that only if the triangulation cannot be made otherwise.

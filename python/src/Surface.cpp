@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -109,6 +110,7 @@ double edge_length(Mesh::Edge_index e, const Mesh& mesh, const Side_lengths& len
     return length(mesh.is_border(h) ? o : h);
   if(length(h) != length(o)) {
     std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
     text << "the faces " << mesh.face(h).idx() << " and " << mesh.face(o).idx()
          << " give different lengths to their common edge: " << length(h) << " and " << length(o);
     throw Element_error(

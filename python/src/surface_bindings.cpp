@@ -40,6 +40,9 @@ py::tuple repaired(const Number_array& points, const Index_array& faces, double 
 py::list defects_of(const IT::Input_diagnosis& diagnosis)
 {
   py::list result;
+  if(diagnosis.statistics().faces == 0)
+    result.append(py::dict(py::arg("kind") = "no faces", py::arg("is_fatal") = true,
+                           py::arg("count") = 1, py::arg("message") = "there are no faces"));
   for(const IT::Defect_description& d : IT::defect_descriptions)
     if(diagnosis.count(d.kind) > 0 && d.kind != IT::Defect_kind::SEVERAL_COMPONENTS)
       result.append(py::dict(py::arg("kind") = d.name, py::arg("is_fatal") = d.is_fatal,
@@ -64,7 +67,7 @@ py::dict diagnosed(const Number_array& points, const Index_array& faces)
     py::arg("euler_characteristic") = s.euler_characteristic,
     py::arg("boundary_loops") = s.boundary_loops, py::arg("components") = s.components,
     py::arg("min_angle_degrees") = s.min_angle, py::arg("min_edge_length") = s.min_edge_length,
-    py::arg("max_edge_length") = s.max_edge_length, py::arg("is_valid") = diagnosis.is_valid(),
+    py::arg("max_edge_length") = s.max_edge_length, py::arg("is_valid") = diagnosis.is_valid() && s.faces > 0,
     py::arg("defects") = defects_of(diagnosis), py::arg("coincident_points") = found.coincident,
     py::arg("close_points") = found.close);
 }

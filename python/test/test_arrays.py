@@ -203,6 +203,9 @@ class Elements(unittest.TestCase):
         lengths[1, 2] = 1.5
         error = self.error(None, [[0, 1, 2], [1, 0, 3]], lengths=lengths)
         self.assertEqual(sorted(error.edge), [0, 1])
+        lengths[1, 2] = np.nextafter(1, 2)
+        self.assertIn("1 and 1.0000000000000002",
+                      str(self.error(None, [[0, 1, 2], [1, 0, 3]], lengths=lengths)))
 
     def test_triangle_inequality(self):
         error = self.error(None, [[0, 1, 2]], lengths=[[1, 1, 3]])

@@ -118,6 +118,7 @@ class Repairs(unittest.TestCase):
         V, F = intrinsic.shapes.icosphere(2)
         torn = V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3)
         self.assertEqual(intrinsic.info(*torn).components, len(F))
+        self.assertFalse(intrinsic.info(V, F[:0]).is_valid)
         whole = intrinsic.repair(*torn)
         self.assertEqual(len(whole.V), len(V))
         about = intrinsic.info(whole)

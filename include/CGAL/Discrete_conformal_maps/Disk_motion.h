@@ -64,9 +64,9 @@ public:
   /// returns the entries: real and imaginary part of \f$a\f$, real and imaginary part of \f$b\f$.
   const std::array<FT, 4>& entries() const { return m_entry; }
 
-  /// \f$a\f$, in double precision.
+  /// returns \f$a\f$, in double precision.
   std::complex<double> a() const { return to_complex(m_entry[0], m_entry[1]); }
-  /// \f$b\f$, in double precision.
+  /// returns \f$b\f$, in double precision.
   std::complex<double> b() const { return to_complex(m_entry[2], m_entry[3]); }
 
   /// returns the composition: `g` is applied first.

@@ -162,6 +162,8 @@ OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIte
 /// \throws Intrinsic_triangulations::Numerical_error if the areas of pieces do not sum up to the
 ///   area of each face of the coarse level: rounding has misplaced a part. This needs vertices
 ///   about as close to each other as rounding
+///
+/// Complexity: the sum over all faces of the fine level.
 template <typename OutputIterator>
 OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
 {

@@ -263,7 +263,8 @@ Simplification_result simplified(Evolving_surface& surface, std::size_t number_o
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// simplifies `surface` with `default_cost()`.
+/// simplifies `surface` with `default_cost()`. Named parameters, result, exceptions and complexity
+/// belong to the function with a cost.
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface,
                                const NamedParameters& np = CGAL::parameters::default_values())

@@ -120,7 +120,7 @@ public:
   /// returns the number of parts of the edge `e` of \f$T_1\f$.
   size_type number_of_parts(Edge_index e) const { return Base::number_of_parts(e); }
 
-  /// part `i` of the edge `e` of \f$T_1\f$, counted from the source of its first halfedge.
+  /// returns part `i` of the edge `e` of \f$T_1\f$, counted from the source of its first halfedge.
   const Part& part(Edge_index e, size_type i) const { return Base::part(e, i); }
 
   /// returns the number of pieces into which crossings cut the parts that are not shared.
@@ -144,7 +144,8 @@ public:
     return side == Side::intrinsic ? m_on_intrinsic.size(e) : Base::number_of_crossings_on_input(e);
   }
 
-  /// crossing `p` on the halfedge `h` of `side`, counted from its source. Complexity: constant.
+  /// returns crossing `p` on the halfedge `h` of `side`, counted from its source. Complexity:
+  /// constant.
   Crossing crossing(Side side, Halfedge_index h, size_type p) const
   {
     if(side == Side::intrinsic)

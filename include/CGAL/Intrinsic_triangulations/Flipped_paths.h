@@ -147,6 +147,9 @@ private:
 /// \cgalNamedParamsEnd
 /// \returns the path of each pair. The result does not depend on the number of threads.
 /// \throws Numerical_error, Overflow_error as `Flipped_paths::path()`, for the first such pair
+///
+/// Complexity: linear in the size of `tri` for each thread, and `Flipped_paths::path()` for each
+/// pair.
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::vector<Flipped_path<typename Traits::FT>>
 flipped_paths(const Intrinsic_triangulation<Traits>& tri,

@@ -98,6 +98,7 @@ Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// follows the geodesic on one of the two triangulations of `tri` that starts at a vertex of
 /// \f$T_2\f$. On \f$T_1\f$ this may be an inserted vertex; for its frame see `angle_on_input()`.
+/// Complexity: linear in the number of crossed edges.
 template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<typename Traits::FT>
 trace_geodesic(const Intrinsic_triangulation<Traits>& tri, Side side, Vertex_index v,

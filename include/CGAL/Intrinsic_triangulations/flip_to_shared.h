@@ -56,9 +56,9 @@ first_curve(Halfedge_index outgoing, const Integer_coordinates<Integer>& coordin
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// flips until the edges of \f$T_1\f$ are shared for whose halfedges `is_wanted` holds (Algorithm
-/// 4). Flips of one curve can bring another into a corner that has been dealt with; hence the
-/// repetition. That it ends is proven by Mosher (1988). Returns the halfedges that have been
-/// turned, in order.
+/// 4). Flips of one curve can bring another into a corner that was examined before, so all corners
+/// are examined again. Mosher (1988) proves that this ends.
+/// \returns the halfedges that have been turned, in order
 template <typename Integer, typename Is_wanted>
 std::vector<Halfedge_index>
 flip_to_share(Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,

@@ -24,10 +24,10 @@ namespace CGAL::Intrinsic_triangulations {
 class Concurrency
 {
 public:
-  /// one thread.
+  /// selects one thread.
   Concurrency() = default;
 
-  /// several threads if `Tag` is `CGAL::Parallel_tag`.
+  /// selects several threads if `Tag` is `CGAL::Parallel_tag`.
   template <typename Tag>
   explicit Concurrency(const Tag&) : m_is_parallel(std::is_convertible_v<Tag, Parallel_tag>)
   {

@@ -320,6 +320,8 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param sources as for `geodesic_distances()`
 /// \param distance the distances by the index of the vertex
+///
+/// Complexity: an exact search with a bounded number of windows, see `Shortest_paths`.
 template <typename Surface, typename Sources>
 Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sources& sources,
                                               const std::vector<Length_of<Surface>>& distance)
@@ -341,6 +343,8 @@ Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sour
 /// \param np as for a surface, and for `Intrinsic_triangulation`
 /// \throws Invalid_input as `Intrinsic_triangulation`
 /// \throws Numerical_error as for a surface
+///
+/// Complexity: linear in the size of the mesh, and the complexity of the function for surfaces.
 template <typename Mesh, typename Sources,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 auto geodesic_distances(const Mesh& mesh, const Sources& sources,

@@ -55,7 +55,7 @@ public:
         set_frame(v, surface);
   }
 
-  /// A vertex of a soup has no tangent space; vertices of its tufted cover have one.
+  /// is deleted: a vertex of a soup has no tangent space; vertices of its tufted cover have one.
   template <typename F>
   explicit Tangent_frames(const Tufted_surface<F>& surface) = delete;
 
@@ -66,9 +66,9 @@ public:
   /// returns the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
   const FT& angle_sum(Vertex_index v) const { return m_angle_sum[v.idx()]; }
 
-  /// \f$2\pi\f$ less the angle sum, or \f$\pi\f$ less the angle sum on the boundary. This is the
-  ///   Gaussian curvature of `v`, or the geodesic curvature of the boundary at `v`. The sum over a
-  ///   surface without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
+  /// returns \f$2\pi\f$ less the angle sum, or \f$\pi\f$ less the angle sum on the boundary. This
+  /// is the Gaussian curvature of `v`, or the geodesic curvature of the boundary at `v`. The sum
+  /// over a surface without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
   FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }
 
   /// returns the factor that makes angles of the surface at `v` normalized angles:
