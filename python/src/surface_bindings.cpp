@@ -67,7 +67,8 @@ py::dict diagnosed(const Number_array& points, const Index_array& faces)
     py::arg("euler_characteristic") = s.euler_characteristic,
     py::arg("boundary_loops") = s.boundary_loops, py::arg("components") = s.components,
     py::arg("min_angle_degrees") = s.min_angle, py::arg("min_edge_length") = s.min_edge_length,
-    py::arg("max_edge_length") = s.max_edge_length, py::arg("is_valid") = diagnosis.is_valid() && s.faces > 0,
+    py::arg("max_edge_length") = s.max_edge_length,
+    py::arg("is_valid") = diagnosis.is_valid() && s.faces > 0,
     py::arg("defects") = defects_of(diagnosis), py::arg("coincident_points") = found.coincident,
     py::arg("close_points") = found.close);
 }
