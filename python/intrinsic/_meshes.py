@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 import warnings
 from typing import Any, Callable, TypeVar
 
@@ -14,7 +16,8 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Integers, floats, integers, number
-from .errors import ArrayError, InputError, MollificationWarning, NumericalError
+from .errors import (ArrayError, InputError, MollificationWarning, NumericalError,
+                     UnderflowError)
 
 Result = TypeVar("Result")
 
@@ -101,14 +104,25 @@ def mollification(mollify: float | str) -> float | None:
     return None if isinstance(mollify, str) and mollify == "auto" else number(mollify, "mollify", 0)
 
 
+def _level_of_caller() -> int:
+    """Return the number of frames up to the first one outside of this package."""
+    folder = os.path.dirname(__file__)
+    frame, level = sys._getframe(1), 1
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == folder:
+        frame, level = frame.f_back, level + 1
+    return level
+
+
 def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
     """Return what `compute(slack)` returns; with "auto", for the least of some slacks for which it
-    raises no NumericalError."""
+    raises no NumericalError. Slack does not help against underflow."""
     slack = mollification(mollify)
     if slack is not None:
         return compute(slack)
     try:
         return compute(0.0)
+    except UnderflowError:
+        raise
     except NumericalError as error:
         first = error
     for slack in SLACKS:
@@ -116,7 +130,8 @@ def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
             result = compute(slack)
         except NumericalError:
             continue
-        warnings.warn(f"computed with mollify={slack}: {first}", MollificationWarning, stacklevel=3)
+        warnings.warn(f"computed with mollify={slack}: {first}", MollificationWarning,
+                      stacklevel=_level_of_caller())
         return result
     raise first
 

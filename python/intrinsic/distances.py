@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Callable, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,7 +17,9 @@ from ._arrays import Floats, Integers, floats, integers, number, points_on
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError, UnderflowError
 from .simplification import simplify
-from .triangulation import Progress, SurfacePoints, Triangulation, triangulation_of
+from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
+
+Result = TypeVar("Result")
 
 _NO_VERTICES = np.zeros(0, np.int64)
 _NO_POINTS = (np.zeros(0, np.int64), np.zeros((0, 3)))
@@ -112,11 +114,14 @@ def distance(
     factor = _time_step_factor(time_step_factor)
     if factor is not None and kind == "auto":
         kind = "heat"
-    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
-    with T._lock:
+
+    def compute(T: Triangulation) -> Distances:
         values, about = _core.distances(T._core, *_sources(sources, T), kind, factor, progress)
-    values = values[: T._core.number_of_input_vertices()]
-    return Distances(values, about["method"], about.get("relative_error")) if full else values
+        return Distances(values[: T._core.number_of_input_vertices()], about["method"],
+                         about.get("relative_error"))
+
+    result = computed_on(V, F, lengths, mollify, compute, check_progress(progress))
+    return result if full else result.values
 
 
 def _time_step_factor(factor: float | None) -> float | None:
@@ -160,12 +165,13 @@ class DistanceSolver:
         if _method(method) == "auto":
             raise InputError("method must be 'heat' or 'exact'")
         factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
-        T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
-        self._on = T.copy() if T is V else T  # it must not change
-        self._heat: _core.Heat | None = None
-        if method == "heat":
-            with self._on._lock:
-                self._heat = _core.Heat(self._on._core, factor)
+
+        def prepared(T: Triangulation) -> tuple[Triangulation, _core.Heat | None]:
+            on = T.copy() if T is V else T  # it must not change
+            return on, _core.Heat(on._core, factor) if method == "heat" else None
+
+        self._on, self._heat = computed_on(V, F, lengths, mollify, prepared,
+                                           check_progress(progress))
 
     def distance(self, sources: Any) -> Floats:
         """Return the distance (n,) of each vertex from the nearest source, as `distance()`."""
@@ -248,7 +254,8 @@ def all_pairs(
         among = _distances_between_all(small.triangulation(), parallel, progress)
         result: Floats = P @ (P @ among).T
         return result
-    return _distances_between_all(_input_of(V, F, lengths, mollify), parallel, progress)
+    return _on_input(V, F, lengths, mollify,
+                     lambda T: _distances_between_all(T, parallel, progress))
 
 
 def _distances_between_all(
@@ -299,12 +306,10 @@ def _path(T: Triangulation, length: float, faces: Integers, coordinates: Floats,
     return Path(length, faces, coordinates, points, is_complete)
 
 
-def _input_of(V: Any, F: ArrayLike | None, lengths: ArrayLike | None,
-              mollify: float | str) -> Triangulation:
-    """Return a triangulation whose input is the surface; it need not be Delaunay."""
-    if isinstance(V, Triangulation):
-        return triangulation_of(V, F, lengths, mollify)
-    return Triangulation(V, F, lengths=lengths, mollify=mollify)
+def _on_input(V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: float | str,
+              compute: Callable[[Triangulation], Result]) -> Result:
+    """Return what `compute(T)` returns, of a triangulation that need not be Delaunay."""
+    return computed_on(V, F, lengths, mollify, compute, is_delaunay=False)
 
 
 def vertex_point(F: ArrayLike, vertex: int) -> SurfacePoints:
@@ -355,12 +360,13 @@ def path(
     >>> round(p.length ** 2, 12), p.points[0].tolist(), p.points[-1].tolist()
     (5.0, [0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
     """
-    T = _input_of(V, F, lengths, mollify)
-    ends = [_one_point(p, T, name) for p, name in ((source, "source"), (target, "target"))]
-    with T._lock:
-        found = _core.shortest_path(T._core, np.concatenate([e[0] for e in ends]),
-                                    np.concatenate([e[1] for e in ends]))
-    return _path(T, *found)
+
+    def compute(T: Triangulation) -> Path:
+        ends = [_one_point(p, T, name) for p, name in ((source, "source"), (target, "target"))]
+        return _path(T, *_core.shortest_path(T._core, np.concatenate([e[0] for e in ends]),
+                                             np.concatenate([e[1] for e in ends])))
+
+    return _on_input(V, F, lengths, mollify, compute)
 
 
 def geodesic(
@@ -396,16 +402,17 @@ def geodesic(
     >>> bool(abs(equator.length - 6.28) < 0.1)
     True
     """
-    T = _input_of(V, F, lengths, mollify)
-    with T._lock:
+
+    def compute(T: Triangulation) -> Path:
         through = integers(np.asarray(vertices), (None,), "vertices",
                            T._core.number_of_input_vertices(), "vertices")
         if len(through) < (1 if loop else 2):
             raise InputError("a path has two vertices or more, and a loop one")
         if loop:
             through = np.append(through, through[0])
-        found = _core.geodesic_through(T._core, through, bool(loop))
-    return _path(T, *found)
+        return _path(T, *_core.geodesic_through(T._core, through, bool(loop)))
+
+    return _on_input(V, F, lengths, mollify, compute)
 
 
 def geodesics(
@@ -437,12 +444,13 @@ def geodesics(
     >>> [round(p.length ** 2, 12) for p in intrinsic.geodesics(V, F, [[0, 1], [0, 7]])]
     [1.0, 5.0]
     """
-    T = _input_of(V, F, lengths, mollify)
-    with T._lock:
+
+    def compute(T: Triangulation) -> list[Path]:
         ends = integers(np.asarray(pairs), (None, 2), "pairs",
                         T._core.number_of_input_vertices(), "vertices")
-        found = _core.geodesics_between(T._core, ends)
-    return [_path(T, *result) for result in found]
+        return [_path(T, *found) for found in _core.geodesics_between(T._core, ends)]
+
+    return _on_input(V, F, lengths, mollify, compute)
 
 
 def signed_distance(
@@ -478,23 +486,20 @@ def signed_distance(
     (True, True)
     """
     factor = _time_step_factor(time_step_factor)
-    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
-    faces, coordinates, starts = _curve(curve, T)
-    with T._lock:
-        def compute(time: float) -> Floats:
-            values = _core.signed_distances(T._core, faces, coordinates, starts, time)
-            return values[: T._core.number_of_input_vertices()]
 
-        if factor is not None:
-            return compute(factor)
-        factor = 1.0
+    def compute(T: Triangulation) -> Floats:
+        faces, coordinates, starts = _curve(curve, T)
+        time = 1.0 if factor is None else factor
         while True:
             try:
-                return compute(factor)
+                values = _core.signed_distances(T._core, faces, coordinates, starts, time)
+                return values[: T._core.number_of_input_vertices()]
             except UnderflowError:
-                if factor > 1e12:
+                if factor is not None or time > 1e12:
                     raise
-                factor *= 16
+                time *= 16
+
+    return computed_on(V, F, lengths, mollify, compute, check_progress(progress))
 
 
 def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
@@ -572,11 +577,12 @@ def log_map(
     >>> bool(abs(abs(log.vectors) - d).max() < 1e-12)
     True
     """
-    T = _input_of(V, F, lengths, mollify)
-    vertex = _vertex(source, T)
-    with T._lock:
-        vectors, statuses = _core.logarithms(T._core, vertex)
-    return LogMap(vectors, statuses == 0)
+
+    def compute(T: Triangulation) -> LogMap:
+        vectors, statuses = _core.logarithms(T._core, _vertex(source, T))
+        return LogMap(vectors, statuses == 0)
+
+    return _on_input(V, F, lengths, mollify, compute)
 
 
 def exp_map(
@@ -608,14 +614,11 @@ def exp_map(
     >>> bool(abs(line.points[-1] - V[50]).max() < 1e-9)
     True
     """
-    T = _input_of(V, F, lengths, mollify)
-    vertex = _vertex(source, T)
     direction = complex(vector)
     if not np.isfinite(direction):
         raise InputError(f"vector is {direction}; it must be finite")
-    with T._lock:
-        found = _core.exponential(T._core, vertex, direction)
-    return _path(T, *found)
+    return _on_input(V, F, lengths, mollify, lambda T: _path(
+        T, *_core.exponential(T._core, _vertex(source, T), direction)))
 
 
 def transport(
@@ -650,9 +653,16 @@ def transport(
     True
     """
     factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
-    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
-    n = T._core.number_of_input_vertices()
-    sources = integers(np.atleast_1d(np.asarray(vertices)), (None,), "vertices", n, "vertices")
+
+    def compute(T: Triangulation) -> NDArray[np.complex128]:
+        n = T._core.number_of_input_vertices()
+        sources = integers(np.atleast_1d(np.asarray(vertices)), (None,), "vertices", n, "vertices")
+        return _core.transported(T._core, sources, _vectors_at(sources, vectors), factor)[:n]
+
+    return computed_on(V, F, lengths, mollify, compute, check_progress(progress))
+
+
+def _vectors_at(sources: Integers, vectors: Any) -> NDArray[np.complex128]:
     try:
         given = np.ascontiguousarray(np.atleast_1d(vectors), dtype=np.complex128)
     except (TypeError, ValueError):
@@ -662,8 +672,7 @@ def transport(
                          f"{sources.shape}, with one at least")
     if not np.isfinite(given).all():
         raise InputError("a vector is not finite")
-    with T._lock:
-        return _core.transported(T._core, sources, given, factor)[:n]
+    return given
 
 
 def _vertex(vertex: Any, T: Triangulation) -> int:

@@ -16,7 +16,7 @@ from . import _core
 from ._arrays import count, sparse
 from ._meshes import arrays, attempt, check_progress, mollification
 from .errors import InputError
-from .triangulation import Progress, triangulation_of
+from .triangulation import Progress, computed_on
 
 
 def laplacian(
@@ -38,7 +38,7 @@ def laplacian(
         Instead of V: the length of the side opposite to each corner. Both faces of an edge give
         exactly the same length.
     mollify : float or "auto"
-        As of `Triangulation`.
+        As of `Triangulation`; "auto" lengthens edges only if there is no result otherwise.
     progress : callable
         As of `Triangulation.delaunay()`.
 
@@ -133,18 +133,16 @@ def connection_laplacian(
         Hermitian. Tangent vectors are complex numbers, with angles that are scaled to a full turn
         at each vertex.
     """
-    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
-    with T._lock:
-        return sparse(_core.connection_laplacian(T._core))
+    return sparse(computed_on(V, F, lengths, mollify, lambda T: _core.connection_laplacian(T._core),
+                              check_progress(progress)))
 
 
 def _matrix(
     name: str, V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: float | str,
     progress: Progress | None,
 ) -> Any:
-    T = triangulation_of(V, F, lengths, mollify, check_progress(progress))
-    with T._lock:
-        return sparse(_core.operator_of(T._core, name))
+    return sparse(computed_on(V, F, lengths, mollify, lambda T: _core.operator_of(T._core, name),
+                              check_progress(progress)))
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from .errors import ArrayError, InputError
 Progress = Callable[[str, int], Any]
 SurfacePoints = tuple[Integers, Floats]
 Method = TypeVar("Method", bound=Callable[..., Any])
+Result = TypeVar("Result")
 
 
 def _locked(method: Method) -> Method:
@@ -579,20 +580,25 @@ def _is_input(side: str, name: str) -> bool:
     return side == "input"
 
 
-def triangulation_of(
+def computed_on(
     V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: float | str,
-    progress: Progress | None = None,
-) -> Triangulation:
-    """Return V itself if it is a triangulation, or the intrinsic Delaunay triangulation."""
+    compute: Callable[[Triangulation], Result], progress: Progress | None = None,
+    is_delaunay: bool = True,
+) -> Result:
+    """Return what `compute(T)` returns: of V itself if it is a triangulation, otherwise of the
+    triangulation of a mesh, which is intrinsic Delaunay if `is_delaunay`. With "auto", edges are
+    lengthened if a NumericalError ends it."""
     if isinstance(V, Triangulation):
         if F is not None or lengths is not None:
             raise ArrayError("a Triangulation has faces and lengths; leave F and lengths out")
-        return V
+        with V._lock:
+            return compute(V)
     on = surface(V, F, lengths, mollify)
 
-    def made(slack: float) -> Triangulation:
-        result = Triangulation._of_core(on, _core.Triangulation(on, slack))
-        result.delaunay(progress=progress)
-        return result
+    def made(slack: float) -> Result:
+        T = Triangulation._of_core(on, _core.Triangulation(on, slack))
+        if is_delaunay:
+            T.delaunay(progress=progress)
+        return compute(T)
 
     return attempt(mollify, made)

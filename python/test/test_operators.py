@@ -90,5 +90,35 @@ class Operators(unittest.TestCase):
         self.assertLess(abs(cloud.laplacian.sum(axis=1)).max(), 1e-9)
 
 
+class Mollification(unittest.TestCase):
+    """A triangle on a line has no angles, so 1e-8 of the mean length of its edges is added."""
+
+    V, F = np.array([[0., 0, 0], [1, 0, 0], [2, 0, 0]]), np.array([[0, 1, 2]])
+    lengths = np.array([[1., 2, 1]]) + 1e-8 * 4 / 3
+
+    def mollified(self, compute):
+        with self.assertWarns(intrinsic.MollificationWarning) as caught:
+            result = compute()
+        self.assertEqual(caught.filename, __file__)  # of the caller
+        return result
+
+    def test_operators(self):
+        L = self.mollified(lambda: intrinsic.laplacian(self.V, self.F)).toarray()
+        np.testing.assert_allclose(L, cotan_laplacian(self.F, self.lengths, 3), rtol=1e-6)
+        self.mollified(lambda: intrinsic.connection_laplacian(self.V, self.F))
+        with self.assertRaises(intrinsic.NumericalError):
+            intrinsic.laplacian(self.V, self.F, mollify=0)
+
+    def test_distances(self):
+        for compute in (lambda: intrinsic.distance(self.V, self.F, 0, "heat"),
+                        lambda: intrinsic.DistanceSolver(self.V, self.F).distance(0),
+                        lambda: abs(intrinsic.log_map(self.V, self.F, 0).vectors)):
+            np.testing.assert_allclose(self.mollified(compute), [0, 1, 2], atol=1e-7)
+        line = self.mollified(lambda: intrinsic.exp_map(self.V, self.F, 0, 0.5))
+        np.testing.assert_allclose(line.points[-1], [0.5, 0, 0], atol=1e-7)
+        field = self.mollified(lambda: intrinsic.transport(self.V, self.F, [0], [2j]))
+        np.testing.assert_allclose(abs(field), 2, rtol=1e-6)
+
+
 if __name__ == "__main__":
     unittest.main()
