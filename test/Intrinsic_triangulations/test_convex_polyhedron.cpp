@@ -189,6 +189,26 @@ TEST(Convex_polyhedron, recognizes_polygons_with_two_sides)
   }
 }
 
+// Rounded lengths belong to a polyhedron whose heights are rounding errors, up to half of the digits.
+TEST(Convex_polyhedron, finds_polygons_from_lengths)
+{
+  CGAL::Random random(5);
+  for(int n = 5; n < 25; ++n)
+    for(double width : {1., 20.}) {
+      std::vector<double> angle(static_cast<std::size_t>(n));
+      for(double& a : angle)
+        a = random.get_double(0, 2 * pi);
+      std::sort(angle.begin(), angle.end());
+      std::vector<Point> corner;
+      for(double a : angle)
+        corner.emplace_back(width * std::cos(a), std::sin(a), 0);
+      const Mesh mesh = double_polygon(corner, 1);
+      const Polyhedron p = polyhedron_of_lengths(with_random_flips(mesh, random));
+      expect_congruent(p, mesh, 1e-8 * width);
+      EXPECT_LE(p.max_edge_error(), 1e-9) << n << ' ' << width;
+    }
+}
+
 TEST(Convex_polyhedron, corresponds_to_the_input)
 {
   CGAL::Random random(3);

@@ -51,10 +51,9 @@ public:
                             std::to_string(path.t()) + " of its first value");
     m_last_t = path.t();
     m_newton_steps = path.newton_steps();
-    Metric_surface surface = path.surface();
-    place(surface, path.radii(), curved.vertices);
-    triangulate();
-    certify(surface);
+    build(path, curved.vertices, is_flat(path.surface(), path.radii(), m_last_t));
+    if(!m_is_flat && !is_accurate())
+      try_polygon(path, curved.vertices);
   }
 
   const std::vector<Point>& points() const { return m_points; }
@@ -81,13 +80,39 @@ private:
   static constexpr double t_at_end = 1e-14, greatest_t_at_end = 1e-6;
   // A polyhedron is flat if its pyramids are no higher, relative to its size and to t.
   static constexpr double flat_height = 1e3;
+  // of an edge; greater errors show that heights are lost in rounding
+  static constexpr double greatest_edge_error = 1e-9;
+
+  void build(const Curvature_path& path, const std::vector<Vertex_index>& vertices, bool is_flat)
+  {
+    m_is_flat = is_flat;
+    Metric_surface surface = path.surface();
+    place(surface, path.radii(), vertices);
+    triangulate();
+    certify(surface);
+  }
+
+  bool is_accurate() const
+  {
+    return m_certificate.is_convex() && max_edge_error() <= greatest_edge_error;
+  }
+
+  // Lengths determine heights to half of the digits only. So a polygon with two sides can have
+  // heights of rounding errors. Builds the polygon, unless its edges have greater errors.
+  void try_polygon(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
+  {
+    const double error = max_edge_error();
+    build(path, vertices, true);
+    if(!is_accurate() && !(max_edge_error() < error))
+      build(path, vertices, false);
+  }
 
   // Places the vertices, the flat ones in the faces in which they rest.
   void place(Metric_surface& surface, const Radii& radii, const std::vector<Vertex_index>& vertices)
   {
     std::vector<Precise_vector> positions = Pyramid_layout(surface, radii).positions();
     center(positions);
-    m_is_flat = is_flat(surface, radii, m_last_t);
+    m_corners.clear();
     for(const Precise_vector& p : positions)
       m_corners.emplace_back(p.x.high(), p.y.high(), m_is_flat ? 0. : p.z.high());
     if(!m_is_flat)
