@@ -189,7 +189,7 @@ TEST(Convex_polyhedron, recognizes_polygons_with_two_sides)
   }
 }
 
-// Rounded lengths belong to a polyhedron whose heights are rounding errors, up to half of the digits.
+// Rounded lengths belong to a polyhedron whose heights are rounding errors.
 TEST(Convex_polyhedron, finds_polygons_from_lengths)
 {
   CGAL::Random random(5);

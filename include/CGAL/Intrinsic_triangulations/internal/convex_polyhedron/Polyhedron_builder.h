@@ -98,13 +98,16 @@ private:
   }
 
   // Lengths determine heights to half of the digits only. So a polygon with two sides can have
-  // heights of rounding errors. Builds the polygon, unless its edges have greater errors.
+  // heights of rounding errors. Builds the polygon, unless it has other edge lengths.
   void try_polygon(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
   {
-    const double error = max_edge_error();
-    build(path, vertices, true);
-    if(!is_accurate() && !(max_edge_error() < error))
-      build(path, vertices, false);
+    try {
+      build(path, vertices, true);
+      if(is_accurate())
+        return;
+    } catch(const Numerical_error&) { // the polyhedron is no polygon
+    }
+    build(path, vertices, false);
   }
 
   // Places the vertices, the flat ones in the faces in which they rest.
