@@ -5,13 +5,17 @@
 #include "weights.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Supporting_triangles.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/weighted_laplacian.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <Eigen/LU>
 
 namespace Test_weighted_Delaunay {
 
@@ -87,6 +91,100 @@ TEST(Weighted_Delaunay, is_the_regular_triangulation_of_a_flat_domain)
         hidden_vertices += hidden.size();
       }
   EXPECT_GT(hidden_vertices, 1000);
+}
+
+namespace {
+
+// Returns the greatest error of the weights of hidden vertices, relative to `scale`. Their lifted
+// points lie in the triangles of the visible ones.
+double error_of_hidden_weights(const std::vector<Point_2>& points,
+                               const std::vector<double>& weights,
+                               const std::vector<double>& raised, double scale)
+{
+  typedef CGAL::Regular_triangulation_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Regular;
+  typedef Regular::Weighted_point Lifted;
+  std::vector<Lifted> lifted;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    lifted.emplace_back(Regular::Bare_point(points[i].x(), points[i].y()), weights[i]);
+  const Regular t(lifted.begin(), lifted.end());
+  double result = 0;
+  for(auto v = t.hidden_vertices_begin(); v != t.hidden_vertices_end(); ++v) {
+    const auto f = t.locate(v->point());
+    const auto circle = t.geom_traits().construct_weighted_circumcenter_2_object()(
+      f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    const auto weight = CGAL::squared_distance(v->point().point(), circle) -
+                        CGAL::squared_distance(f->vertex(0)->point().point(), circle) +
+                        f->vertex(0)->point().weight();
+    const std::size_t i =
+      std::size_t(std::find(lifted.begin(), lifted.end(), v->point()) - lifted.begin());
+    result = (std::max)(result, std::abs(CGAL::to_double(weight) - raised[i]) / scale);
+  }
+  return result;
+}
+
+} // namespace
+
+// Weights of hidden vertices depend on each other until the visible ones are known.
+TEST(Weighted_Delaunay, gives_hidden_vertices_the_weights_of_visible_ones)
+{
+  CGAL::Random random(12);
+  for(std::size_t n : {20, 100, 400})
+    for(double range : {1., 1e3, 1e6, 1e9})
+      for(int sample = 0; sample < 3; ++sample) {
+        const std::vector<Point_2> points = random_points(n, random);
+        const std::vector<double> weights = random_numbers(n, 0, range / double(n), random);
+        Triangulation t(planar_mesh(points));
+        const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+        EXPECT_EQ(result.hidden_vertices, regular_triangulation(points, weights).second);
+        EXPECT_LT(error_of_hidden_weights(points, weights, result.weights, 1 + range), 1e-12);
+        EXPECT_TRUE(t.is_valid());
+      }
+}
+
+TEST(Supporting_triangles, solve_cycles_of_vertices)
+{
+  CGAL::Random random(13);
+  for(const double near : {1., 1e-3, 1e-6})
+    for(int sample = 0; sample < 20; ++sample) {
+      const Eigen::Index n = random.get_int(2, 40), all = n + 3;
+      Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(all, all);
+      Eigen::VectorXd constant(all);
+      std::vector<double> weights = random_numbers(std::size_t(all), -1, 1, random);
+      IT::internal::Supporting_triangles<double> triangles;
+      for(Eigen::Index i = 0; i < all; ++i) {
+        constant[i] = i < n ? random.get_double(-1, 1) : weights[std::size_t(i)];
+        if(i >= n)
+          continue;
+        IT::internal::Supporting_triangle<double> triangle{constant[i], {}};
+        double rest = 1; // the visible corner has a part of up to `near`
+        for(int c = 2; c >= 0; --c) {
+          const auto j =
+            c == 2 ? n + random.get_int(0, 3) : Eigen::Index(random.get_int(0, int(n)));
+          const double part =
+            c == 0 ? rest : rest * random.get_double(0.1, 0.9) * (c == 2 ? near : 1);
+          rest -= part;
+          triangle.part[std::size_t(c)] = {Vertex_index(unsigned(j)), part};
+          matrix(i, j) -= part;
+        }
+        triangles.set(Vertex_index(unsigned(i)), triangle);
+      }
+      triangles.set_weights(weights);
+      const Eigen::VectorXd expected = matrix.fullPivLu().solve(constant);
+      for(Eigen::Index i = 0; i < all; ++i)
+        EXPECT_NEAR(weights[std::size_t(i)], expected[i], 1e-9 / near);
+    }
+}
+
+// Vertices that hide each other leave no weight.
+TEST(Supporting_triangles, refuse_vertices_without_a_visible_one)
+{
+  IT::internal::Supporting_triangles<double> triangles;
+  for(unsigned v = 0; v < 2; ++v) {
+    const Vertex_index other(1 - v);
+    triangles.set(Vertex_index(v), {1., {std::pair(other, 0.5), {other, 0.25}, {other, 0.25}}});
+  }
+  std::vector<double> weights(2, 0.);
+  EXPECT_THROW(triangles.set_weights(weights), IT::Numerical_error);
 }
 
 TEST(Weighted_Delaunay, holds_in_fifty_digits_and_is_unique)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
+#include "more_generators.h"
 #include "weights.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
@@ -244,6 +245,30 @@ TEST(Weighted_Delaunay, of_data_meshes_with_hidden_vertices_holds_up_to_rounded_
                     hidden += result.hidden_vertices.size();
                   });
   EXPECT_GT(hidden, vertices / 4);
+}
+
+// Almost all vertices are hidden, in clusters. The weights do not depend on the first triangulation.
+TEST(Weighted_Delaunay, of_data_meshes_with_few_visible_vertices_is_unique)
+{
+  CGAL::Random random(14);
+  std::size_t visible = 0, vertices = 0;
+  for_data_meshes({"helmet.off", "joint.off", "part.off", "cactus.off"}, [&](const Mesh& mesh) {
+    Triangulation t(mesh), u = with_random_flips(mesh, random);
+    const std::vector<double> squares = least_squares_of_lengths(t);
+    const double range = 1e5 * *std::min_element(squares.begin(), squares.end());
+    const std::vector<double> weights = random_numbers(squares.size(), 0, range, random);
+    const auto exactly = IT::parameters::exact_decisions(true);
+    const auto result = IT::make_weighted_Delaunay(t, map_of(weights), exactly);
+    EXPECT_TRUE(t.is_valid());
+    EXPECT_GT(Dual_edges(t, result.weights).least_change_of_weight(), -1e-14);
+    const auto again = IT::make_weighted_Delaunay(u, map_of(weights), exactly);
+    EXPECT_EQ(result.hidden_vertices, again.hidden_vertices);
+    for(std::size_t v = 0; v < weights.size(); ++v)
+      EXPECT_NEAR(result.weights[v], again.weights[v], 1e-14 * range);
+    vertices += weights.size();
+    visible += weights.size() - result.hidden_vertices.size();
+  });
+  EXPECT_LT(visible, vertices / 10);
 }
 
 // Circles that do not meet, by exact decisions.

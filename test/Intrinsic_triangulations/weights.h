@@ -92,12 +92,13 @@ public:
   }
 
   // Returns the least change of the weight of an apex that moves the dual edge by its length. It is
-  // relative to the squared longest side, and negative if the edge is not weighted Delaunay.
+  // relative to the squared longest side and to the weights, and negative if the edge is not weighted
+  // Delaunay.
   double least_change_of_weight()
   {
     return least([](const Face& a, const Face& b) {
       return Number(2 * (a.center + b.center) * (std::min)(a.apex, b.apex) /
-                    (std::max)(a.greatest_square, b.greatest_square));
+                    (std::max)(a.greatest, b.greatest));
     });
   }
 
@@ -105,7 +106,7 @@ private:
   // A face over one of its sides, with the heights of the power center and of the apex.
   struct Face
   {
-    Number side, center, apex, greatest_square;
+    Number side, center, apex, greatest; // square of a side or weight
   };
 
   Face face(Halfedge_index h)
@@ -115,7 +116,9 @@ private:
     const Number wi = weight(h), wj = weight(m_mesh.next(h)), wk = weight(m_mesh.prev(h));
     const Number x = (l * l + a * a - b * b) / (2 * l), y = sqrt(Number(a * a - x * x));
     const Number center = (l * l + wi - wj) / (2 * l), longest = (std::max)({l, a, b});
-    return {l, (a * a + wi - wk - 2 * center * x) / (2 * y), y, longest * longest};
+    return {
+      l, (a * a + wi - wk - 2 * center * x) / (2 * y), y,
+      (std::max)({Number(longest * longest), Number(abs(wi)), Number(abs(wj)), Number(abs(wk))})};
   }
 
   template <typename Measure>

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Supporting_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
@@ -96,10 +97,11 @@ void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
                    Visitor& visitor)
 {
   typedef Weighted_flipping<Stored_lengths<Traits>> Flipping;
+  Supporting_triangles<typename Traits::FT> triangles;
   hide_vertices(
     result.flips,
     [&] { return flip_with_weights(tri, result.weights, limit - result.flips, visitor); },
-    [&] { return Flipping(tri, result.weights).raise_weights(); });
+    [&] { return Flipping(tri, result.weights).raise_weights(triangles); });
 }
 
 // Resets T2 to T1, with its inserted vertices, if edges are bent.
@@ -124,10 +126,11 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
   straighten_edges(tri, visitor);
   std::vector<typename Lengths::FT> precise(result.weights.begin(), result.weights.end());
   Weighted_flipping<Lengths> flipping(tri, precise);
+  Supporting_triangles<typename Lengths::FT> triangles;
   hide_vertices(
     result.flips,
     [&] { return flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor); },
-    [&] { return flipping.raise_weights(); });
+    [&] { return flipping.raise_weights(triangles); });
   flipping.lengths().store();
   for(std::size_t i = 0; i < precise.size(); ++i)
     result.weights[i] = static_cast<double>(precise[i]);

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Supporting_triangles.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
@@ -22,7 +23,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -165,17 +168,30 @@ public:
     return !satisfies_condition(e) && !m_lengths.is_flippable(m_mesh.halfedge(e));
   }
 
-  // If an edge is not weighted Delaunay, and the union of its faces is not convex, one end is
-  // hidden. Raises the weight of this end until the edge is weighted Delaunay. As lifted points,
-  // the end lies above the triangle of the three others, and comes down to it: it is not moved too
-  // far. Returns whether such an edge was found.
-  bool raise_weights()
+  // If an edge is not weighted Delaunay and its diamond is not convex, the triangle of three corners
+  // hides the fourth. Adds such triangles to `triangles`, and moves hidden vertices into theirs, as
+  // lifted points. In the end no vertex lies above a triangle that was found, so weights are not
+  // raised too far. Returns whether a triangle was found.
+  bool raise_weights(Supporting_triangles<FT>& triangles)
   {
-    bool result = false;
+    std::set<Vertex_index> hidden;
     for(Edge_index e : m_mesh.edges())
-      if(has_hidden_end(e))
-        result = raise_weight(hidden_end(e)) || result;
-    return result;
+      if(has_hidden_end(e)) {
+        const Halfedge_index h = hidden_end(e);
+        triangles.set(m_mesh.source(h), supporting_triangle(h));
+        hidden.insert(m_mesh.source(h));
+      }
+    if(hidden.empty())
+      return false;
+    const std::vector<FT> before = m_weights;
+    triangles.set_weights(m_weights);
+    for(Vertex_index v : m_mesh.vertices())
+      if(m_weights[v.idx()] != before[v.idx()])
+        forget_edges_around(v);
+    for(Vertex_index v : hidden)
+      if(!(m_weights[v.idx()] > before[v.idx()]))
+        throw Numerical_error("rounding of the lengths hides vertex " + std::to_string(v.idx()));
+    return true;
   }
 
 private:
@@ -210,27 +226,30 @@ private:
     return cotangents_at_source(diamond(m_lengths.length_map(), opposite(h), m_mesh));
   }
 
-  // The condition is linear in the weight of the source of `h`. Returns whether that has changed.
-  bool raise_weight(Halfedge_index h)
+  // Returns the triangle that hides the source of `h`, from the other corners of its diamond. The sum
+  // of heights is linear in the weights, and vanishes if the lifted point is in the triangle.
+  Supporting_triangle<FT> supporting_triangle(Halfedge_index h) const
   {
     const Diamond<FT> length = diamond(m_lengths.length_map(), h, m_mesh);
-    const auto [left, right] = weighted_triangles(length, weights(h));
-    const FT sum = left.scaled_height() * quadrupled_area(length.ij, length.il, length.lj) +
-                   right.scaled_height() * quadrupled_area(length.ij, length.jk, length.ki);
-    FT& weight = m_weights[m_mesh.source(h).idx()];
-    const FT before = weight;
-    weight -= sum * (length.ij * length.ij) / cotangents_at_target(h);
-    if(++m_raises > 100 * m_weights.size())
-      throw Numerical_error("the weights of hidden vertices converge too slowly");
-    if(!(weight > before))
-      throw Numerical_error("rounding of the lengths hides vertex " +
-                            std::to_string(m_mesh.source(h).idx()));
-    for_each_outgoing_halfedge(m_mesh.source(h), m_mesh, [&](Halfedge_index out) {
+    const Halfedge_index o = opposite(h);
+    const FT left = quadrupled_area(length.ij, length.jk, length.ki),
+             right = quadrupled_area(length.ij, length.il, length.lj),
+             unit = length.ij * length.ij / cotangents_at_target(h);
+    const FT of_target = -cotangents_at_source(length) * unit / (length.ij * length.ij);
+    return {-unit * (doubled_corner_product(length.ij, length.jk, length.ki) * right +
+                     doubled_corner_product(length.ij, length.il, length.lj) * left),
+            {std::pair(m_mesh.target(h), of_target > 0 ? of_target : FT(0)),
+             std::pair(m_mesh.target(m_mesh.next(h)), FT(2 * right * unit)),
+             std::pair(m_mesh.target(m_mesh.next(o)), FT(2 * left * unit))}};
+  }
+
+  void forget_edges_around(Vertex_index v)
+  {
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index out) {
       m_is_good_edge[m_mesh.edge(out).idx()] = false;
       if(!m_mesh.is_border(out))
         m_is_good_edge[m_mesh.edge(m_mesh.next(out)).idx()] = false;
     });
-    return true;
   }
 
   Lengths m_lengths;
@@ -239,7 +258,6 @@ private:
   mutable std::vector<char> m_is_good_edge; // known to satisfy the condition
   Is_locally_weighted_Delaunay<FT> m_is_good{Lengths::error()};
   bool m_has_failed = false;
-  std::size_t m_raises = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
