@@ -148,11 +148,14 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 /// weighted Delaunay. Its weight is then raised to the least weight with which others do not hide
 /// it, so that all its edges are ties. The result names such vertices.
 ///
+/// These weights are the least solution of all conditions: they do not depend on the first
+/// triangulation. A sparse linear system gives the weights of vertices that hide each other.
+///
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
-/// there were more flips than edges, lengths are recomputed from \f$T_1\f$. If many vertices are
-/// hidden, faces can have almost no area, and stored lengths do not resolve it. With
-/// `exact_decisions`, and if rounding prevents the result, lengths and weights with 155 decimal
-/// digits decide. They come from the exact surface. Weights and lengths of the result are rounded.
+/// there were more flips than edges, lengths are recomputed from \f$T_1\f$. With
+/// `exact_decisions`, lengths and weights with 155 decimal digits decide, computed from the exact
+/// surface. They also decide if rounding prevents the result, or if the faces at a hidden vertex have
+/// so little area that rounding changes its weight. Weights and lengths of the result are rounded.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` for Euclidean triangles
 /// \tparam WeightMap a model of `ReadablePropertyMap` with key type `Vertex_index` and a value type
@@ -179,7 +182,8 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: linear in the edges and flips, times the number of times that weights are raised.
+/// Complexity: linear in the edges and flips, times the number of times that linear systems are
+/// solved.
 /// \returns the number of flips, the hidden vertices and the weights for which `tri` is weighted
 ///          Delaunay
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
@@ -187,7 +191,8 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 ///         prevents the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
-/// \post `is_weighted_Delaunay(tri, result.weight_map())`
+/// \post `is_weighted_Delaunay(tri, result.weight_map())`, up to rounding of the weights of hidden
+///       vertices
 template <typename Traits, typename WeightMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMap& weight,

@@ -45,6 +45,14 @@ public:
   auto length_map() const { return m_tri.length_map(); }
   // the relative error that decisions grant to a length
   static FT error() { return rounding_unit<FT>(); }
+  // the least square of an area, relative to squared lengths, that determines weights to 9 digits;
+  // none if no other lengths can decide
+  static FT least_squared_area()
+  {
+    return has_exact_decisions<Traits>() && !Is_exact<Traits>::value
+             ? FT(std::ldexp(1., 30)) * error()
+             : FT(0);
+  }
 
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
 
@@ -85,6 +93,7 @@ public:
   }
   // Flips keep more digits. Weights that depend on each other converge linearly to this accuracy.
   static FT error() { return FT(std::ldexp(1., -128)); }
+  static FT least_squared_area() { return FT(0); }
 
   bool is_flippable(Halfedge_index h) const
   {
@@ -232,8 +241,8 @@ private:
   {
     const Diamond<FT> length = diamond(m_lengths.length_map(), h, m_mesh);
     const Halfedge_index o = opposite(h);
-    const FT left = quadrupled_area(length.ij, length.jk, length.ki),
-             right = quadrupled_area(length.ij, length.il, length.lj),
+    const FT left = determined_area(length.ij, length.jk, length.ki),
+             right = determined_area(length.ij, length.il, length.lj),
              unit = length.ij * length.ij / cotangents_at_target(h);
     const FT of_target = -cotangents_at_source(length) * unit / (length.ij * length.ij);
     return {-unit * (doubled_corner_product(length.ij, length.jk, length.ki) * right +
@@ -241,6 +250,16 @@ private:
             {std::pair(m_mesh.target(h), of_target > 0 ? of_target : FT(0)),
              std::pair(m_mesh.target(m_mesh.next(h)), FT(2 * right * unit)),
              std::pair(m_mesh.target(m_mesh.next(o)), FT(2 * left * unit))}};
+  }
+
+  // Returns four times the area of a triangle.
+  // \throws Numerical_error if rounding of the sides changes it too much
+  static FT determined_area(const FT& a, const FT& b, const FT& c)
+  {
+    const FT area = quadrupled_area(a, b, c), squares = a * a + b * b + c * c;
+    if(area * area < Lengths::least_squared_area() * squares * squares)
+      throw Numerical_error("rounding of the lengths does not determine the area of a face");
+    return area;
   }
 
   void forget_edges_around(Vertex_index v)
