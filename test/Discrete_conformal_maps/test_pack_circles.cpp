@@ -314,6 +314,61 @@ TEST(Pack_circles, of_nested_triangles_end_with_a_status)
   }
 }
 
+// Rings of `n` vertices, closed by two apices.
+Mesh tube(std::size_t n, std::size_t rings)
+{
+  std::vector<Point> points;
+  Triangles triangles;
+  const std::size_t below = n * rings, above = below + 1;
+  const auto at = [&](std::size_t i, std::size_t j) { return i * n + j % n; };
+  for(std::size_t i = 0; i < rings; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      const double t = 2 * pi * double(j) / double(n);
+      points.emplace_back(std::cos(t), std::sin(t), double(i));
+      triangles.push_back(i == 0 ? std::array{below, at(0, j + 1), at(0, j)}
+                                 : std::array{at(i - 1, j), at(i - 1, j + 1), at(i, j + 1)});
+      triangles.push_back(i + 1 == rings ? std::array{above, at(i, j), at(i, j + 1)}
+                                         : std::array{at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+    }
+  points.emplace_back(0, 0, -1);
+  points.emplace_back(0, 0, double(rings));
+  return make_mesh(points, triangles);
+}
+
+// Circles shrink by 100 decimal digits and more. Angles around a vertex, of triangles on the sphere
+// with sums of angular radii as sides, add up to a full turn, also around the smallest circles.
+TEST(Pack_circles, of_long_tubes_have_circles_below_rounding)
+{
+  for(const auto& [n, rings] : {std::pair{3u, 30u}, {3u, 100u}, {3u, 300u}, {10u, 100u}}) {
+    const Mesh mesh = tube(n, rings);
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    EXPECT_EQ(packing.status(), DCM::Map_status::success) << n << ' ' << rings;
+    check_tangencies(packing, mesh);
+    double least = 1;
+    for(Vertex_index v : mesh.vertices()) {
+      const auto angle = [&](Mesh::Vertex_index w) { return packing.spherical_circle(w).angle; };
+      double sum = 0;
+      for(const auto h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+        const double a = angle(v), b = angle(mesh.source(h)), c = angle(mesh.target(mesh.next(h)));
+        sum += 2 * std::atan(std::sqrt(std::sin(b) / std::sin(a + b + c)) *
+                             std::sqrt(std::sin(c) / std::sin(a)));
+      }
+      EXPECT_NEAR(sum, 2 * pi, 1e-8) << v;
+      least = (std::min)(least, angle(v));
+    }
+    EXPECT_LT(least, n == 3 ? 1e-14 : 1e-12);
+  }
+}
+
+// Circles beyond the range of `double`.
+TEST(Pack_circles, of_endless_tubes_end_with_a_status)
+{
+  const Circle_packing packing = DCM::pack_circles(tube(3, 1000));
+  EXPECT_NE(packing.status(), DCM::Map_status::success);
+  for(unsigned v = 0; v < packing.size(); ++v)
+    EXPECT_FALSE(std::isnan(packing.circle(Vertex_index(v)).radius));
+}
+
 TEST(Pack_circles, refuse_other_surfaces)
 {
   EXPECT_THROW(DCM::pack_circles(embedded_torus(4, 4)), IT::Invalid_input);

@@ -247,7 +247,7 @@ TEST(Weighted_Delaunay, of_data_meshes_with_hidden_vertices_holds_up_to_rounded_
   EXPECT_GT(hidden, vertices / 4);
 }
 
-// Almost all vertices are hidden, in clusters. The weights do not depend on the first triangulation.
+// Almost all vertices are hidden, in clusters. Weights do not depend on the first triangulation.
 TEST(Weighted_Delaunay, of_data_meshes_with_few_visible_vertices_is_unique)
 {
   CGAL::Random random(14);

@@ -92,8 +92,8 @@ public:
   }
 
   // Returns the least change of the weight of an apex that moves the dual edge by its length. It is
-  // relative to the squared longest side and to the weights, and negative if the edge is not weighted
-  // Delaunay.
+  // relative to the squared longest side and the weights. It is negative if the edge is not
+  // weighted Delaunay.
   double least_change_of_weight()
   {
     return least([](const Face& a, const Face& b) {

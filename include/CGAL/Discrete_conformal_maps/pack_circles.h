@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Circle_packing.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/circles/Circle_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Packing_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -45,13 +46,18 @@ class Packed_circles
 {
 public:
   Packed_circles(const Planar_conformal_map& map, const Packing_complex& complex)
-    : m_complex(complex), m_circles(complex.rest().num_vertices())
+    : m_complex(complex), m_circles(complex.rest().num_vertices()), m_status(map.status())
   {
-    const Delta_complex& mesh = map.ideal().mesh();
-    for(Halfedge_index h : mesh.halfedges())
-      if(map.is_laid_out(mesh.face(h)) && mesh.source(h).idx() < m_circles.size())
-        m_circles[mesh.source(h).idx()] = {map.position(h), map.scaled_radius(mesh.source(h))};
+    const auto found = {Map_status::success, Map_status::not_laid_out, Map_status::layout_collapsed,
+                        Map_status::not_closed, Map_status::not_conformal};
+    if(std::find(found.begin(), found.end(), m_status) != found.end())
+      lay_out(map);
   }
+
+  // Returns the status of the layout, or of the map if it has no scale factors.
+  Map_status status() const { return m_status; }
+
+  bool are_laid_out() const { return m_circles.front().radius > 0; }
 
   // Maps the packing to the unit disk, or to the sphere. Balances the points at which circles touch
   // the unit circle, or each other on the sphere. Returns whether rounding allows it.
@@ -84,6 +90,29 @@ public:
 
 private:
   typedef std::array<double, 2> Point;
+
+  // Squares of positions are in the range of `double`.
+  static constexpr double greatest_log_radius = 345;
+
+  // Lays the circles out. The greatest and the least logarithm of a radius become opposite, so that
+  // most radii are in the range of `double`.
+  void lay_out(const Planar_conformal_map& map)
+  {
+    std::vector<double> radius;
+    for(Vertex_index v : m_complex.rest().vertices())
+      radius.push_back(map.log_scale(v));
+    const auto [least, greatest] = std::minmax_element(radius.begin(), radius.end());
+    const double middle = (*least + *greatest) / 2;
+    if(!(*greatest - middle < greatest_log_radius)) {
+      m_status = Map_status::not_laid_out;
+      return;
+    }
+    for(double& r : radius)
+      r = std::exp(r - middle);
+    const Circle_layout layout(m_complex.rest(), radius);
+    m_circles = layout.circles();
+    m_status = layout.has_reversed_faces() ? Map_status::layout_collapsed : Map_status::success;
+  }
 
   const Planar_circle& at_end(Edge_index e, unsigned end) const
   {
@@ -160,17 +189,15 @@ private:
 
   const Packing_complex& m_complex;
   std::vector<Planar_circle> m_circles;
+  Map_status m_status;
 };
 
-// Returns the status of a packing with this error. Relative errors of small circles, the last
-// promises of a map, do not count.
-inline Map_status packing_status(Map_status of_map, double max_tangency_error)
+// Returns the status of a packing with this error.
+inline Map_status packing_status(Map_status of_layout, double max_tangency_error)
 {
-  const bool is_by_size = of_map == Map_status::not_conformal || of_map == Map_status::not_closed;
-  if(of_map != Map_status::success && !is_by_size)
-    return of_map;
-  return max_tangency_error <= tolerance::promised_angle ? Map_status::success
-                                                         : Map_status::not_closed;
+  if(of_layout != Map_status::success || max_tangency_error <= tolerance::promised_angle)
+    return of_layout;
+  return Map_status::not_closed;
 }
 
 // Packs circles between the circles of the outer face, and balances them.
@@ -188,11 +215,11 @@ inline Circle_packing packed(const Packing_complex& complex)
               .vertex_condition_map(boost::make_function_property_map<Vertex_index>(
                 [&](Vertex_index v) { return condition[v.idx()]; })));
   Packed_circles circles(map, complex);
-  const double error = map.is_laid_out() && circles.balance()
+  const double error = circles.are_laid_out() && circles.balance()
                          ? circles.max_tangency_error()
                          : std::numeric_limits<double>::quiet_NaN();
-  return {circles.circles(), complex.apex().is_valid(), error, packing_status(map.status(), error),
-          map.minimization()};
+  return {circles.circles(), complex.apex().is_valid(), error,
+          packing_status(circles.status(), error), map.minimization()};
 }
 
 } // namespace internal
@@ -212,6 +239,9 @@ inline Circle_packing packed(const Packing_complex& complex)
 /// the circles, for edges of length 2 and radii 1 and a boundary that is not scaled. Circles that
 /// touch are weighted Delaunay for all scale factors, so no edge is flipped. If circles far from
 /// this face have too few digits, the computation restarts with the face of the greatest circles.
+/// The layout starts at the smallest circle, where `double` has most digits. On the sphere, the
+/// centers of circles that are smaller than rounding coincide; their radii are accurate. Radii with
+/// quotients up to 10^299 are possible.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param g a connected triangle mesh of genus zero with at most one boundary, in which vertices

@@ -20,8 +20,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A triangle of three lifted points, which hides a vertex. If the lifted point of this vertex lies in
-// it, its weight is a constant plus a convex combination of the three weights.
+// A triangle of three lifted points, which hides a vertex. If the lifted point of this vertex lies
+// in it, its weight is a constant plus a convex combination of the three weights.
 template <typename FT>
 struct Supporting_triangle
 {
