@@ -177,8 +177,8 @@ public:
     return !satisfies_condition(e) && !m_lengths.is_flippable(m_mesh.halfedge(e));
   }
 
-  // If an edge is not weighted Delaunay and its diamond is not convex, the triangle of three corners
-  // hides the fourth. Adds such triangles to `triangles`, and moves hidden vertices into theirs, as
+  // If an edge is not weighted Delaunay and its diamond is not convex, the triangle of three
+  // corners hides the fourth. Adds such triangles to `triangles`, and moves hidden vertices into theirs, as
   // lifted points. In the end no vertex lies above a triangle that was found, so weights are not
   // raised too far. Returns whether a triangle was found.
   bool raise_weights(Supporting_triangles<FT>& triangles)
@@ -235,8 +235,8 @@ private:
     return cotangents_at_source(diamond(m_lengths.length_map(), opposite(h), m_mesh));
   }
 
-  // Returns the triangle that hides the source of `h`, from the other corners of its diamond. The sum
-  // of heights is linear in the weights, and vanishes if the lifted point is in the triangle.
+  // Returns the triangle that hides the source of `h`, from the other corners of its diamond. The
+  // sum of heights is linear in the weights, and vanishes if the lifted point is in the triangle.
   Supporting_triangle<FT> supporting_triangle(Halfedge_index h) const
   {
     const Diamond<FT> length = diamond(m_lengths.length_map(), h, m_mesh);
