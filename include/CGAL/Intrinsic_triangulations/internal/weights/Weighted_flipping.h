@@ -178,9 +178,9 @@ public:
   }
 
   // If an edge is not weighted Delaunay and its diamond is not convex, the triangle of three
-  // corners hides the fourth. Adds such triangles to `triangles`, and moves hidden vertices into theirs, as
-  // lifted points. In the end no vertex lies above a triangle that was found, so weights are not
-  // raised too far. Returns whether a triangle was found.
+  // corners hides the fourth. Adds such triangles to `triangles`, and moves hidden vertices into
+  // theirs, as lifted points. In the end no vertex lies above a triangle that was found, so weights
+  // are not raised too far. Returns whether a triangle was found.
   bool raise_weights(Supporting_triangles<FT>& triangles)
   {
     std::set<Vertex_index> hidden;
