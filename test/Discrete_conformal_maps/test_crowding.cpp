@@ -8,7 +8,7 @@
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Difference_bounded_newton.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
@@ -281,9 +281,9 @@ TEST(Crowding, spiral_in_a_rectangle)
   check_layout(map);
 }
 
-// A flat rectangle, whose corners have right angles, is its own image. A path of curvatures from
-// any scale factors ends where all are equal.
-TEST(Curvature_path, leads_back_to_a_flat_rectangle)
+// A flat rectangle, whose corners have right angles, is its own image. Searches from any scale
+// factors end where all are equal.
+TEST(Bounded_differences, lead_back_to_a_flat_rectangle)
 {
   typedef DCM::internal::Wide_number<DCM::internal::Extended> FT;
   const std::size_t n = 12, m = 3;
@@ -308,7 +308,7 @@ TEST(Curvature_path, leads_back_to_a_flat_rectangle)
   energy.evaluate(Eigen::VectorXd::Zero(Eigen::Index(problem.size())));
   DCM::Default_flattening_visitor silent;
   const auto result =
-    DCM::internal::Precise_newton_iteration<decltype(energy)>(energy, problem.domain(true))
+    DCM::internal::Difference_bounded_newton<decltype(energy)>(energy, problem.domain(true))
       .run(1e-13, 300, silent);
   EXPECT_EQ(result.status, DCM::Minimization_status::converged);
   const std::vector<FT> u = energy.scale_factors();

@@ -131,6 +131,11 @@ constexpr double group_ratio = 30, weight_of_group = 100;
 constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100000;
 // A minimization that has taken so many steps has lost its way.
 constexpr std::size_t steps_to_lose_the_way = 250;
+// A search with bounded differences ends after so many steps, or evaluations of faces.
+constexpr std::size_t steps_with_bounded_differences = 1000,
+                      work_with_bounded_differences = 1000000;
+// Errors of curvatures beyond this are no rounding errors.
+constexpr double lost_curvature = 1e-3;
 // A start needs few digits, and few steps.
 constexpr double curvature_at_start = 1e-3;
 constexpr std::size_t steps_to_start = 300;

@@ -101,6 +101,7 @@ public:
   const Eigen::VectorXd& log_scales() const { return m_scale.values(); }
   // whether lengths with them may be beyond the range of `double`
   bool is_wide() const { return m_scale.is_wide(); }
+  bool has_bounded_differences() const { return m_scale.has_bounded_differences(); }
 
   // Lays the faces out by a model of a planar layout. `shape` has what else is promised about the
   // image of the boundary.

@@ -15,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Abstract_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Difference_bounded_newton.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
@@ -50,14 +51,8 @@ public:
   // `start` has scale factors to begin with; prescribed ones do not count
   Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
-  const Minimization_result& result() const { return m_result; }
-  // of the vertices where curvatures are prescribed
-  double max_curvature_error() const { return m_max_curvature_error; }
-  Map_status status() const { return m_status; }
-  // Notes that a numerical error has ended the search.
-  void stop() { m_status = Map_status::not_converged; }
-  // whether all faces have the triangle inequality, up to rounding
-  bool has_layout() const { return m_has_layout; }
+  // whether they were found with bounded differences of neighbors
+  bool has_bounded_differences() const { return m_bounds_differences; }
 
   // Takes scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
@@ -77,11 +72,11 @@ public:
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     const std::vector<Extended> start = precise_values<Extended>();
-    if(!m_follows_curvatures)
+    if(!m_bounds_differences)
       minimize_from_start(minimizer, tolerance, visitor);
     if constexpr(Triangle<double>::has_similar_ones)
-      if(m_follows_curvatures || is_lost(tolerance))
-        follow_curvatures(start, visitor);
+      if(m_bounds_differences || is_lost(tolerance))
+        bound_differences(start, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
   }
@@ -142,8 +137,12 @@ private:
   void minimize_in_range(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     minimize_rounded(minimizer, tolerance, visitor);
+    if(is_far_off(tolerance))
+      return; // more digits alone do not help
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
+    if(is_far_off(tolerance))
+      return;
     if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
       minimize_in<More_extended>(minimizer, tolerance, visitor);
   }
@@ -179,9 +178,9 @@ private:
   void minimize_with_bends_or_beyond_range(const Any_minimizer& minimizer, double& tolerance,
                                            Any_visitor& visitor)
   {
-    if(std::isfinite(m_max_curvature_error) && bends(tolerance))
+    if(std::isfinite(m_max_curvature_error) && !is_far_off(tolerance) && bends(tolerance))
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(is_within(tolerance) || !is_beyond_range())
+    if(is_within(tolerance) || is_far_off(tolerance) || !is_beyond_range())
       return;
     minimize_beyond_range(minimizer, tolerance, visitor);
     if(bends(tolerance))
@@ -192,16 +191,22 @@ private:
   bool is_lost(double tolerance) const
   {
     return m_problem.flipping() == Flipping::to_Delaunay && !m_problem.has_radii() &&
-           !m_problem.has_needles() && !is_within(tolerance) &&
-           m_status == Map_status::not_converged && m_problem.is_balanced() &&
+           !is_within(tolerance) && m_status == Map_status::not_converged &&
+           m_problem.is_balanced() &&
            (m_result.status != Minimization_status::iteration_limit ||
             m_result.iterations >= tolerance::steps_to_lose_the_way);
   }
 
-  // Finds the scale factors on the path of curvatures from the curvatures of `start`, on the exact
-  // surface, to the prescribed ones. If the path does not reach its end, leaves the scale factors.
-  // If it does, a path leads to the next prescribed curvatures, too.
-  void follow_curvatures(const std::vector<Extended>& start, Any_visitor& visitor)
+  // Whether a search has ended far from a solution, whose angles are known.
+  bool is_far_off(double tolerance) const
+  {
+    return is_lost(tolerance) && m_max_curvature_error > tolerance::lost_curvature &&
+           std::isfinite(m_max_curvature_error);
+  }
+
+  // Searches from `start` on, on the exact surface, with bounded differences of neighbors. If that
+  // fails, leaves the scale factors. If it does not, the next search begins with it.
+  void bound_differences(const std::vector<Extended>& start, Any_visitor& visitor)
   {
     typedef Wide_number<Extended> FT;
     m_problem.straighten_boundaries();
@@ -211,8 +216,8 @@ private:
     const double error = m_max_curvature_error;
     auto energy = symmetric_energy<FT, Triangle<FT>>(m_problem, m_problem.triangulation());
     energy.set_origin({start.begin(), start.end()});
-    m_follows_curvatures = reaches_minimum(energy, visitor);
-    if(m_follows_curvatures) {
+    m_bounds_differences = reaches_minimum(energy, visitor);
+    if(m_bounds_differences) {
       store(energy.scale_factors());
       note_rounded(shift_to_zero(m_problem, std::get<std::vector<Extended>>(m_precise)));
       m_is_wide = true;
@@ -229,7 +234,11 @@ private:
   {
     try {
       energy.evaluate(Vector::Zero(m_u.size()));
-      descend(energy, tolerance::gradient, visitor);
+      note_last(energy,
+                Difference_bounded_newton<Energy<FT>>(energy, domain())
+                  .run(tolerance::gradient, tolerance::steps_with_bounded_differences, visitor));
+      if(m_status != Map_status::success && m_max_curvature_error <= tolerance::lost_curvature)
+        descend(energy, tolerance::gradient, visitor);
     } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
@@ -264,12 +273,6 @@ private:
       const Any_minimizer minimizer = Newton_minimizer(tolerance::reduction * norm);
       norm = minimizer(any_energy, x, domain(), visitor).gradient_norm;
     }
-  }
-
-  // rounding counts as well
-  bool is_within(double tolerance) const
-  {
-    return m_max_curvature_error <= tolerance && m_result.gradient_error <= tolerance;
   }
 
   template <typename FT>
@@ -368,9 +371,13 @@ private:
   template <typename FT>
   void descend(Energy<FT>& energy, double gradient_tolerance, Any_visitor& visitor)
   {
-    const Minimization_result last =
-      Precise_newton_iteration<Energy<FT>>(energy, domain())
-        .run(gradient_tolerance, tolerance::steps_with_more_digits, visitor);
+    note_last(energy, Precise_newton_iteration<Energy<FT>>(energy, domain())
+                        .run(gradient_tolerance, tolerance::steps_with_more_digits, visitor));
+  }
+
+  template <typename FT>
+  void note_last(const Energy<FT>& energy, const Minimization_result& last)
+  {
     m_result = last.after(m_result);
     m_has_layout = true;
     m_status = last.status == Minimization_status::converged ? Map_status::success
@@ -407,24 +414,6 @@ private:
     }
   }
 
-  // Whether more digits might give less than the tolerance; not if the minimizer was content with
-  // more, or has not been allowed to go on.
-  bool is_rounded(double tolerance) const
-  {
-    const bool has_been_stopped = m_result.status != Minimization_status::converged &&
-                                  m_result.status != Minimization_status::iteration_limit;
-    return m_result.gradient_error > tolerance ||
-           (m_max_curvature_error > tolerance && has_been_stopped);
-  }
-
-  // In a fixed triangulation it need not be rounding that stops the minimization.
-  bool has_no_solution() const
-  {
-    return m_status == Map_status::no_minimum ||
-           (m_status == Map_status::triangle_inequality &&
-            m_result.status == Minimization_status::iteration_limit);
-  }
-
   // after a minimization that has led in this direction
   Map_status status(const Vector& direction) const
   {
@@ -436,11 +425,7 @@ private:
                                                              : Map_status::not_converged;
   }
 
-  Minimization_result m_result;
-  Map_status m_status = Map_status::success;
-  bool m_has_layout = true, m_follows_curvatures = false;
-  double m_max_curvature_error = 0;
-  double m_rounding_error = 0; // of the curvatures
+  bool m_bounds_differences = false;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

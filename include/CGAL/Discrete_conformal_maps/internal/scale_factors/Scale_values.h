@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Map_status.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -22,7 +24,7 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Scale factors at the vertices of the surface of a doubled problem, with the digits that they
-// have.
+// have, and how their search has ended.
 class Scale_values
 {
 public:
@@ -50,6 +52,15 @@ public:
       m_precise);
     return result;
   }
+
+  const Minimization_result& result() const { return m_result; }
+  // of the vertices where curvatures are prescribed
+  double max_curvature_error() const { return m_max_curvature_error; }
+  Map_status status() const { return m_status; }
+  // Notes that a numerical error has ended the search.
+  void stop() { m_status = Map_status::not_converged; }
+  // whether all faces have the triangle inequality, up to rounding
+  bool has_layout() const { return m_has_layout; }
 
   void start_from(const std::vector<double>& log_scale)
   {
@@ -85,10 +96,39 @@ protected:
     m_precise = std::move(result);
   }
 
+  // rounding counts as well
+  bool is_within(double tolerance) const
+  {
+    return m_max_curvature_error <= tolerance && m_result.gradient_error <= tolerance;
+  }
+
+  // Whether more digits might give less than the tolerance; not if the minimizer was content with
+  // more, or has not been allowed to go on.
+  bool is_rounded(double tolerance) const
+  {
+    const bool has_been_stopped = m_result.status != Minimization_status::converged &&
+                                  m_result.status != Minimization_status::iteration_limit;
+    return m_result.gradient_error > tolerance ||
+           (m_max_curvature_error > tolerance && has_been_stopped);
+  }
+
+  // In a fixed triangulation it need not be rounding that stops the minimization.
+  bool has_no_solution() const
+  {
+    return m_status == Map_status::no_minimum ||
+           (m_status == Map_status::triangle_inequality &&
+            m_result.status == Minimization_status::iteration_limit);
+  }
+
   Doubled_problem& m_problem;
   Vector m_u;
   std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;
   bool m_is_wide = false;
+  Minimization_result m_result;
+  Map_status m_status = Map_status::success;
+  bool m_has_layout = true;
+  double m_max_curvature_error = 0;
+  double m_rounding_error = 0; // of the curvatures
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -159,7 +159,12 @@ private:
   static constexpr double usual_range = 18;
 
   // If the first angles are far from the angles of the surface, the next ones are far off, too.
-  static bool is_far_off(const Minimization_result& first) { return first.iterations > 16; }
+  // Searches with bounded differences are long, and searches for a hemisphere longer.
+  template <typename Flattening>
+  static bool is_far_off(const Flattening& flattening)
+  {
+    return flattening.minimization().iterations > 16 && !flattening.has_bounded_differences();
+  }
 
   template <typename FT>
   static double range(const std::vector<FT>& log_scale)
@@ -267,8 +272,8 @@ private:
           return;
       } else if(has_started_again)
         return;
-      if(!has_started_again && (!flattening.has_succeeded() || i + 1 == usual_rounds ||
-                                is_far_off(flattening.minimization()))) {
+      if(!has_started_again &&
+         (!flattening.has_succeeded() || i + 1 == usual_rounds || is_far_off(flattening))) {
         has_started_again = true;
         if(!start_from_hemisphere(problem, flattening) && !flattening.has_succeeded())
           return;
