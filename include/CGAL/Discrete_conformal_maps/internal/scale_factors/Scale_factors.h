@@ -395,7 +395,7 @@ private:
     m_result = last.after(m_result);
     m_has_layout =
       m_problem.flipping() == Flipping::to_Delaunay || energy.energy().number_of_flat_faces() == 0;
-    m_status = status(x);
+    m_status = status_after(x);
     note_values(energy);
   }
 
@@ -415,7 +415,7 @@ private:
   }
 
   // after a minimization that has led in this direction
-  Map_status status(const Vector& direction) const
+  Map_status status_after(const Vector& direction) const
   {
     if(m_problem.flipping() == Flipping::none && falls_without_end(m_problem, direction))
       return Map_status::no_minimum;
