@@ -75,9 +75,6 @@ public:
     build();
   }
 
-  Doubled_problem(const Doubled_problem&) = delete;
-  Doubled_problem& operator=(const Doubled_problem&) = delete;
-
   // whether T_2 and T_3 are Delaunay, or the same as T_1
   Flipping flipping() const { return m_flipping; }
 

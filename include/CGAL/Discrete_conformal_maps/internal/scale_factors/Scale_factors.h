@@ -31,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -71,12 +72,10 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    const std::vector<Extended> start = precise_values<Extended>();
-    if(!m_bounds_differences)
+    m_start = precise_values<Extended>();
+    if(!(m_bounds_differences && bound_differences(visitor)))
       minimize_from_start(minimizer, tolerance, visitor);
-    if constexpr(Triangle<double>::has_similar_ones)
-      if(m_bounds_differences || is_lost(tolerance))
-        bound_differences(start, visitor);
+    m_start.clear();
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
   }
@@ -132,16 +131,18 @@ private:
       minimize_in_range(minimizer, tolerance, visitor);
     if constexpr(Triangle<double>::has_similar_ones)
       minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
+    if(is_lost(tolerance))
+      bound_differences(visitor);
   }
 
   void minimize_in_range(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     minimize_rounded(minimizer, tolerance, visitor);
-    if(is_far_off(tolerance))
-      return; // more digits alone do not help
+    if(is_far_off(tolerance) && bound_differences(visitor))
+      return; // more digits alone are slower
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(is_far_off(tolerance))
+    if(is_far_off(tolerance) && bound_differences(visitor))
       return;
     if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
       minimize_in<More_extended>(minimizer, tolerance, visitor);
@@ -178,9 +179,9 @@ private:
   void minimize_with_bends_or_beyond_range(const Any_minimizer& minimizer, double& tolerance,
                                            Any_visitor& visitor)
   {
-    if(std::isfinite(m_max_curvature_error) && !is_far_off(tolerance) && bends(tolerance))
+    if(std::isfinite(m_max_curvature_error) && bends(tolerance))
       minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(is_within(tolerance) || is_far_off(tolerance) || !is_beyond_range())
+    if(is_within(tolerance) || !is_beyond_range())
       return;
     minimize_beyond_range(minimizer, tolerance, visitor);
     if(bends(tolerance))
@@ -204,28 +205,40 @@ private:
            std::isfinite(m_max_curvature_error);
   }
 
-  // Searches from `start` on, on the exact surface, with bounded differences of neighbors. If that
-  // fails, leaves the scale factors. If it does not, the next search begins with it.
-  void bound_differences(const std::vector<Extended>& start, Any_visitor& visitor)
+  // Searches from the start, on the exact surface, with bounded differences of neighbors; once in
+  // each minimization. Returns whether it has found scale factors. If it has not, nothing has
+  // changed. If it has, the next minimization begins with it.
+  bool bound_differences(Any_visitor& visitor)
+  {
+    m_bounds_differences = false;
+    if constexpr(Triangle<double>::has_similar_ones)
+      if(!m_start.empty()) {
+        const Doubled_problem problem = m_problem;
+        const auto values = std::tuple(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
+                                       m_max_curvature_error, m_rounding_error);
+        m_bounds_differences = is_found_with_bounds(visitor);
+        m_start.clear();
+        if(!m_bounds_differences) {
+          m_problem = problem;
+          std::tie(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
+                   m_max_curvature_error, m_rounding_error) = values;
+        }
+      }
+    return m_bounds_differences;
+  }
+  bool is_found_with_bounds(Any_visitor& visitor)
   {
     typedef Wide_number<Extended> FT;
     m_problem.straighten_boundaries();
     m_problem.make_precise();
     m_problem.complete();
-    const Vector before = m_u;
-    const double error = m_max_curvature_error;
     auto energy = symmetric_energy<FT, Triangle<FT>>(m_problem, m_problem.triangulation());
-    energy.set_origin({start.begin(), start.end()});
-    m_bounds_differences = reaches_minimum(energy, visitor);
-    if(m_bounds_differences) {
-      store(energy.scale_factors());
-      note_rounded(shift_to_zero(m_problem, std::get<std::vector<Extended>>(m_precise)));
-      m_is_wide = true;
-    } else {
-      m_u = before;
-      m_max_curvature_error = error;
-      m_status = Map_status::not_converged;
-    }
+    energy.set_origin({m_start.begin(), m_start.end()});
+    if(!reaches_minimum(energy, visitor))
+      return false;
+    store(energy.scale_factors());
+    note_rounded(shift_to_zero(m_problem, std::get<std::vector<Extended>>(m_precise)));
+    return m_is_wide = true;
   }
 
   // not if an evaluation takes flips without end
@@ -425,6 +438,7 @@ private:
                                                              : Map_status::not_converged;
   }
 
+  std::vector<Extended> m_start; // empty if a search with bounded differences has used it
   bool m_bounds_differences = false;
 };
 
