@@ -19,6 +19,8 @@
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <sstream>

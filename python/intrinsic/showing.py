@@ -13,7 +13,6 @@ import webbrowser
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
@@ -52,13 +51,6 @@ class Page:
 
 def _named(functions: dict[str, ArrayLike], n: int) -> list[tuple[str, Floats]]:
     return [(name, floats(f, (n,), name)) for name, f in functions.items()]
-
-
-def _page_of_triangulation(shown: Triangulation, functions: dict[str, ArrayLike]) -> str:
-    n, n2 = len(shown.V) - len(shown.inserted[0]), shown.n_vertices
-    at_vertices = [(name, floats(f, (n2 if np.shape(f) == (n2,) else n,), name))
-                   for name, f in functions.items()]
-    return shown._page(at_vertices)
 
 
 def _page_of_map(shown: ConformalMap, functions: dict[str, ArrayLike]) -> str:
@@ -110,7 +102,7 @@ def show(
         raise MissingPartError("pages need nlohmann_json and three.js, which were not there when "
                                "this package was built")
     if isinstance(V, Triangulation):
-        text = _page_of_triangulation(V, functions)
+        text = V._page(functions)
     elif isinstance(V, ConformalMap):
         text = _page_of_map(V, functions)
     else:
