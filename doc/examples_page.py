@@ -17,16 +17,15 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PACKAGES = ["Intrinsic_triangulations", "Discrete_conformal_maps", "Intrinsic_simplification"]
-MOST_LINES = 6
+MOST_LINES = 4
 
 INTRODUCTION = """/*!
 \\page Chapter_Examples_PACKAGE Examples and What They Print
 
 [TOC]
 
-There is a program for each task, in the directory `examples`. Without arguments they read CGAL's
-meshes; all take the name of a mesh. The tests run them and compare what they print with this page,
-which `doc/examples_page.py` writes.
+The programs are in the directory `examples`. They take the name of a mesh; without one they read
+CGAL's meshes. Tests compare what they print with this page, which `doc/examples_page.py` writes.
 """
 
 
