@@ -213,7 +213,7 @@ private:
   }
 
   // Continues with the factorization of a full step while that makes the gradient much smaller.
-  // After k corrections, the error of a step is of order k + 2 (Shamanskii 1967).
+  // After k corrections, the error of a step is of order k + 2 (Shamanskii's method).
   void correct()
   {
     double before = m_base_norm;
