@@ -14,9 +14,9 @@ namespace CGAL::Discrete_conformal_maps {
 /// cones.
 enum class Cones
 {
-  automatic, ///< cones are placed if nothing is prescribed or a `maximum_log_scale` is given.
-             ///< `flatten_to_disk()` and `flatten_to_rectangle()` place cones only if a
-             ///< `maximum_log_scale` is given
+  automatic, ///< cones are placed if nothing is prescribed, or a `maximum_log_scale` or
+             ///< `maximum_area_distortion` is given. `flatten_to_disk()` and
+             ///< `flatten_to_rectangle()` place cones only if such a bound is given
   greedy,    ///< cones are placed one by one, until scale factors are within the bound
   exchanged, ///< greedy cones are dropped and moved while an estimate of scale factors stays within
              ///< the bound, on components with at most 200 cones. Often this gives fewer cones, in

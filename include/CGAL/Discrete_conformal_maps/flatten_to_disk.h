@@ -43,7 +43,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{cones}
 ///     \cgalParamDescription{as for `flatten()`; no boundary vertex becomes a cone}
 ///     \cgalParamType{`Cones`}
-///     \cgalParamDefault{`Cones::automatic`: yes if there is a `maximum_log_scale`}
+///     \cgalParamDefault{`Cones::automatic`: yes if there is a `maximum_log_scale` or
+///       `maximum_area_distortion`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the greatest number of rounds}
@@ -58,8 +59,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
 ///   does: a component with handles has no disk without cones inside. It is also thrown if there
 ///   are circles at the vertices
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as
-///   `flatten()` does
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error,
+///   Intrinsic_triangulations::Flip_limit_exceeded as `flatten()` does
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten_to_disk(const Graph& g,
                                      const NamedParameters& np = CGAL::parameters::default_values())

@@ -74,14 +74,14 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 ///   of `rectangle_corners()`
 /// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to inner vertices, and
 ///   no boundary vertex becomes a cone. `Cones::automatic` places cones if there is a
-///   `maximum_log_scale`
+///   `maximum_log_scale` or `maximum_area_distortion`
 ///
 /// Complexity and status: see `flatten()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
 ///   four vertices on each boundary, or as `flatten()` does. A component with handles has no
 ///   rectangle without cones inside
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as
-///   `flatten()` does
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error,
+///   Intrinsic_triangulations::Flip_limit_exceeded as `flatten()` does
 template <typename Graph, typename VertexRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map

@@ -92,9 +92,10 @@ public:
   }
 
   /// flips edges until all are Delaunay. Complexity: linear in the edges and flips.
-  /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a thousand flips
-  ///   for each edge
+  /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a million flips
+  ///   plus a thousand for each edge
   /// \throws Intrinsic_triangulations::Numerical_error if an edge has no positive finite length
+  /// \throws Intrinsic_triangulations::Overflow_error if the history has too many elements
   /// After an exception the surface is valid.
   void make_Delaunay()
   {
@@ -126,8 +127,9 @@ public:
   /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
   /// \returns whether the vertex has been removed. Otherwise the surface has not changed.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
-  ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`; the vertex has been
-  ///         removed then
+  ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`, if a million flips plus
+  ///         a thousand for each changed edge do not suffice; the vertex has been removed then
+  /// \throws Intrinsic_triangulations::Overflow_error if the history has too many elements
   /// \pre `flatten(star.center(), star) == Removal_status::possible`, and nothing has changed since
   template <typename Touch>
   Removal_status remove(Flattened_star& star, const Touch& touch)

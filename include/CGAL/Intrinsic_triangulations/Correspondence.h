@@ -92,7 +92,7 @@ public:
     : Base(tri, concurrency_of(np))
   {}
 
-  Correspondence(Triangulation&&) = delete; // it would refer to what is gone
+  Correspondence(Triangulation&&) = delete; // the object refers to the triangulation
   template <typename NamedParameters>
   Correspondence(Triangulation&&, const NamedParameters&) = delete;
 

@@ -95,6 +95,8 @@ public:
   ///     \cgalParamDefault{`Default_window_visitor`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \throws Numerical_error if more than \f$2^{25}\f$ windows, plus 1024 for each side of a face,
+  ///   are needed, which takes extreme needles
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   void run(const NamedParameters& np = CGAL::parameters::default_values())
   {
@@ -215,7 +217,7 @@ private:
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param source, target points with coordinates that are not negative and sum up to one
 /// \param np the visitor, as for `Shortest_paths::run()`
-/// \throws Numerical_error if the angles at a vertex have no positive finite sum
+/// \throws Numerical_error as `Shortest_paths::run()`
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Surface_path<Length_of<Surface>>
 shortest_path(const Surface& surface, const Face_location<Length_of<Surface>>& source,

@@ -90,7 +90,9 @@ public:
   /// \returns the vertex; the existing vertex if two coordinates are zero
   /// \throws Numerical_error if a new edge has no positive finite length. With exact decisions it
   ///   is also thrown if no near point has coordinates on \f$T_1\f$ that leave its edges straight
-  ///   and its faces positive. In both cases nothing has changed.
+  ///   and its faces positive
+  /// \throws Overflow_error if a normal coordinate is out of range
+  /// After an exception nothing has changed.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
     const Surface_point<FT> point = surface_point(p, m_tri.mesh());
@@ -121,7 +123,7 @@ public:
   /// \param closeness if the distance of the point to a crossing is smaller, the vertex is
   ///   inserted at the crossing
   /// \returns the vertex
-  /// \throws Numerical_error as `insert()`; nothing has changed then.
+  /// \throws Numerical_error, Overflow_error as `insert()`; nothing has changed then.
   /// \pre `can_be_split(h)` and \f$0 < t < 1\f$
   Vertex_index split_edge(Halfedge_index h, const FT& t, const FT& closeness = FT(0))
   {
@@ -133,7 +135,7 @@ public:
   }
 
   /// flips the edge of `h`, see `Intrinsic_triangulation::flip()`. Complexity: linear in the
-  /// crossings.
+  /// crossings on its two faces.
   void flip(Halfedge_index h)
   {
     with_decisions([&](auto& d) { d.flip(h); });
@@ -153,8 +155,8 @@ public:
   /// \param v the vertex
   /// \param after_flip a function that is called with a halfedge of every flipped edge
   /// \returns the face that remains. It is null if no further edge could be flipped, or 10,000
-  ///   flips did not suffice. Then the vertex stays, and the triangulation is valid, but perhaps
-  ///   not Delaunay
+  ///   flips (500 with exact decisions) did not suffice. Then the vertex stays, and the
+  ///   triangulation is valid, but perhaps not Delaunay
   /// \pre `triangulation().is_inserted(v)`
   template <typename After_flip>
   Face_index remove(Vertex_index v, const After_flip& after_flip);

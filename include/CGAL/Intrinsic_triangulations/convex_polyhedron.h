@@ -137,7 +137,9 @@ private:
 /// more steps for thin polyhedra.
 /// \throws Invalid_input if `g` is not a triangulated sphere
 /// \throws Negative_curvature if vertices have negative curvature
-/// \throws Numerical_error if a matrix or a pyramid degenerates by rounding
+/// \throws Numerical_error if rounding ends the method before the pyramids fit together, or
+///   prevents the Delaunay triangulation at the start
+/// \throws Flip_limit_exceeded, Overflow_error as `make_Delaunay()`
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Convex_polyhedron convex_polyhedron(const Graph& g,
                                     const NamedParameters& np = CGAL::parameters::default_values())

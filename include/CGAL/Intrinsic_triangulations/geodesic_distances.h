@@ -285,9 +285,12 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 ///     \cgalParamDefault{`Default_window_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_input if exact distances are wanted of a `Tufted_surface`
-/// \throws Numerical_error as `heat_distance()` if heat is used; or if exact distances are wanted
-///         and take more windows than `Shortest_paths` allows
+/// \throws Invalid_input if exact distances of a `Tufted_surface` are requested, or the factor is
+///   not positive and finite
+/// \throws Numerical_error as `heat_distance()` if heat is used, or as `Shortest_paths::run()` if
+///   exact distances are requested
+/// \throws Underflow_error if heat underflows and `time_step_factor` is given, or would exceed
+///   \f$10^{12}\f$
 template <typename Surface, typename Sources,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 auto geodesic_distances(const Surface& surface, const Sources& sources,
@@ -321,7 +324,7 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
 /// \param sources as for `geodesic_distances()`
 /// \param distance the distances by the index of the vertex
 ///
-/// Complexity: an exact search with a bounded number of windows, see `Shortest_paths`.
+/// Complexity: an exact search of at most \f$2^{22}\f$ windows, see `Shortest_paths`.
 template <typename Surface, typename Sources>
 Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sources& sources,
                                               const std::vector<Length_of<Surface>>& distance)
@@ -341,8 +344,10 @@ Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sour
 /// \param mesh a model of `FaceListGraph` and `HalfedgeListGraph` with triangles
 /// \param sources as for a surface
 /// \param np as for a surface, and for `Intrinsic_triangulation`
-/// \throws Invalid_input as `Intrinsic_triangulation`
-/// \throws Numerical_error as for a surface
+/// \throws Invalid_input as `Intrinsic_triangulation` and as for a surface
+/// \throws Numerical_error, Underflow_error as for a surface
+/// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`, and
+///   `Correspondence` for sources that are no vertices, if heat is used
 ///
 /// Complexity: linear in the size of the mesh, and the complexity of the function for surfaces.
 template <typename Mesh, typename Sources,

@@ -40,9 +40,9 @@ inline bool is_simplicial(Face_index f, const Delta_complex& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns whether `mesh` is a simplicial complex:
-/// its faces have three corners each, and vertices determine edges and faces. Such a mesh is one
-/// for everybody. Complexity: linear in the sum of the squared degrees.
+/// returns whether `mesh` is a simplicial complex: its faces have three corners each, and vertices
+/// determine edges and faces. Other programs can read such a mesh. Complexity: linear in the sum of
+/// the squared degrees.
 inline bool is_simplicial(const Delta_complex& mesh)
 {
   return std::all_of(mesh.faces_begin(), mesh.faces_end(),

@@ -68,9 +68,11 @@ public:
   {}
 
   /// factorizes the matrix of the surface of `other`, with values prescribed at other vertices.
+  /// Complexity: a sparse Cholesky factorization.
   /// \param other a solver for the surface
   /// \param is_fixed a readable property map from its vertices to `bool`: where values are
   ///   prescribed
+  /// \throws Numerical_error if rounding leaves the matrix without a factorization
   template <typename VertexIsFixedMap>
   Poisson_solver(const Poisson_solver& other, const VertexIsFixedMap& is_fixed)
     : Poisson_solver(other.m_components, other.m_laplacian, other.m_area,
