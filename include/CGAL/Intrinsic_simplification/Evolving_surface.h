@@ -127,8 +127,8 @@ public:
   /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
   /// \returns whether the vertex has been removed. Otherwise the surface has not changed.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
-  ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`, if a million flips plus
-  ///         a thousand for each changed edge do not suffice; the vertex has been removed then
+  ///   Intrinsic_triangulations::Numerical_error as `make_Delaunay()`, if a million flips plus a
+  ///   thousand for each changed edge do not suffice; the vertex has been removed then
   /// \throws Intrinsic_triangulations::Overflow_error if the history has too many elements
   /// \pre `flatten(star.center(), star) == Removal_status::possible`, and nothing has changed since
   template <typename Touch>

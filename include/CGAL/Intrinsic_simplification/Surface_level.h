@@ -34,10 +34,9 @@ public:
     : Surface_level(surface, surface.history().size())
   {}
 
-  /// copies a surface.
+  /// copies a surface. Complexity: linear in the indices that have been used for elements.
   /// \param surface a model of `IntrinsicSurface`; removed elements leave gaps in the indices
-  /// \param time the number of operations before it Complexity: linear in the indices that have
-  /// been used for elements.
+  /// \param time the number of operations before it
   template <typename Surface>
   Surface_level(const Surface& surface, Surface_history::Time time) : m_time(time)
   {

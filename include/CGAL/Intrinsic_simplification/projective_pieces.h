@@ -159,6 +159,7 @@ OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIte
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
+/// \throws Intrinsic_triangulations::Invalid_input as for one face
 /// \throws Intrinsic_triangulations::Numerical_error if the areas of pieces do not sum up to the
 ///   area of each face of the coarse level: rounding has misplaced a part. This needs vertices
 ///   about as close to each other as rounding

@@ -209,9 +209,8 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 /// \throws Intrinsic_triangulations::Invalid_input if neither a number of vertices nor a greatest
 ///   cost is given; then the surface is not changed
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded,
-///         Intrinsic_triangulations::Numerical_error and Intrinsic_triangulations::Overflow_error as
-///         `Evolving_surface::remove()`; after the first two, `surface` is valid, but may not be
-///         Delaunay
+///   Intrinsic_triangulations::Numerical_error and Intrinsic_triangulations::Overflow_error as
+///   `Evolving_surface::remove()`; after the first two, `surface` is valid, but may not be Delaunay
 template <typename Cost, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface, Cost& cost,
                                const NamedParameters& np = CGAL::parameters::default_values())

@@ -59,11 +59,10 @@ double least_number_of_insertions(const Intrinsic_triangulation<Traits>& tri,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns how many vertices `refine()` may insert into `tri` by default.
+/// returns how many vertices `refine()` may insert into `tri` by default. Complexity: linear.
 /// \param tri the triangulation
 /// \param minimum_angle the least angle, in degrees
 /// \param maximum_circumradius the greatest circumradius
-/// Complexity: linear.
 /// \throws Invalid_input if the bound on circumradii needs more, see `least_number_of_insertions()`
 template <typename Traits>
 std::size_t default_maximum_number_of_insertions(const Intrinsic_triangulation<Traits>& tri,

@@ -43,12 +43,12 @@ std::complex<FT> at_vertex(const Surface& surface, Halfedge_index outgoing,
 ///
 /// Its angle from `outgoing` is normalized (Section 2.3.2). A vector that points away from the
 /// corner is the opposite of a vector that points into it. So the direction in which a geodesic
-/// arrives becomes the direction in which it continues.
+/// arrives becomes the direction in which it continues. Complexity: linear in the degree of the
+/// vertex.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param outgoing the halfedge of the face whose source is the vertex; it determines the corner if
 ///        several are at one vertex
 /// \param vector the vector in the frame of the face
-/// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
 template <typename Surface>
 std::complex<Length_of<Surface>>
@@ -69,11 +69,10 @@ tangent_vector_at_vertex(const Surface& surface, Halfedge_index outgoing,
 /// normalized angle \f$\varphi\f$ counterclockwise from `first_outgoing_halfedge()`.
 ///
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
-/// faces: see `logarithmic_map()`.
+/// faces: see `logarithmic_map()`. Complexity: linear in the degree of the vertex.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param outgoing a halfedge of the face of `p`; the logarithm is taken at its source
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
-/// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
 template <typename Surface>
 std::complex<Length_of<Surface>> logarithm(const Surface& surface, Halfedge_index outgoing,
