@@ -163,7 +163,7 @@ private:
   }
 
   const Planar_conformal_map& m_map;
-  std::vector<std::vector<Face_index>> m_partners; // those that each face is kept apart from
+  std::vector<std::vector<Face_index>> m_partners; // faces that must not be in the chart of each
   std::vector<std::size_t> m_chart;                // of each face of T_3
   std::size_t m_size = 0;
 };

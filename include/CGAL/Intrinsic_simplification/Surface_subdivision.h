@@ -232,9 +232,9 @@ private:
   class Builder;
 
   std::array<const Surface_level*, 2> m_levels;
-  std::vector<Vertex_index> m_new_vertices; // of the coarse level, that the fine one lacks
+  std::vector<Vertex_index> m_new_vertices; // vertices of the coarse level only
   std::array<std::vector<Intrinsic_triangulations::Surface_point<double>>, 2> m_place;
-  // on the first halfedge of the edge; of vertices that have more than m_place
+  // positions on the first halfedge of the edge, of vertices that have more than one
   std::map<End_of_part, double> m_places_on_edges;
   std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
@@ -408,8 +408,8 @@ private:
       fail();
   }
 
-  // Several edges of the coarse level can run through a vertex, and one through a vertex of that
-  // level: within rounding.
+  // Sets the positions of vertices on several edges. Within rounding, several edges of the coarse
+  // level can run through one vertex, also through a vertex of this level.
   void set_places_on_edges()
   {
     std::vector<char> has_more_places(m_mesh.number_of_vertices(), 0);

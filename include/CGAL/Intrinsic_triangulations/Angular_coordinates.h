@@ -222,7 +222,7 @@ private:
 
   FT corner(Halfedge_index h) const { return internal::angle_at_source(h, m_tri); }
 
-  // What the corners on either side of `h` lack of the angle between its neighbors is shared out.
+  // Divides the angle between the neighbors of `h` in the proportion of the corners beside `h`.
   FT angle_between_neighbors(Halfedge_index h) const
   {
     const Halfedge_index before = previous_around_source(h, m_tri.mesh());

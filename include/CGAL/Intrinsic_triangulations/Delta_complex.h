@@ -393,7 +393,7 @@ Face_index remove_boundary_vertex(Vertex_index v, Surface_mesh<P>& mesh)
   const Halfedge_index a =
     first_outgoing_halfedge(v, mesh); // a's right side and c's left side are border
   const Halfedge_index b = next_around_source(a, mesh), c = next_around_source(b, mesh);
-  const Halfedge_index border = mesh.opposite(a); // from the target of a to v; is led on to c's
+  const Halfedge_index border = mesh.opposite(a); // its target v becomes the target of c
   const Vertex_index vb = mesh.target(b), vc = mesh.target(c);
   const Face_index f = mesh.face(a);
   const Halfedge_index ab = mesh.next(a), bc = mesh.next(b), beyond = mesh.next(c);

@@ -50,7 +50,7 @@ public:
   {
     const std::uint64_t limit = (std::numeric_limits<size_type>::max)() / 8;
     std::uint64_t total = 0;
-    m_first.reserve(m_first.size() + 1); // not twice the memory
+    m_first.reserve(m_first.size() + 1); // push_back() alone would double the memory
     m_first.push_back(0);
     for(size_type& n : m_first) {
       const size_type first = static_cast<size_type>(total);

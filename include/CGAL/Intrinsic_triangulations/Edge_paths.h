@@ -212,7 +212,7 @@ private:
     return result;
   }
 
-  // Paths to and fro have no sides: beside them, others could lie in an order that crosses.
+  // Removes parts that run to and fro: they have no left and right side for the order of paths.
   static Halfedges without_spurs(const Halfedges& halfedges, bool is_loop)
   {
     Halfedges result;
@@ -259,7 +259,8 @@ private:
 
   // ---- Joints ----
 
-  // A joint on the right is one on the left of the reversed path.
+  // Returns the fan between two segments. On the right, it is the fan on the left of the reversed
+  // path.
   Fan fan(Index s, Index t, bool is_left) const
   {
     return is_left

@@ -217,7 +217,7 @@ protected:
     m_longest_way = (std::max)(i.way, j.way);
   }
 
-  // These go on through the triangle jil, and through an edge at `l` in this direction.
+  // These functions continue through the triangle jil and an edge at `l` in this direction.
   void turn_around_source(const Corner& l, const Vector& direction)
   {
     m_direction = direction;

@@ -224,8 +224,8 @@ private:
     return margin(0) > margin(result) ? 0 : result;
   }
 
-  // Returns the exit through a side, with the distance of the rounded position: this is stable for
-  // sides almost along the ray.
+  // Returns the exit through a side, with the distance of its rounded position, which is stable if
+  // the side is almost along the ray.
   Exit side_exit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead,
                  const Vector& d) const
   {

@@ -97,7 +97,7 @@ private:
 
 namespace internal {
 
-// Objects that threads take and give back: no more of them are made than are in use at once.
+// Lends objects to threads, and makes at most as many as are in use at once.
 template <typename T>
 class Object_pool
 {

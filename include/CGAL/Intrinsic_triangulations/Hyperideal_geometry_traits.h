@@ -96,7 +96,7 @@ public:
     bool operator()(const Decorated& edges) const
     {
       const auto condition = internal::Decorated_diamond<FT>(edges).condition();
-      // both sides are of degree seven, and have been rounded less often than that
+      // both sides have degree seven and fewer than 15 roundings
       return !(condition.inner > condition.outer * (1 + 15 * rounding_unit<FT>()));
     }
 

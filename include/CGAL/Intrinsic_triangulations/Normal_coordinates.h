@@ -96,7 +96,7 @@ struct Corner_counts
         static_cast<Integer>(crossings[s] - crossings[(s + 1) % 3] - crossings[(s + 2) % 3]);
       leaving[s] = excess[s] < 0 ? Integer(0) : excess[s];
     }
-    // if one corner has curves that leave it, none leave the others: this is zero at them
+    // curves leave at most one corner; the numbers of the other corners are zero
     for(std::size_t s = 0; s < 3; ++s)
       around[s] = static_cast<Integer>(
         (leaving[s] - excess[s] - leaving[(s + 1) % 3] - leaving[(s + 2) % 3]) / 2);

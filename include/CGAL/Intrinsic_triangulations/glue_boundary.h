@@ -67,7 +67,8 @@ glued_halfedges(const Surface_mesh<P>& mesh,
   return result;
 }
 
-// Lets all halfedges that lead to the target of `h` do so, and notes which vertices it has been.
+// Makes `v` the target of `h` and of all halfedges around this target, and the image of the glued
+// vertices.
 template <typename P>
 void join_targets(Halfedge_index h, Vertex_index v, const Surface_mesh<P>& parts,
                   const std::vector<Halfedge_index>& before, Glued_surface& result)

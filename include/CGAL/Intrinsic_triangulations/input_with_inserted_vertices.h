@@ -185,7 +185,7 @@ private:
       vertex->info() = i;
       hint = vertex->face();
     }
-    std::map<std::array<std::size_t, 2>, Halfedge_index> inner; // from the smaller number
+    std::map<std::array<std::size_t, 2>, Halfedge_index> inner; // starts at the smaller number
     for(auto f = plane.finite_faces_begin(); f != plane.finite_faces_end(); ++f) {
       std::array<Halfedge_index, 3> h;
       for(int s = 0; s < 3; ++s)
@@ -263,7 +263,8 @@ private:
     return Edge_index(h).idx() < m_numbers.number_of_pieces();
   }
 
-  // of `h`, which is along outgoing halfedge `r`, and those clockwise from it in the face of T1
+  // Sets the roundabouts of `h`, which is along outgoing halfedge `r`, and of the halfedges
+  // clockwise from it in the face of T1.
   void set_roundabouts(Halfedge_index h, size_type r, Triangulation& result) const
   {
     const Delta_complex& mesh = result.m_mesh;

@@ -75,7 +75,8 @@ class Flipping_by_lengths
 public:
   explicit Flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
-  // Whether the lengths around `e` leave no doubt; those beyond the boundary are unspecified.
+  // Returns whether the lengths around `e` suffice for the decision. Lengths beyond the boundary
+  // are unspecified.
   bool is_certainly_Delaunay(Edge_index e) const
   {
     const auto condition = m_tri.traits().is_locally_Delaunay_object();

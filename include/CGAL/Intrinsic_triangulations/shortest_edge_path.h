@@ -121,7 +121,7 @@ private:
   // length of at most `longest`.
   void go_on(Vertex_index target, const FT& longest)
   {
-    const Vertex_index nearest = m_back.peek(); // of those whose distance to the target is unknown
+    const Vertex_index nearest = m_back.peek(); // its distance to the target is not yet final
     const FT radius = nearest.is_valid() ? m_back.distance(nearest) : longest;
     const auto is_near = [&](Vertex_index v) {
       return m_ahead.distance(v) + (m_back.is_final(v) ? m_back.distance(v) : radius) <= longest;

@@ -31,14 +31,14 @@ constexpr double extended_gradient = 1e-22;
 constexpr double known_input_angle = 1e-9;
 // A gradient with a greater rounding error determines nothing: steps do not go to such a point.
 constexpr double known_angle = 1;
-// What a map is promised to have: curvatures and exterior angles as measured on the result.
+// The greatest error of a curvature or exterior angle that a successful map may have.
 constexpr double promised_angle = 1e-10;
 // Straight boundaries that need too many digits are bent by that at each vertex, or less.
 constexpr double bend = 1e-13;
 // Curvatures on the exact surface, after scale factors have been rounded to `double`.
 constexpr double promised_rounded_angle = 1e-8;
-// Lengths in the plane, relative, and the shapes of boundaries, relative to their sizes: what cross
-// ratios may have.
+// The greatest relative error of cross ratios, of lengths in the plane, and of the shape of a
+// boundary that a successful map may have.
 constexpr double promised_length = 1e-8;
 // The relative error of lengths of rounded surfaces, against the exact surface.
 constexpr double promised_exact_length = 1e-9;
@@ -51,11 +51,11 @@ constexpr double curvature_sum = 1e-8;
 
 // Products of motions that must be the identity.
 constexpr double gluing = 1e-9;
-// What 32 digits instead of 16 make of such an error.
+// The factor by which 32 digits instead of 16 reduce such an error.
 constexpr double extended_gain = 1e-15;
 
-// The part of the smaller of two pieces of faces by which they may overlap along their edges: what
-// lengths in the plane may have.
+// Two faces count as disjoint if they overlap by at most this part of the smaller one: lengths in
+// the plane have such errors.
 constexpr double overlap = 1e-9;
 
 // Length cross ratios, relative: the allowed error, and the error from which on more digits are
@@ -69,8 +69,8 @@ constexpr double translation = 1e-8;
 
 // Sums that cancel, relative to the sum of the absolute values of thousands of terms.
 constexpr double cancellation = 1e-12;
-// What a gradient can be reduced by in one minimization: the digits of the variable, in `double`,
-// end four digits below.
+// The factor by which one minimization can reduce a gradient. The rounding of a variable in
+// `double` is four digits smaller.
 constexpr double reduction = 1e-12;
 // The gradient that rounding of a number type leaves: its unit times the number of roundings.
 constexpr double roundings_of_gradient = 1e4;
@@ -89,7 +89,7 @@ constexpr double contraction_at_start = 0.5, step_at_start = 1;
 // cones that are exchanged. A move must reduce the greatest scale factor by this factor.
 constexpr std::size_t exchanges_of_cones = 100, replaced_cones = 16, exchanged_cones = 200;
 constexpr double gain_of_move = 0.99;
-// Some roundings of one variable: steps, or distances from a bound, that are no more are none.
+// Some roundings of one variable. Smaller steps, or distances from a bound, count as zero.
 constexpr double roundings_of_variable = 64, variable = roundings_of_variable * unit;
 // The greatest rounding error of squared lengths and quotients of them, in units: ties are not
 // decided by less.
@@ -113,8 +113,8 @@ constexpr double narrow_log_scales = 100;
 constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
 // The range of distances whose products have all digits of `Extended`.
 constexpr double least_distance = 1e-270;
-// By how much an energy may grow, relatively, while its minimizer still converges; less than that
-// its values do not resolve, and slopes decide.
+// The relative growth of an energy below which slopes decide: values have rounding errors of this
+// size.
 constexpr double growth = 1e-9;
 
 // If diagonal entries of a Laplacian differ by more than this factor, it is not factorized by
@@ -129,7 +129,7 @@ constexpr double group_ratio = 30, weight_of_group = 100;
 // The number of steps that are taken with more digits, on the exact surface, and of moves of groups
 // of vertices alone.
 constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100000;
-// A minimization that has taken so many steps has lost its way.
+// A minimization that has not converged after so many steps is given up.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after so many steps, or evaluations of faces.
 constexpr std::size_t steps_with_bounded_differences = 1000,

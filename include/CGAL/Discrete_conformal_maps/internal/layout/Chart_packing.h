@@ -22,7 +22,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Andrew's: by turns, beginning with the lowest of the leftmost points
+// Returns the corners of the convex hull counterclockwise, from the lowest of the leftmost points
+// on (Andrew's algorithm).
 inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<double>> points)
 {
   typedef std::complex<double> Complex;
@@ -125,8 +126,8 @@ private:
     m_size[c] = high - low;
   }
 
-  // of one side of the smallest rectangle that holds the points, the first among equals: the one in
-  // the second quadrant; its norm is one
+  // Returns the unit vector, in the second quadrant, along a side of the smallest rectangle that
+  // holds the points.
   static Complex direction_of_rectangle(const std::vector<Complex>& points)
   {
     const std::vector<Complex> hull = convex_hull(points);

@@ -107,7 +107,7 @@ private:
       sum += m_mass[v] * p;
       hessian += m_mass[v] * (Eigen::Matrix3d::Identity() - p * p.transpose());
     }
-    // where convergence is quadratic, and yet does not go on, rounding of the point is the limit
+    // near the center, convergence is quadratic until rounding of the point stops it
     const double last = std::exchange(m_norm, sum.norm());
     if(m_norm <= tolerance::center || (m_norm <= tolerance::near_center && m_norm > last / 2))
       return true;
@@ -153,7 +153,8 @@ private:
     return result;
   }
 
-  // not beyond the minimum by so much that the slope is half of that at the start again
+  // Returns a length of a step at whose end the slope is at most half of its absolute value at the
+  // start.
   double step_length(const Vector& d, double t) const
   {
     const double first = slope(d, 0);

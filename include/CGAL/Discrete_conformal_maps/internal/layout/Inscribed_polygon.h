@@ -334,7 +334,7 @@ private:
   Vertex_index m_at_infinity;
   Ptolemy_surface<FT> m_surface;      // in T_3
   std::vector<char> m_is_on_boundary; // of edges
-  // of the polygon, which is on their left, and the edges of the surface that they are
+  // the sides of the polygon, which is on their left, with their edges of the surface
   std::vector<std::pair<Halfedge_index, Edge_index>> m_sides;
   std::vector<char> m_is_original; // of faces
   std::vector<FT> m_chord;

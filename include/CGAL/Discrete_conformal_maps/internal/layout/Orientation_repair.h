@@ -349,7 +349,7 @@ private:
   const Number_lists& m_polygons;
   Orientations m_orientations;
   Number_lists m_around;      // the polygons around each point
-  std::vector<Point> m_start; // the points as they were
+  std::vector<Point> m_start; // the given points
   Point m_low, m_high;
   std::vector<char> m_is_in_cluster;
   std::size_t m_maximum_work; // how many polygons may be looked at

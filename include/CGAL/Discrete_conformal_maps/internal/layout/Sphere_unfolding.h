@@ -51,7 +51,7 @@ public:
       m_result.cause = e.what(); // what was found before stays
     }
     if(m_number_of_edges != m_problem.triangulation().mesh().num_edges()) {
-      m_result.layout = Spherical_layout(); // that of a copy that has been extended since
+      m_result.layout = Spherical_layout(); // the last one was for a smaller copy
       m_result.layout.at_infinity = m_at_infinity;
     }
     return std::move(m_result);

@@ -117,8 +117,8 @@ private:
     return m_predicates.in_circle(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
   }
 
-  // Of the boundary of the part in the plane. A closed curve that always turns left has as many as
-  // turns.
+  // Returns the number of local maxima of the height on the boundary of the part in the plane. A
+  // closed curve that always turns left has as many as turns.
   std::size_t number_of_local_maxima() const
   {
     std::size_t result = 0;

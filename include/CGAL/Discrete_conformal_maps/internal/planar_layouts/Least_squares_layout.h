@@ -137,7 +137,7 @@ struct Least_squares_layout
     shift.factorize(order.refined(faces.vertices));
     shift.shift(x, faces.positions, &Vector::x);
     shift.shift(y, faces.positions, &Vector::y);
-    // with more digits than shifts have, what the first has left
+    // shifts have the digits of `double`: if positions have more, a second shift corrects the rest
     if(!std::is_same<FT, double>::value) {
       shift.shift(shift.right_side(along_x), faces.positions, &Vector::x);
       shift.shift(shift.right_side(along_y), faces.positions, &Vector::y);

@@ -68,7 +68,7 @@ public:
   // the vector of `h` in its face, without the errors of positions
   Vector side(Halfedge_index h) const { return length(h) * m_direction[h.idx()]; }
 
-  // Gives the memory of directions back: from now on there are no sides.
+  // Frees the memory of the directions of sides, which are not available afterwards.
   void drop_sides() { std::vector<Vector>().swap(m_direction); }
 
   // Calls `visit(h)` for the sides of all faces, in the order in which they are joined.
@@ -81,7 +81,7 @@ public:
   }
 
   std::vector<Vector> positions;      // of all points
-  std::vector<Vertex_index> vertices; // of which each point is a corner
+  std::vector<Vertex_index> vertices; // the vertex of each point
 
 private:
   // Puts the source of the halfedge `h` where the face beyond it has it, or at the origin.
@@ -106,7 +106,7 @@ private:
                           : position[h.idx()] + (-length(p)) * m_direction[p.idx()];
   }
 
-  // how the boundary of a face turns at the source of `h`: by pi less its angle
+  // Returns the turn of the boundary of a face at the source of `h`: pi minus the angle.
   Vector turn(Halfedge_index h) const
   {
     using std::sqrt;

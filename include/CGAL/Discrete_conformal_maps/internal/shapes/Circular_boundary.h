@@ -66,7 +66,7 @@ inline std::vector<double> circle_angles(const std::vector<double>& length)
   for(double x; x = (low + high) / 2, low < x && x < high;)
     ((excess(half_arcs(x, is_outside)) > 0) != is_outside ? high : low) = x;
   std::vector<double> arcs = half_arcs(high, is_outside);
-  arcs[longest] -= excess(arcs); // if that is near a diameter, its arc has half of the digits
+  arcs[longest] -= excess(arcs); // the arc of a chord near a diameter has half of the digits
   return angles_between(arcs);
 }
 
@@ -278,7 +278,7 @@ private:
         if(!start_from_hemisphere(problem, flattening) && !flattening.has_succeeded())
           return;
       }
-      if(i + 1 < m_rounds) // otherwise the angles stay those of the map
+      if(i + 1 < m_rounds) // the last map keeps its angles
         prescribe(problem);
     }
   }

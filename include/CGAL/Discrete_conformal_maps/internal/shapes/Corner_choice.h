@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  // Returns up to four places, each the sharpest that is so far from those before.
+  // Returns up to four vertices. Each is the sharpest one at this distance from the earlier ones.
   Corners sharpest_at_distance(double distance) const
   {
     Corners result;

@@ -33,7 +33,7 @@ struct Free_shape
     find();
   }
 
-  // What else is promised about a map, by components whose charts are whole.
+  // Returns further promises of this shape, about components whose charts are not cut.
   std::vector<Map_promise> promises(const Planar_conformal_map& /* map */,
                                     const std::vector<char>& /* is_whole */) const
   {

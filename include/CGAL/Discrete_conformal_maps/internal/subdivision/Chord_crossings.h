@@ -98,8 +98,8 @@ private:
     ++m_chords[later].count;
   }
 
-  // Of each two chords that cross, one has an end beside the other. Along the latter, crossings are
-  // in the order of these ends.
+  // If two chords cross, an end of one lies beside the other. Crossings along the latter are in the
+  // order of these ends.
   void order(const std::vector<std::size_t>& ends)
   {
     std::size_t first = 0;

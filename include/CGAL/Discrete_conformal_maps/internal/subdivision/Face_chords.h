@@ -78,7 +78,7 @@ public:
   const std::array<Halfedge_index, 3>& sides() const { return m_side; }
   const std::vector<Mark<FT>>& marks(std::size_t s) const { return m_marks[s]; }
 
-  // ends at corner `s`, counterclockwise along the boundary: from the side before to that after it
+  // Returns the number of ends at corner `s`. They are counted counterclockwise along the boundary.
   std::size_t number_at_corner(std::size_t s) const
   {
     return m_first_on_side[s] - m_first_at_corner[s];

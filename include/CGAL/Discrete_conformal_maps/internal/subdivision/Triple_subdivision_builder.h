@@ -386,7 +386,7 @@ private:
   const internal::Marked_edges<FT>& m_marks;
   Triple_subdivision& m_result;
   typename Base::Mesh& m_mesh;
-  internal::Face_chords<FT> m_chords; // of the face at hand, as all that follows
+  internal::Face_chords<FT> m_chords; // this and the next members are of one face
   Face_index m_face;
   std::vector<size_type> m_first_piece;
   std::vector<Linked> m_linked;

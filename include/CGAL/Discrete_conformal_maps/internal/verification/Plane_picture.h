@@ -22,7 +22,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Where the faces of T_3 are in the plane.
+// The positions of the faces of T_3 in the plane.
 struct Planar_layout
 {
   bool exists = false;
@@ -143,15 +143,16 @@ private:
 
   double scaled_length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
-  // A cross ratio has the errors of four lengths. A length of zero is one out of range.
+  // Returns whether rounding of positions changes a length by too much for a cross ratio, which has
+  // the errors of four lengths. A length of zero is out of range.
   bool has_changed_by_rounding(Halfedge_index h) const
   {
     const double length = scaled_length(h), error = std::abs(length_of(h) - length);
     return (length == 0 || error > tolerance::promised_length / 8 * length) && error <= m_rounding;
   }
 
-  // The greatest coordinate. Charts have been moved: positions that are small now have the rounding
-  // of those before.
+  // Returns the greatest coordinate. Charts have been moved, so small positions can have the
+  // rounding of large ones.
   double size() const
   {
     double result = 0;
@@ -186,7 +187,7 @@ private:
   const Map_data& m_data;
   const Planar_layout& m_layout;
   std::vector<double> m_length;   // the scaled length of each edge
-  double m_rounding;              // what it may change by if positions are rounded
+  double m_rounding;              // its error by rounding of positions
   std::vector<char> m_is_crowded; // for each halfedge
 };
 

@@ -59,7 +59,7 @@ private:
     return internal::side_of_end(m_strands.piece(s).segment, m_strands.end(s), m_mesh);
   }
 
-  // on the left of `h`, away from where a piece comes to its edge
+  // Returns the strand on the left of `h` that leads away from the edge to which a piece comes.
   Strand strand(std::size_t piece, Halfedge_index h) const
   {
     return side_of_end({piece, true}) == h ? Strand{piece, false} : Strand{piece + 1, true};
@@ -110,9 +110,9 @@ private:
     return result;
   }
 
-  // Follows both curves until they separate, or have come to where they were before: they go on at
-  // vertices inside of faces. A way that comes back by the other curve has that on the side to
-  // which it turns.
+  // Follows both curves until they separate or return to their start. They continue at vertices
+  // inside faces. If a curve returns along the other one, the other one is on the side to which it
+  // turns.
   int follow(Strand a, Strand b, Halfedge_index h, Turn turn)
   {
     const Strand start = a;

@@ -48,7 +48,7 @@ public:
   }
   Curve_index end_mark(const Strand& s) const { return piece(s).marks[s.is_forward ? 1 : 0]; }
 
-  // whether there is no piece of the edge after this one
+  // Returns whether this is the last piece of the edge.
   bool is_last(const Strand& s) const
   {
     const Edge_index e = edge(s);

@@ -210,8 +210,8 @@ private:
     return true;
   }
 
-  // Points on the edge go with those before them. There are two parts, or more if rounding has bent
-  // a side; then the negative side is cut off part by part.
+  // Cuts a cell into two parts, or more if rounding has bent a side: then the negative side is cut
+  // off part by part. A point on the edge belongs to the part of the point before it.
   void cut_along(const Recorded_flip& turn, Route::Time t)
   {
     move_to_front(1); // the last that is not on the edge is negative now

@@ -128,7 +128,8 @@ private:
   typedef std::vector<Curve_mark> Marks;
   typedef std::vector<Coarse_piece> Pieces;
 
-  // where a curve has come into a face: at which corner, after how many pieces and vertices
+  // The position at which a curve has entered a face: a corner, and the numbers of pieces and
+  // vertices before it.
   struct Entry
   {
     std::size_t corner;
@@ -301,7 +302,7 @@ private:
     m_pieces.push_back(piece);
   }
 
-  // at which corner a point is or has been moved to; 3 if at none
+  // Returns the corner at which a point is, or to which it has been moved; 3 if there is none.
   std::size_t corner_near(const Curve_segment& s, const Face_point& p, Curve_index mark) const
   {
     if(is_at_corner(p))
@@ -340,13 +341,13 @@ private:
   const Delta_complex& m_fine;
   Curve_index m_number_of_vertices, m_first_fine_bend = no_index;
   std::vector<Vertex_index> m_vertex_of_coarse; // of each vertex of the coarse level
-  std::vector<Vertex_index> m_new_vertices;     // those that only the coarse level has
+  std::vector<Vertex_index> m_new_vertices;     // vertices of the coarse level only
   Pieces m_pieces;
   std::vector<Curve_index> m_first_piece; // of each edge of the coarse level, and the end
   std::vector<Curve_index> m_piece_before, m_mark_of_vertex; // of each vertex
   Marks m_marks;                                             // in the order of edges and along them
   Edge_marks m_numbers, m_kept;
-  std::vector<Curve_index> m_kept_before; // of each mark, how many are kept before it on its edge
+  std::vector<Curve_index> m_kept_before; // the number of kept marks before each on its edge
   std::vector<char> m_is_along; // whether an edge of the coarse level runs along a fine edge
   std::vector<Surface_map::Location> m_fine_bends;
 };

@@ -91,7 +91,7 @@ struct Curve_mark
 {
   Edge_index edge;
   double ratio;
-  Curve_index piece; // that comes to it, as traced
+  Curve_index piece; // the traced piece that ends at it
   Vertex_index vertex;
 };
 

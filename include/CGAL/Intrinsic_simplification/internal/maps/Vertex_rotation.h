@@ -38,7 +38,7 @@ public:
     return m_edges.kept().number_of_pieces() + checked_index(m_piece_of_chord.size());
   }
 
-  // piece `p` of an edge of the coarse level, in the direction of the first halfedge of that
+  // Returns piece `p` of an edge of the coarse level, in the direction of its first halfedge.
   Halfedge_index coarse_piece(Curve_index p) const { return m_halfedge[p]; }
 
   // the piece that has a chord as one of its halfedges

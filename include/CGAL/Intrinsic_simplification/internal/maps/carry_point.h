@@ -78,7 +78,7 @@ private:
   Location m_point;
 };
 
-// Carries a point of the level where `route` starts to that where it ends.
+// Carries a point from the level at which `route` starts to the level at which it ends.
 template <bool is_forward>
 Location carry_point(Location p, const Route& route)
 {

@@ -188,8 +188,8 @@ private:
     return image(mesh().next(outgoing[n % outgoing.size()]));
   }
 
-  // The outgoing halfedge before the first side of a face of the surface. Of three, it is the
-  // first side of all. Of four, it is one that is followed by another one in its face.
+  // Returns the index of the side from which sides are counted. Of three sides, it is the first one
+  // of the face. Of four, the next side follows it in its face.
   std::size_t first_side(const Halfedges& outgoing) const
   {
     const Delta_complex& before = surface().mesh();

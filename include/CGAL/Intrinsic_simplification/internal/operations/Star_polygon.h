@@ -79,8 +79,8 @@ private:
   {
     Plane_point point;
     Halfedge_index outgoing;
-    std::size_t previous, next; // of those that are left
-    double power;               // the greater, the rather it is cut off
+    std::size_t previous, next; // among the remaining corners
+    double power;               // the ear of greatest power is cut off first
   };
 
   static constexpr double never() { return -std::numeric_limits<double>::infinity(); }
@@ -112,9 +112,9 @@ private:
     return {cosine * p.x - sine * p.y, cosine * p.y + sine * p.x};
   }
 
-  // An ear can be cut off if it is convex and does not contain the center, which may come to lie on
-  // the cut. Ears whose circumcircle has the center closest to its inside come first: in a
-  // Delaunay star they are Delaunay.
+  // Rates an ear, which can be cut off if it is convex and does not contain the center. The center
+  // may lie on the cut. Ears whose circumcircle comes closest to containing the center come first:
+  // in a Delaunay star they are Delaunay.
   void rate(std::size_t n)
   {
     Corner& corner = m_corners[n];

@@ -33,7 +33,7 @@ inline void prefetch(const void* address, std::size_t size)
   prefetch(static_cast<const char*>(address) + size - 1);
 }
 
-// what a cost has for a vertex; of a cost that is not known nothing is
+// Prefetches the data of a cost at a vertex: nothing for a cost of unknown type.
 inline void prefetch_vertex(Intrinsic_triangulations::Vertex_index, const void*) {}
 
 // Brings the stars of the vertices near the top of a heap into the cache, many at once. A walk
@@ -96,7 +96,7 @@ private:
     return walk.outgoing != walk.first;
   }
 
-  std::array<Vertex_index, 1024> m_recent; // in a slot each: the last one
+  std::array<Vertex_index, 1024> m_recent; // the last vertex of each slot
   std::vector<Walk> m_walks;
 };
 

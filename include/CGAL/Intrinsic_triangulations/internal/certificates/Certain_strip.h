@@ -19,7 +19,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What floating point says about an edge of T2 that has been laid out.
+// The results of floating-point decisions about an edge of T2 that has been laid out.
 struct Straight_edge
 {
   bool is_certain; // that it is straight

@@ -78,12 +78,12 @@ public:
     : Base(pair, &courses), m_is_flat(m_metric.points, pair.input_mesh())
   {}
 
-  // Leaves open what takes more than `most_digits` binary digits and more than a few roots: it is a
-  // tie up to errors beyond all others.
+  // Lets decisions that take more than `most_digits` binary digits and more than a few roots count
+  // as ties: the error is far below all others.
   void allow_few_roots() { m_most_roots = few_roots; }
 
-  // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
-  // lengths if they leave no doubt.
+  // Returns whether the edge of `h`, which could be flipped, is locally Delaunay. Stored lengths
+  // decide if their error bounds allow it.
   bool is_Delaunay(Halfedge_index h)
   {
     const Euclidean_geometry_traits<double>::Is_locally_Delaunay by_lengths{
@@ -121,8 +121,8 @@ public:
     return !m_metric.points.empty() && !has_inserted_end(h) && has_exact_square(h);
   }
 
-  // Returns this sign where the edge and those around it are edges of T1 or straight lines in
-  // space.
+  // Returns the sign of the Delaunay condition from exact squares, if the five edges are edges of
+  // T1 or straight lines in space.
   Sign Delaunay_sign_by_squares(Halfedge_index h)
   {
     ++m_count.exact;
@@ -188,8 +188,8 @@ public:
     return result;
   }
 
-  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side: not
-  // without positions.
+  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side;
+  // false without positions.
   bool is_flat(Halfedge_index input) { return m_is_flat(input); }
 
   // returns the orientation of the face of `h`

@@ -24,7 +24,8 @@ public:
     : m_points(points), m_mesh(mesh)
   {}
 
-  // Returns whether the edge of `h`, which is not on the boundary, is one: not without positions.
+  // Returns whether the edge of `h`, which is not on the boundary, is flat; false without
+  // positions.
   bool operator()(Halfedge_index h)
   {
     return !m_points.empty() && m_is_flat(std::size_t(Edge_index(h).idx()), [&] {

@@ -278,12 +278,12 @@ public:
 private:
   typedef typename Complex::Element Element;
 
-  // What corners of a face have in common: up to `factor`, their imaginary parts are multiples of
-  // a root.
+  // The common data of the corners of a face. Up to `factor`, their imaginary parts are multiples
+  // of one root.
   struct Face
   {
-    std::array<K, 3> square; // of its sides; with positions nothing
-    std::size_t axis = 0;    // along which the normal is not zero, and its sign there
+    std::array<K, 3> square; // the squared sides; unused with positions
+    std::size_t axis = 0;    // a nonzero component of the normal, and its sign
     int sign = 0;
     double unit = 1; // in which coordinates take few digits
     Element root;
@@ -292,7 +292,7 @@ private:
 
   Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
 
-  // by which a position is multiplied to which a corner of the face of `h` has contributed
+  // Returns the factor of positions that were computed with a corner of the face of `h`.
   K scale(Halfedge_index h)
   {
     const Face& f = face(h);

@@ -47,8 +47,8 @@ struct Exact_surface : Surface_view<Delta_complex::Property_map<Edge_index, doub
 struct No_metric
 {};
 
-// Whether decisions are exact while lengths are of type `double`: if lengths do not decide, the
-// metric of T1 does.
+// Whether decisions are exact although lengths are of type `double`: the metric of T1 decides if
+// lengths do not.
 template <typename Traits, typename = void>
 struct Is_exact : std::false_type
 {};
@@ -122,7 +122,7 @@ constexpr bool has_metric()
   return !std::is_same_v<Input_metric_of<Traits>, No_metric>;
 }
 
-// Whether flips can go on with exact decisions: not with traits that have conditions of their own.
+// Whether flips can continue with exact decisions. Traits with other conditions do not allow this.
 template <typename Traits>
 constexpr bool has_exact_decisions()
 {

@@ -131,7 +131,7 @@ private:
   const Pair& m_pair;
   Edge_courses<Traits> m_courses;
   typename Traits::Geodesic_strip m_strip;
-  Face_index m_face;                // in which the last edge without crossings lies
+  Face_index m_face;                // the face of the last edge without crossings
   std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
 };
 

@@ -62,8 +62,8 @@ std::optional<K> root_in(const K& x)
   return {};
 }
 
-// Returns for which primes the rational number `x` > 0 is no square. A fraction is one if the
-// product of its numerator and denominator is.
+// Returns the primes modulo which the rational number `x` > 0 is no square. A fraction is a square
+// if the product of its numerator and denominator is one.
 template <typename K>
 std::optional<std::uint64_t> characters_of(const K& x)
 {

@@ -117,7 +117,7 @@ private:
   }
 
   std::size_t m_size = 0;
-  std::vector<Row> m_rows; // each without the last bits of those before
+  std::vector<Row> m_rows; // the last bits of earlier rows are eliminated from each
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

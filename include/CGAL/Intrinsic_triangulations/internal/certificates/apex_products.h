@@ -77,7 +77,7 @@ BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Positi
           square_qr};
 }
 
-// Returns the products, computed from lengths: no formula loses digits.
+// Returns the products, computed from lengths without cancellation.
 template <typename N>
 BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const N& rp)
 {

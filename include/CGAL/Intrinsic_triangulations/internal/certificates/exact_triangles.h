@@ -26,7 +26,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Returns a face in which the triangle inequality fails; null if there is none, as with positions.
-// Lengths that obey it by more than rounding need no second look.
+// Exact numbers are compared only if lengths obey it within rounding error.
 template <typename Number>
 Face_index violated_triangle(const Exact_surface<Number>& input)
 {

@@ -31,8 +31,8 @@ struct Bounded_length
 // A triangle of a diamond over the diagonal ij, with the corner k.
 struct Half_diamond
 {
-  double perimeter, slack; // the least in the triangle inequality
-  double height, foot;     // that over ij, squared, and its foot, both scaled
+  double perimeter, slack; // the least slack of the triangle inequalities
+  double height, foot;     // the squared height over ij, and its foot, both scaled
 
   Half_diamond(double ij, double jk, double ki)
     : perimeter(ij + jk + ki),
@@ -67,7 +67,7 @@ public:
                 length.lj * length.lj)
   {}
 
-  // few quotients: this stands in the loop of flips
+  // has few quotients, since every flip calls it
   Bounded_length operator()() const
   {
     const double square = 4 * (m_length.ij * m_length.ij) * (m_flipped * m_flipped);

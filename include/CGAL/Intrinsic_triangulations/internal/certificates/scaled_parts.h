@@ -62,7 +62,7 @@ bool for_each_part(K x, std::size_t maximum, const Use& use)
   return x == K(0);
 }
 
-// Returns the nearest whole number, if this has few digits; otherwise it is one.
+// Returns the nearest integer if `part` has few digits. A number with more digits is an integer.
 inline Scaled_part whole_part(Scaled_part part)
 {
   for(; part.exponent > 0 && std::abs(part.factor) < 0x1p300; part.exponent -= 256)

@@ -40,7 +40,7 @@ Metric_surface precise_surface(const Intrinsic_triangulation<Traits>& tri)
   return Metric_surface(mesh);
 }
 
-// What faces without area have no part in.
+// The greatest error of a curvature that counts: a face of nearly zero area could make it infinite.
 constexpr double greatest_curvature_error() { return 1e-6; }
 
 // Returns for each vertex by how much rounding of the input can change its curvature. Lengths have
@@ -72,7 +72,7 @@ std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
 struct Curved_vertices
 {
   Metric_surface surface;
-  std::vector<Vertex_index> vertices, flat_vertices; // those that are left, and the others
+  std::vector<Vertex_index> vertices, flat_vertices; // the remaining and the removed vertices
 };
 
 inline void check_sphere(const Delta_complex& mesh)

@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  // Where the path ends, and where it must have come to for a result.
+  // The end of the path, and the greatest t of an acceptable result.
   static constexpr double t_at_end = 1e-14, greatest_t_at_end = 1e-6;
   // A polyhedron is flat if its pyramids are no higher, relative to its size and to t.
   static constexpr double flat_height = 1e3;

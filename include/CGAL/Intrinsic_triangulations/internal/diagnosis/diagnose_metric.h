@@ -179,7 +179,7 @@ private:
   Input_diagnosis& m_diagnosis;
 };
 
-// What lengths and angles say, wherever they come from.
+// Finds defects of lengths and angles, from positions or given lengths.
 template <class Metric>
 class Metric_diagnoser
 {

@@ -40,7 +40,7 @@ public:
   {}
 };
 
-// What can be said without knowing a length.
+// Finds defects that do not depend on lengths.
 class Topology_diagnoser
 {
   using Index = Diagnosis_complex::Index;

@@ -88,7 +88,7 @@ public:
     for(Halfedge_index h : m_base.flips)
       flip(h);
     for(auto h = m_tri.flips.rbegin(); h != m_tri.flips.rend(); ++h)
-      for(int turn = 0; turn < 3; ++turn) // four turns are none
+      for(int turn = 0; turn < 3; ++turn) // four flips restore the edge
         flip(m_image[*h]);
   }
 

@@ -109,7 +109,7 @@ public:
     return true;
   }
 
-  // what a flip of an edge changes
+  // The data that a flip of an edge changes.
   struct Record
   {
     Flip_record<Traits> flip;

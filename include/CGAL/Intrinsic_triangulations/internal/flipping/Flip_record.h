@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What a flip of the edge of `h` changes in T2, as it is before the flip. The flips that follow are
-// taken back in reverse order; then every index and every number is as it was, to the bit.
+// The data of T2 that a flip of the edge of `h` changes, recorded before the flip. Flips are taken
+// back in reverse order, which restores every index and every number to the bit.
 template <typename Traits>
 class Flip_record
 {

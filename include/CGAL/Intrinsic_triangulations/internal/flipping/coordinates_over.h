@@ -90,7 +90,7 @@ Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
   Coordinates over(result);
   copy_coordinates(result, image, coordinates, over);
   for(auto h = from_pair.flips.rbegin(); h != from_pair.flips.rend(); ++h)
-    for(int turn = 0; turn < 3; ++turn) // four turns are none
+    for(int turn = 0; turn < 3; ++turn) // four flips restore the edge
       over.flip(*h, result, outgoing_halfedges);
   return result;
 }

@@ -68,7 +68,7 @@ private:
   struct End
   {
     Face_location<FT> place;
-    Halfedge_index along; // that of the point; null inside a face
+    Halfedge_index along; // the edge of the point; null inside a face
     Vector direction;     // of the segment, in the frame of the face
     std::size_t kind, index;
     FT x, y; // where it is in the edge or the face

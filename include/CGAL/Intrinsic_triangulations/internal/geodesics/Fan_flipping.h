@@ -160,7 +160,7 @@ private:
 
   Triangulation& m_tri;
   Exact_flipping<Traits> m_flipping;
-  // A name for each edge. It belongs to one geodesic: after a flip, the edge has another name.
+  // A name for each edge, which identifies one geodesic: a flip gives the edge another name.
   std::vector<std::uint32_t> m_name;
   std::uint32_t m_next_name;
   Direct_mapped_cache<bool> m_decided;

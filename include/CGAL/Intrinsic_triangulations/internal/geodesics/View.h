@@ -44,8 +44,8 @@ struct View
   FT begin, end;
   FT before; // the length of the path to the origin, or by parallel rays to the start of `edge`
   Index edge;
-  Index origin; // a vertex, or the number of vertices plus that of a source
-  Index parent; // from which it was handed on; null if it was opened at the origin
+  Index origin; // a vertex, or the number of vertices plus the index of a source
+  Index parent; // the view before it; null if it was opened at the origin
   bool is_parallel = false;
   Entry entry = Entry::inside;
 

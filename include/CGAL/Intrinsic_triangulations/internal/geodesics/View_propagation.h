@@ -430,11 +430,11 @@ private:
   std::vector<FT> m_distance;     // of each vertex
   std::vector<Arrival> m_arrival; // at each vertex
   std::vector<FT> m_opened;       // the distance at which views were opened at each vertex
-  std::deque<View> m_views;       // that have been looked through, if they are kept
+  std::deque<View> m_views;       // the propagated views, if they are kept
 
   Bucket_queue<FT, Index> m_next;  // sides at which views wait
   Bucket_queue<FT, Index> m_bends; // vertices from which views have to be opened
-  FT m_delay;                      // of bends, which better paths to their vertices may precede
+  FT m_delay;                      // of bends, since shorter paths to their vertices may follow
   Waiting_views<FT> m_waiting;
   std::vector<View> m_present, m_handed_on; // views that are looked through, and the next ones
   std::size_t m_steps = 0;

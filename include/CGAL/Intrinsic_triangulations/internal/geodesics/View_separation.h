@@ -49,7 +49,7 @@ public:
       cut_begin(m_b, x);
   }
 
-  // Separates other views: one is cut off where both are seen, at an end of its part.
+  // Separates views of other origins: where both are seen, an end of the longer one is cut off.
   void by_points()
   {
     const FT first = (std::max)(m_a.begin, m_b.begin), last = (std::min)(m_a.end, m_b.end);

@@ -33,11 +33,11 @@ Face_split<Integer> split_on_curve(const Face_regions::Curve& curve,
                                    const Face_regions& regions)
 {
   if(!curve.from_apex && curve.mark.side != curve.corner)
-    forward = 1 - forward; // it leaves before the corner
+    forward = 1 - forward; // the curve leaves the face before the corner
   const auto back = 1 - forward;
   const auto n = regions.crossings_to_corners(curve);
   Face_split<Integer> split{{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {back, back, back}};
-  // between this corner and the next lies the outgoing halfedge that leads forward
+  // the outgoing halfedge that leads forward lies between this corner and the next one
   split.r[curve.from_apex ? (curve.corner + 1) % 3 : curve.corner] = forward;
   return split;
 }

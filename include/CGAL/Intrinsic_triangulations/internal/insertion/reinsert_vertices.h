@@ -57,7 +57,7 @@ private:
     return CGAL::sign(R(R(a[0]) * minor(1, 2) + R(a[1]) * minor(2, 0) + R(a[2]) * minor(0, 1)));
   }
 
-  // on which side of a side of a face of T2 it lies
+  // Returns on which side of `h`, a side of a face of T2, the point lies.
   Sign side_of(const Weights& point, Halfedge_index h) const
   {
     return orientation(point, m_tri.input_location(h).second,

@@ -31,7 +31,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What the heat method does before, between and after its two systems of equations.
+// The steps of the heat method before, between and after its two systems of equations.
 template <typename FT>
 class Heat_method
 {

@@ -76,7 +76,7 @@ public:
   // Returns the exit with this index, of the first halfedge of its edge.
   Halfedge_index exit(size_type mark) const { return m_exits[mark]; }
 
-  // Sets the exit with this index, which is one of `h`.
+  // Sets the exit with this index, as seen from `h`.
   void set(size_type mark, Halfedge_index h, Halfedge_index exit)
   {
     m_exits[mark] = oriented_like(h, exit);

@@ -185,8 +185,8 @@ public:
     return {m_apex, p - m_around[s], true, mark, {}};
   }
 
-  // Returns the number of curves between a point on `curve` and each corner of the face; -1 to
-  // where it ends.
+  // Returns the number of curves between a point on `curve` and each corner of the face; -1 for the
+  // corner at which it ends.
   std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
   {
     std::array<std::ptrdiff_t, 3> crossings;
@@ -262,7 +262,8 @@ private:
     return region;
   }
 
-  // Region `j` of those between curves from the apex, from the side after it to the side before it.
+  // Returns region `j` between curves from the apex, counted from the side after the apex to the
+  // side before it.
   Region fan_region(std::size_t j) const
   {
     Region region;
