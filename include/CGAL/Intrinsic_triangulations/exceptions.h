@@ -52,7 +52,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// a length or position came out as infinite or not a number.
+/// rounding leaves no result, such as a positive finite length or a decision.
 class Numerical_error : public Error
 {
 public:
@@ -68,7 +68,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// a normal coordinate would exceed the range of its integer type; nothing was changed.
+/// an integer would exceed its range: a normal coordinate, or a number of crossings or elements.
 class Overflow_error : public Error
 {
 public:
@@ -76,7 +76,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// flipping used up the number of flips it was allowed.
+/// more flips than allowed were needed.
 class Flip_limit_exceeded : public Error
 {
 public:
