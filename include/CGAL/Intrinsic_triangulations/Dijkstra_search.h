@@ -36,7 +36,7 @@ public:
   /// prepares for searches among indices less than `size`.
   explicit Dijkstra_search(std::size_t size) { resize(size); }
 
-  /// allows indices up to `size`.
+  /// allows indices less than `size`.
   void resize(std::size_t size) { m_label.resize(size); }
 
   /// forgets the last search. Complexity: constant.
