@@ -23,8 +23,8 @@ struct Vertex_condition
   Quantity quantity = Quantity::curvature; ///< the prescribed quantity
   double value = 0;                        ///< its value
 
-  /// prescribes a curvature: \f$2\pi\f$ minus the sum of angles inside the surface, \f$\pi\f$ minus
-  /// the sum of angles on the boundary.
+  /// prescribes a curvature: \f$2\pi\f$ minus the sum of angles at an interior vertex, \f$\pi\f$
+  /// minus the sum of angles at a boundary vertex.
   static Vertex_condition curvature(double value) { return {Quantity::curvature, value}; }
 
   /// prescribes a logarithmic scale factor.

@@ -19,7 +19,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// edges that wait to be looked at, each at most once.
+/// a stack of edges that still have to be examined, without duplicates.
 class Edge_stack
 {
 public:
@@ -41,7 +41,8 @@ public:
     push_if(true, e);
   }
 
-  /// adds `e` if `is_wanted`. Branch-free: it is unpredictable, and mispredictions would dominate.
+  /// adds `e` if `is_wanted`, unless it waits already. There is no branch, since `is_wanted` is
+  /// unpredictable, and mispredictions would take most of the time.
   /// \pre `e` is one of the edges that there were at first
   void push_if(bool is_wanted, Edge_index e)
   {

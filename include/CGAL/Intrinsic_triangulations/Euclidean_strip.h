@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// turned by corner angles, not computed from differences of positions. So a short edge in the
 /// strip does not spoil later triangles. The position of a corner follows from the edges that lead
 /// to it on the shorter way. So a short line between long edges keeps all its digits. An object
-/// can be used again; it then allocates no memory.
+/// can be used for many strips; it allocates memory only for the longest ones.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>
@@ -90,8 +90,8 @@ public:
   }
 
   /// starts with a line from a point of this triangle: at the point with barycentric coordinates
-  /// `p`, which belong to \f$a\f$, \f$i\f$, \f$j\f$. The point may be as close to
-  /// \f$\overrightarrow{ij}\f$ as it likes.
+  /// `p`, which belong to \f$a\f$, \f$i\f$, \f$j\f$. The point may be arbitrarily close to
+  /// \f$\overrightarrow{ij}\f$.
   void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)
   {
     start(ai, ij, ja);
@@ -160,9 +160,8 @@ public:
     return std::atan2(cross(i, m_end), dot(i, m_end));
   }
 
-  /// returns the crossing of the line with inner edge `m`, not before `least` on the line. Where
-  /// both run along each other, any point that they share is correct, but not a point that only one
-  /// of them has.
+  /// returns the crossing of the line with inner edge `m`, not before `least` on the line. If the
+  /// line runs along the edge, the result is any point that they share.
   /// \pre `finish()` has been called
   Crossing crossing(std::size_t m, const FT& least = FT(0)) const
   {
@@ -256,19 +255,19 @@ protected:
   /// \endcond
 
 private:
-  // of i->l in the triangle jil
+  // the direction of i->l in the triangle jil
   Vector direction_at_source(const FT& ij, const FT& jl, const FT& li) const
   {
     return m_direction.turned(corner_cosine(jl, li, ij), -corner_sine(jl, li, ij));
   }
 
-  // of l->j in the triangle jil
+  // the direction of l->j in the triangle jil
   Vector direction_to_target(const FT& ij, const FT& jl, const FT& li) const
   {
     return m_direction.turned(corner_cosine(li, ij, jl), corner_sine(li, ij, jl));
   }
 
-  // l in the triangle jil
+  // the corner l of the triangle jil
   Corner apex(const FT& ij, const FT& jl, const FT& li) const
   {
     const Segment& edge = m_edges.back();

@@ -68,7 +68,8 @@ template <typename FT>
 class Face_metric
 {
 public:
-  /// measures the face of `h`, a model of `IntrinsicSurface`. Side 0 is `h`.
+  /// measures the face of `h`. Side 0 is `h`.
+  /// \tparam Surface a model of `IntrinsicSurface`
   template <typename Surface>
   Face_metric(Halfedge_index h, const Surface& surface)
     : m_length(internal::side_lengths(h, surface)),
@@ -127,9 +128,9 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// a face in the plane, any of its halfedges on the x-axis. Its sides have directions of their own,
-/// turned by the corner angles, and its points barycentric coordinates: no position is subtracted
-/// from another.
+/// a face that is laid out in the plane, with one of its halfedges on the x-axis. The directions of
+/// its sides come from the corner angles, and its points have barycentric coordinates. So no
+/// position is subtracted from another.
 /// \tparam FT a floating point type
 template <typename FT>
 class Flat_face : public Face_metric<FT>
@@ -179,7 +180,7 @@ public:
   /// returns where the ray from `p` with unit direction `d` leaves the face.
   Exit exit(const Place& p, const Vector& d) const
   {
-    std::array<FT, 3> left, ahead; // of the ray is corner k, so far
+    std::array<FT, 3> left, ahead; // how far corner k is to the left of the ray and along it
     for(std::size_t k = 0; k < 3; ++k) {
       const Vector v = to_corner(k, p);
       left[k] = internal::cross(d, v);

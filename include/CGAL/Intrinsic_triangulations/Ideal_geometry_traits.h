@@ -44,11 +44,11 @@ struct Ideal_Delaunay_condition
 /// the signed distance of the two horocycles (Section 4.1.2). Any positive numbers are the lengths
 /// of a decorated triangle.
 ///
-/// Four operations suffice. So with an exact number type every length and every decision is exact.
-/// Examples are `CGAL::Exact_rational`, and `CGAL::Lazy_exact_nt<CGAL::Exact_rational>`, which
-/// filters by intervals. With a floating-point type an edge is flipped only if the stored lengths
-/// decide with certainty; see `Is_locally_Delaunay`. `certify_ideal_Delaunay()` checks exactly
-/// afterwards. Square roots do not occur.
+/// Sums, differences, products and quotients suffice; square roots do not occur. So with an exact
+/// number type every length and every decision is exact. Examples are `CGAL::Exact_rational`, and
+/// `CGAL::Lazy_exact_nt<CGAL::Exact_rational>`, which filters by intervals. With a floating-point
+/// type an edge is flipped only if the stored lengths decide with certainty; see
+/// `Is_locally_Delaunay`. `certify_ideal_Delaunay()` checks exactly afterwards.
 ///
 /// Barycentric coordinates are coordinates in the triangle of the light-like vectors of the
 /// corners, with \f$\langle q_i, q_j\rangle = -2\ell_{ij}^2\f$. One point has different

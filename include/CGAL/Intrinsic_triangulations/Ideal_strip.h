@@ -41,8 +41,8 @@ struct Ptolemy_flip
 /// inner edges follow from Ptolemy's relation. The four light-like vectors of a crossing satisfy
 /// \f$ \alpha_a q_a + \alpha_b q_b = \alpha_i q_i + \alpha_j q_j \f$. Here \f$\alpha_x\f$ is the
 /// product of the three Penner lengths among the other three. All terms are positive, so no digit
-/// is cancelled. With an exact number type every result is exact. An object can be used again; it
-/// then allocates no memory.
+/// is cancelled. With an exact number type every result is exact. An object can be used for many
+/// strips; it allocates memory only for the longest ones.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>

@@ -24,7 +24,7 @@ class Multiprecision_float;
 }
 
 #ifndef DOXYGEN_RUNNING
-// The range of `double`, which most numbers also have as precision.
+// The limits of `double`, the type of most numbers.
 template <>
 class std::numeric_limits<CGAL::Intrinsic_triangulations::Multiprecision_float>
   : public std::numeric_limits<double>
@@ -35,10 +35,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// a floating-point number of type `double`, or with 2560 binary digits. A result has many digits
-/// if an operand has them. So a computation takes as much time as with `double`, except for
-/// numbers that depend on such operands. It has the operators, comparisons and functions of
-/// `double`, such as `sqrt()`.
+/// a floating-point number of type `double`, or with at least 2560 binary digits. A result has many
+/// digits if an operand has them. So only numbers that depend on such operands take the time of
+/// many digits. It has the operators, comparisons and functions of `double`, such as `sqrt()`.
 ///
 /// Coordinates of type `double` are multiples of \f$2^{-1074}\f$. So the height of a triangle with
 /// sides of about one is zero or at least as large. Lengths with so many digits determine it.

@@ -18,10 +18,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the outgoing halfedges ("outgoing halfedges") of every vertex of a fixed Delta-complex
-/// \f$T_1\f$, indexed from 0 in counterclockwise order. Roundabouts are such indices (Section
-/// 3.1.2). At a boundary vertex the order starts at the outgoing halfedge with the boundary on its
-/// right and ends at the border halfedge.
+/// the outgoing halfedges of every vertex of a fixed Delta-complex \f$T_1\f$, indexed from 0 in
+/// counterclockwise order. Roundabouts are such indices (Section 3.1.2). At a boundary vertex the
+/// order starts at the outgoing halfedge with the boundary on its right and ends at the border
+/// halfedge.
 ///
 /// A vertex that has been inserted on an edge of \f$T_1\f$ has two outgoing halfedges, the
 /// halfedges of that edge. Each represents the part that starts at the vertex. A vertex inserted

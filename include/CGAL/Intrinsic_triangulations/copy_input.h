@@ -83,7 +83,8 @@ struct Surface_mesh_numbering
   throw Invalid_input("face " + std::to_string(mesh.face(h).idx()) + " is not a triangle");
 }
 
-// The vertices already have a halfedge each; one on the boundary must get its border halfedge.
+// Makes `h` the halfedge of its target, which has another one so far. A vertex on the boundary must
+// have its border halfedge.
 inline void set_border_halfedge(Halfedge_index h, Delta_complex& mesh)
 {
   const Vertex_index v = mesh.target(h);
@@ -107,7 +108,8 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
       mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
 }
 
-// By numbers: an iterator of the mesh would ask at each step whether anything has been removed.
+// Makes border halfedges the halfedges of their vertices. The loop is over indices, since an
+// iterator of the mesh would check at each step whether an element has been removed.
 inline void set_border_halfedges(Delta_complex& mesh)
 {
   for(Delta_complex::size_type n = 0; n < mesh.num_halfedges(); ++n) {

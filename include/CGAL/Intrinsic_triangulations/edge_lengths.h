@@ -25,7 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Positions in single precision are exact, and their distances are not rounded to it.
+// Returns the distance of two points. Positions of type `float` are taken as exact, and distances
+// of type `double` are computed in `double`.
 template <typename FT, typename Point>
 FT distance(const Point& p, const Point& q)
 {

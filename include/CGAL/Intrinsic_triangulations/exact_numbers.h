@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-// CGAL's own types compile in a fraction of the time of the types that it selects.
+// These types of CGAL compile in a fraction of the time of `CGAL::Exact_rational` and its like.
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
 /// the type of numbers in which sums and products of numbers of type `double` are exact.

@@ -55,7 +55,7 @@ first_curve(Halfedge_index outgoing, const Integer_coordinates<Integer>& coordin
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// flips until the edges of \f$T_1\f$ are shared for whose halfedges `is_wanted` holds (Algorithm
+/// flips until all edges of \f$T_1\f$ that have a halfedge with `is_wanted` are shared (Algorithm
 /// 4). Flips of one curve can bring another into a corner that was examined before, so all corners
 /// are examined again. Mosher (1988) proves that this ends.
 /// \returns the halfedges that have been turned, in order

@@ -86,7 +86,8 @@ void run_both(const std::function<void(Index)>& f);
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `f(begin, end)` for the chunks of 0, ..., n - 1. If `concurrency` is parallel, calls are
 /// in any order and at the same time; otherwise one follows the other. If calls throw, the
-/// exception of the first chunk is thrown. Chunks have `size` elements, few if one takes long.
+/// exception of the first chunk is thrown. Chunks have `size` elements, which should be few if one
+/// element takes long.
 template <typename Function>
 void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f,
                     std::size_t size = chunk_size)
@@ -106,8 +107,8 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f,
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `f()` and `g()`, at the same time if `concurrency` is parallel; `g()` on the thread of the
-/// caller. Large vectors should be allocated by that one: other threads get new pages from the
-/// system.
+/// caller. If both throw, the exception of `f()` is thrown. Large vectors should be allocated by
+/// `g()`, since other threads get new pages from the system.
 template <typename F, typename G>
 void run_together(Concurrency concurrency, const F& f, const G& g)
 {

@@ -15,8 +15,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// gives each vertex its halfedge, with the same result as one thread. From either half of the
-/// halfedges, the first one to a vertex or at the border is noted.
+/// gives each vertex a halfedge that leads to it: the last border halfedge, or the first halfedge
+/// if there is no border halfedge. The result does not depend on the number of threads.
 template <typename P>
 void set_halfedges_of_vertices(Surface_mesh<P>& mesh, Concurrency concurrency)
 {

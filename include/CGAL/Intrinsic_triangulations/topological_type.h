@@ -39,8 +39,8 @@ auto boundary_loops(const HalfedgeListGraph& g)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// what oriented surfaces have in common if they can be deformed into each other: all of it if
-/// there is one component. Isolated vertices do not count.
+/// the numbers of components, boundaries and handles of an oriented surface. Two connected surfaces
+/// are homeomorphic if and only if these numbers are equal. Isolated vertices do not count.
 struct Topological_type
 {
   std::size_t components = 0;     ///< the number of components
@@ -49,7 +49,7 @@ struct Topological_type
 };
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns what a surface is, as part of a sentence: "a disk", or "a surface of genus 2 with 3
+/// returns the type in words, as part of a sentence: "a disk", or "a surface of genus 2 with 3
 /// boundaries".
 inline std::string description(const Topological_type& type)
 {

@@ -18,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The position of the source of the halfedge `h` of `side` on the other triangulation.
+// Returns the position of the source of the halfedge `h` of `side` on the other triangulation.
 template <typename Traits>
 Edge_point<typename Traits::FT> end_of_edge(Side side, Halfedge_index h,
                                             const Correspondence<Traits>& correspondence)

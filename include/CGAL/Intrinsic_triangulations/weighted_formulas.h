@@ -207,8 +207,9 @@ auto power_center(Halfedge_index h, const Surface& surface, const WeightMap& wei
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
 /// returns the signed length of the dual edge of `e`: the sum of the heights of the power centers
-/// over the edge. It is not negative if and only if the edge is weighted Delaunay; on the boundary
-/// it is the height of the only power center. Dual edges are orthogonal to their edges.
+/// over the edge. For an inner edge it is not negative if and only if the edge is weighted
+/// Delaunay. For a boundary edge it is the height of the only power center. Dual edges are
+/// orthogonal to their edges.
 /// \pre the areas of the faces at `e` are positive
 template <typename Surface, typename WeightMap>
 auto dual_edge_length(Edge_index e, const Surface& surface, const WeightMap& weight)
