@@ -118,16 +118,16 @@ public:
   }
 
 private:
-  // Returns the sides of the corner between two outgoing halfedges.
+  // The sides of the triangle between two outgoing halfedges.
   struct Corner
   {
     double p, q, opposite;
   };
 
-  // Sums the angles at the center for a scale factor.
+  // The sum of the angles at the center for a scale factor, less the angle of a flat vertex.
   struct Angle_excess
   {
-    double value;      // over the angle of a flat vertex
+    double value;      // positive if the sum is too large
     double derivative; // with respect to the scale factor
     bool is_valid;     // whether there are triangles with these sides
   };
@@ -297,7 +297,8 @@ private:
     return internal::argument(after * before);
   }
 
-  // Returns the index of a corner in its face. A face with a loop has two corners at the center.
+  // Returns the part of a face that counts for a corner: a face with a loop has two corners at the
+  // center.
   double share(std::size_t n) const
   {
     return n < number_of_corners() && opposite_ends(n) > 0 ? 0.5 : 1;

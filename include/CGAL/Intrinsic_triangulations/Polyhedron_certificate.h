@@ -23,7 +23,7 @@ struct Polyhedron_certificate
   std::size_t flat_edges = 0;
   /// the edges that are not convex; of a polygon, the vertices.
   std::size_t concave_edges = 0;
-  /// the triangles that are not seen from the center, from inside; for a polygon, the triangles
+  /// the triangles whose inner side is not seen from the center; for a polygon, the triangles
   /// without area.
   std::size_t hidden_faces = 0;
   /// how often the triangles cover the sphere of directions from the center; of a polygon, how

@@ -35,7 +35,9 @@ class Precise_lengths
   using Corners = internal::Rounded_corners<N, typename Pair::Metric::Number>;
 
 public:
-  /// prepares for the lengths of `pair`, which is referred to.
+  /// prepares for the lengths of `pair`, which is referred to. Complexity: linear in the vertices,
+  /// edges and crossings.
+  /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   explicit Precise_lengths(const Pair& pair)
     : m_pair(pair),
       m_courses(pair, Concurrency()),
@@ -44,7 +46,7 @@ public:
   {}
 
   /// returns the length of the edge of `h`. Its relative error is at most \f$2^{-90}\f$ if its
-  /// type is `Double_double`, and otherwise at most \f$2^{12}\f$ roundings of its type.
+  /// type is `Double_double`, and otherwise at most \f$2^{13}\f$ times the `epsilon()` of its type.
   /// \throws Numerical_error if 1024 bits do not suffice
   Length operator()(Halfedge_index h)
   {

@@ -84,6 +84,7 @@ public:
   /// computes the lengths of the edges of \f$T_2\f$, which are straight.
   /// Complexity: linear in the edges and crossings.
   /// \throws Numerical_error if a length is not positive and finite
+  /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   explicit Precise_surface(const Pair& pair)
     : m_mesh(&pair.mesh()), m_length(pair.mesh().num_edges())
   {

@@ -114,8 +114,8 @@ void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_ind
 }
 
 // Returns the integrals of products of hat functions of `side` (rows) and of the other
-// triangulation (columns), with the areas of faces of `side`. Where the other's are rounding, its
-// hat functions still sum up to one.
+// triangulation (columns), with the areas of faces of `side`. If areas of the other triangulation
+// are only rounding errors, its hat functions still sum up to one.
 template <typename Traits>
 Eigen::SparseMatrix<typename Traits::FT>
 mixed_mass_matrix(Side side, const Correspondence<Traits>& correspondence, Concurrency concurrency)

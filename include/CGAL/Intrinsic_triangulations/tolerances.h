@@ -112,8 +112,8 @@ constexpr FT region_tolerance()
 // smaller error needs more strips, and with limited effort, fewer strips can be laid out.
 constexpr double flipping_length_error(bool is_limited) { return is_limited ? 0x1p-30 : 0x1p-34; }
 
-// The relative error of lengths with more digits, from which scale factors are computed: 2^13
-// roundings of a number of their type.
+// The relative error of lengths with more digits, from which scale factors are computed: 2^13 times
+// the `epsilon()` of their type.
 template <typename Length>
 double precise_length_error()
 {
