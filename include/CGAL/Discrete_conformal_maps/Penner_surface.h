@@ -132,7 +132,7 @@ public:
     scale_at(vertices, u, [this](Halfedge_index h) { return is_Delaunay(h); });
   }
 
-  // with another condition for edges
+  // Does the same, but flips edges for which `is_good` does not hold.
   template <typename Is_good>
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u,
                 const Is_good& is_good)

@@ -159,7 +159,8 @@ private:
     return first <= v.idx() && v.idx() < end;
   }
 
-  // in a face on the left of an edge of C that leaves `v`, if there is one
+  // Returns the position of `v` on C. If an edge of C leaves `v`, it is in the face on the left of
+  // this edge.
   Surface_point<FT> place_on_C(Vertex_index v) const
   {
     Halfedge_index along;

@@ -74,7 +74,7 @@ public:
     }
   }
 
-  // without the circle of the apex
+  // Returns all circles except the circle of the apex.
   std::vector<Planar_circle> circles() const
   {
     return {m_circles.begin(), m_circles.end() - (m_complex.apex().is_valid() ? 1 : 0)};

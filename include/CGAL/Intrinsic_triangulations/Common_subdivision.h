@@ -88,8 +88,9 @@ private:
   class Builder;
 
   const Intrinsic_triangulation<Traits>* m_tri;
-  std::vector<Trace_point<FT>> m_place; // halfedges are null for isolated vertices, and that of T1
-                                        // for vertices inserted inside faces
+  // The halfedges are null for isolated vertices. For vertices inserted inside faces, the halfedge
+  // of T1 is null.
+  std::vector<Trace_point<FT>> m_place;
 };
 
 // Cuts each face of T2 into its regions. An edge of T2 becomes one edge for each of its pieces; so

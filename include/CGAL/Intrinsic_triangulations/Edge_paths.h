@@ -187,7 +187,8 @@ public:
 private:
   typedef internal::Fan Fan;
   typedef std::vector<Halfedge_index> Halfedges;
-  // angle, two segments, whether it is on their left, whether it is certainly less than pi
+  // an angle, its two segments, whether it is on their left, and whether it is certainly less than
+  // pi
   typedef std::tuple<FT, Index, Index, bool, bool> Joint;
 
   static constexpr std::size_t greatest_number_of_idle_moves = 1000;

@@ -217,7 +217,7 @@ protected:
     return f;
   }
 
-  // sets what a face is whose sides are linked already
+  // sets the sides and the parents of a face whose sides are linked already
   void set_face(Face_index f, Halfedge_index first,
                 const std::array<Face_index, number_of_sides>& parents)
   {
@@ -240,8 +240,8 @@ protected:
     m_parent_face[index(side)][f.idx()] = parent;
   }
 
-  // the first halfedge that is a part of one of `side`, clockwise around the target of `h` from the
-  // face of `h`
+  // Returns the first halfedge that is a part of a halfedge of `side`, clockwise around the target
+  // of `h` from the face of `h`.
   Halfedge_index parted_outgoing(Side side, Halfedge_index h) const
   {
     do

@@ -176,7 +176,7 @@ private:
     return *result;
   }
 
-  // nothing if `p` is not in the region or on its sides
+  // Returns the element of T2 on which `p` lies; none if `p` is outside of the region.
   std::optional<Surface_element> element_at(const typename Walk::Region_id& id,
                                             const Region& region, const Face_location<double>& p)
   {

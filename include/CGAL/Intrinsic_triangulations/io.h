@@ -33,7 +33,7 @@ namespace internal {
 
 constexpr const char* file_header = "intrinsic_triangulation 3";
 
-// what determines the lengths of T1 exactly
+// The headings of the numbers that determine the lengths of T1 exactly.
 constexpr std::string_view exact_lengths = "exact lengths";
 constexpr std::string_view exact_positions = "exact positions";
 constexpr std::string_view exact_squared_lengths = "exact squared_lengths";
@@ -130,7 +130,7 @@ public:
     return assembled();
   }
 
-  // with the integer coordinates and constraints of its edges
+  // Reads the connectivity of T2, with the integer coordinates and constraints of its edges.
   Delta_complex read_intrinsic()
   {
     read_lines(true);

@@ -65,7 +65,7 @@ private:
     return is_above(m_mesh.source(h)) && !is_above(m_mesh.target(h));
   }
 
-  // where the level is on a halfedge, whichever end is above
+  // Returns the point of the level set on a halfedge, which crosses it in either direction.
   Edge_point<FT> point(Halfedge_index h) const
   {
     const FT p = value(m_mesh.source(h)), q = value(m_mesh.target(h));

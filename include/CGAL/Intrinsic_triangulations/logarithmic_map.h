@@ -125,7 +125,7 @@ private:
             (z - root.position) * direction_from(frame, root.edge)};
   }
 
-  // of a path that runs through one face only, from a corner or a source
+  // Returns the start of a path that runs through one face only, from a corner or a source.
   std::pair<Halfedge_index, Vector> start_in_face(const Last_part& part, const Location& end) const
   {
     const Vertex_index v = vertex_at(end, m_mesh);
@@ -168,7 +168,7 @@ public:
     : m_surface(surface), m_from_vertex(from_vertex)
   {}
 
-  // of the path to `q`, whose last part is `part`
+  // Returns the logarithm for the path to `q` whose last part is `part`.
   Logarithm<FT> operator()(const Search& search, const typename Search::Last_part& part,
                            const Face_location<FT>& q) const
   {

@@ -111,7 +111,7 @@ private:
 
   typedef Eigen::SparseMatrix<FT> Matrix;
 
-  // in an order of elimination for all vertices
+  // Uses a given order of elimination of all vertices.
   template <typename Surface, typename VertexIsFixedMap>
   Poisson_solver(const Surface& surface, const Elimination_order& order,
                  const VertexIsFixedMap& is_fixed)

@@ -104,7 +104,7 @@ struct No_face
   bool operator()(Face_index) const { return false; }
 };
 
-// why a face that nothing excuses has not been refined
+// Returns the reason why a face that violates the bounds without an allowed exception remains.
 template <typename Traits>
 Remaining_reason reason_left(const Intrinsic_triangulation<Traits>& tri, Face_index f,
                              const Refinement_result& result)

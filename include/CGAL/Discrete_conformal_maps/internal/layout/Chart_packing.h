@@ -170,7 +170,8 @@ private:
     return result;
   }
 
-  // at least the width of the widest chart, and about the side of a square for all
+  // Returns the side of a square with the area of all rectangles, or the width of the widest chart
+  // if that is greater.
   double width_of_shelves() const
   {
     double widest = 0, area = 0;

@@ -72,10 +72,10 @@ public:
 
 private:
   static constexpr double longest_step = 8;
-  // as far as the digits of `FT` reach
+  // the number of steps in which the point can move over the range of the digits of `FT`
   static constexpr int iteration_limit = 10 * (std::numeric_limits<FT>::digits10 + 100);
 
-  // above the mean, at the mean distance
+  // Starts above the mean of the points, at a height that is their mean distance from it.
   void start()
   {
     m_base = {FT(0), FT(0)};
@@ -127,7 +127,7 @@ private:
         function(v);
   }
 
-  // where `v` is seen; infinity is below
+  // Returns the direction in which `v` is seen. Infinity is seen straight below.
   Vector direction(std::size_t v) const
   {
     if(v == m_at_infinity)

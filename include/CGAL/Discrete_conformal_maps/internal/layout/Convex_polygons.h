@@ -160,7 +160,7 @@ private:
       x.push_back((a + at_a / (at_a - at_b) * (b - a)).real());
   }
 
-  // of a vertical line that meets some polygons
+  // Returns the length of the part of a vertical line that lies in some of these polygons.
   double covered_height(const std::vector<Box>& met, double x) const
   {
     std::vector<Interval> intervals;

@@ -125,7 +125,7 @@ private:
             difference<T>(p[2], origin[2])};
   }
 
-  // in the plane, on a paraboloid above it
+  // Returns the point of the paraboloid above `p`, seen from the point above `origin`.
   template <typename T>
   static Row<T> row(const Point& p, const Point& origin)
   {

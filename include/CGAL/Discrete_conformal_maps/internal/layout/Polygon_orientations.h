@@ -120,7 +120,7 @@ private:
           f(at(i, a), at(i, b), at(i, c));
   }
 
-  // of the triangle with the sides q - p and r - p, by its doubled area
+  // Returns the height of the triangle pqr over its longest side, from its doubled area.
   static double height(const std::array<double, 2>& p, const std::array<double, 2>& q,
                        const std::array<double, 2>& r)
   {

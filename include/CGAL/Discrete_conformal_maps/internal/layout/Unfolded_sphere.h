@@ -47,7 +47,7 @@ struct Unfolded_sphere
     return layout.exists && layout.certificate.is_convex() && layout.bound_violations == 0;
   }
 
-  // with the greatest error of a cross ratio
+  // Returns whether the result is certified and no cross ratio has a greater error.
   bool is_good(double greatest_error) const
   {
     return is_certified() && cross_ratio_error <= greatest_error;

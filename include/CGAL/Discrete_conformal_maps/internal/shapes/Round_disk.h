@@ -36,7 +36,7 @@ struct Round_disk
 {
   // half of the angles under which the center sees the sides of the boundary
   std::vector<double> half_arc;
-  // of lengths in the plane, at the vertices of the surface
+  // the logarithmic scale factors of lengths in the plane, at the vertices of the surface
   std::vector<More_extended> log_scale;
 };
 

@@ -59,10 +59,11 @@ struct Mark
 {
   Vertex_index vertex; // of the subdivision
   std::size_t family;
-  Edge_location<FT> across; // on a halfedge that leaves the face of the halfedge of B; the sum of
-                            // the weighted vectors of its ends is the point of B
-  FT here;                  // the place on the halfedge of B
-  Surface_point<FT> other;  // in the other family's triangulation
+  // The place on a halfedge of A or C that leaves the face of the halfedge of B. The sum of the
+  // weighted vectors of its ends is the point of B.
+  Edge_location<FT> across;
+  FT here;                 // the place on the halfedge of B
+  Surface_point<FT> other; // in the other family's triangulation
 };
 
 // The marks of both families on the edges of B, in one order. The order of either family is exact.

@@ -72,7 +72,7 @@ private:
     Intrinsic_triangulations::for_each_in_chunks<Index>(m_concurrency, m_b, f);
   }
 
-  // with a builder that serves for the faces of a chunk
+  // Calls `f(builder, f)` for the faces of B. One builder serves for the faces of a chunk.
   template <typename Function>
   void for_each_face(const Function& f)
   {

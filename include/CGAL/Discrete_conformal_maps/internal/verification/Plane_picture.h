@@ -172,7 +172,7 @@ private:
            0;
   }
 
-  // above the longest side of a triangle with the scaled lengths
+  // Returns the height of a face with the scaled lengths over its longest side.
   double height(Face_index f) const
   {
     const auto side = sides(f, mesh());

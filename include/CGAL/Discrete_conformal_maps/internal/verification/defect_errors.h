@@ -67,7 +67,7 @@ Defect_errors defect_errors(const Doubled_problem& problem, const Delta_complex&
   return result;
 }
 
-// of a surface that has not been measured, since lengths are out of range
+// Returns the errors of a surface that cannot be measured, since lengths are out of range.
 inline Defect_errors unknown_defect_errors()
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

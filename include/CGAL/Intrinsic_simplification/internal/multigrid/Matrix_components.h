@@ -33,7 +33,7 @@ public:
         explore(j, matrix);
   }
 
-  // with the indices of components of the fine level, for the unknowns of a coarse level
+  // Gives the unknowns of a coarse level the components that they have on the fine level.
   Matrix_components(const Matrix_components& fine, const Matrix& prolongation)
     : m_label(static_cast<std::size_t>(prolongation.cols()), none),
       m_is_floating(fine.m_is_floating)

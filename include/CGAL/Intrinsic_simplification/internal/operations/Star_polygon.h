@@ -159,7 +159,7 @@ private:
     rate(k);
   }
 
-  // of the outgoing halfedge to j, between the outgoing halfedges to l and k
+  // Returns the flip of the outgoing halfedge to j, which lies between those to l and k.
   static Star_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
   {
     const double at_l = cross(l, j.point), at_k = cross(j.point, k);
@@ -169,7 +169,7 @@ private:
              std::clamp(at_l / both, 0., 1.)}};
   }
 
-  // false if the center is not between them
+  // Sets the triangle of the last three outgoing halfedges. Returns whether the center is in it.
   bool set_last_three()
   {
     const std::size_t a = m_is_border ? 0 : m_first, b = m_corners[a].next, c = m_corners[b].next;

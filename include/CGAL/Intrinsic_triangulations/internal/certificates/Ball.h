@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// the bound for quotients, the largest
+// The largest of the bounds for operations is the bound for quotients.
 template <>
 struct Rounding<Double_double>
 {

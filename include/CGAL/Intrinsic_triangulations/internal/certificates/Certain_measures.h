@@ -184,7 +184,7 @@ protected:
       try_with_many_digits(attempt);
   }
 
-  // the same without corners in `double`
+  // Does the same without corners in `double`.
   template <typename Attempt>
   void try_with_many_digits(const Attempt& attempt) const
   {

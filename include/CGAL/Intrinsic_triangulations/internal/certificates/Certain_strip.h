@@ -110,7 +110,7 @@ private:
       turn_around_source(corner(h, l), direction() * l.from_source);
   }
 
-  // the third corner of a triangle from the ends of a side, as parts of this
+  // the vectors from the ends of a side to the third corner, divided by the length of the side
   struct Apex
   {
     Vector from_source, from_target;

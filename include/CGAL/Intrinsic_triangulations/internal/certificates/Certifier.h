@@ -63,7 +63,7 @@ public:
     return std::move(m_certificate);
   }
 
-  // for several calls of `straight_length()`
+  // Returns an object that several calls of `straight_length()` can use.
   Decisions decisions() const { return Decisions(m_pair, m_courses); }
 
   // Returns the length of the edge `e`. Returns zero if it cannot be shown that it is straight, or

@@ -66,7 +66,7 @@ public:
       const auto w = weights(outgoing, v);
       return {outgoing, -w[1], w[0], w[0] + w[1]};
     }
-    // from the nearest corner, so that the distance from it loses no digits
+    // The layout starts at the nearest corner, so that the distance from it loses no digits.
     const auto& p = std::get<Face_location<double>>(m_pair.inserted_vertex(v));
     const auto& b = p.second;
     const Halfedge_index side =
@@ -96,7 +96,7 @@ public:
 
   Strip strip(Halfedge_index h) const { return strip(h, start(h)); }
 
-  // if its first triangle lies at `first`
+  // Returns the strip of `h` if its first triangle lies at `first`.
   Strip strip(Halfedge_index h, const Placed_side& first) const
   {
     Strip result{first, {}, m_corners.number(0)};
@@ -233,7 +233,7 @@ private:
                                             : std::array<Complex, 3>{w[1], zero, w[0]};
   }
 
-  // a position, as positions are scaled to which a corner of the triangle of `h` has contributed
+  // Returns `z` in the scale of positions that depend on a corner of the triangle of `h`.
   Complex scaled(const Complex& z, Halfedge_index h) const { return m_corners.scaled(z, h); }
 
   // The third corner of a triangle is computed from the nearer end of the side.
@@ -251,7 +251,7 @@ private:
     return {m_input.opposite(last), side.source, end, end};
   }
 
-  // returns where the source of `h` lies, a halfedge of the same face
+  // Returns the position of the source of `h`, which is a halfedge of the same face as `side`.
   Complex place_of_source(Halfedge_index h, const Placed_side& side) const
   {
     return h == side.halfedge                 ? side.source
@@ -262,7 +262,7 @@ private:
                  side.vector * m_corners.from_source(side.halfedge, h);
   }
 
-  // returns the side `exit` of the face
+  // Returns the position of `exit`, another side of the face of `side`.
   Placed_side other_side(const Placed_side& side, Halfedge_index exit) const
   {
     const Halfedge_index h = side.halfedge;

@@ -19,7 +19,7 @@ template <typename Value>
 class Direct_mapped_cache
 {
 public:
-  // returns the value of `key`, which `compute()` returns if it is not here
+  // Returns the value of `key`. If the cache does not hold it, `compute()` returns it.
   template <typename Compute>
   Value operator()(std::size_t key, const Compute& compute)
   {

@@ -260,7 +260,8 @@ public:
     return get_certain(sign);
   }
 
-  // its imaginary part is the height of the origin over a side, times the length of the side
+  // Returns a number whose imaginary part is the height of the origin over a side, times the length
+  // of the side.
   template <typename Side>
   static auto height(const Side& side)
   {
@@ -315,7 +316,7 @@ private:
     return result;
   }
 
-  // where all edges of the diamond of `h` are straight lines in space
+  // Decides whether `h` is Delaunay if all edges of its diamond are straight lines in space.
   Sign sign_by_places(Halfedge_index h) const
   {
     const Halfedge_index next = m_mesh.next(h), beyond = m_mesh.next(m_mesh.opposite(h));

@@ -95,7 +95,7 @@ public:
 
   static Complex number(int x) { return {N(x), N(0), 0}; }
 
-  // exact digits are asked for only where `double` is not enough
+  // Exact digits are computed only if `double` does not suffice.
   template <typename Lazy_number>
   static Complex number(const Lazy_number& x)
   {
@@ -107,10 +107,10 @@ public:
       return to_ball<N>(x.exact());
   }
 
-  // returns `z` as corners of the triangle of `h` are scaled
+  // Returns `z` in the scale of the corners of the triangle of `h`: all have the same scale here.
   static const Complex& scaled(const Complex& z, Halfedge_index) { return z; }
 
-  // triangles are laid out one by one
+  // Coplanar triangles are not joined to one face.
   static bool is_flat(Halfedge_index) { return false; }
 
   // returns numbers that are not negative, divided by their sum
@@ -247,7 +247,7 @@ public:
     return {real(K(b[0])), real(K(b[1])), real(K(b[2]))};
   }
 
-  // whether the faces on both sides of `h` are one face
+  // Returns whether the triangles on both sides of `h` are laid out as one face.
   bool is_flat(Halfedge_index h) const { return m_is_flat(h); }
 
   Complex at_source(Halfedge_index h) { return from_source(h, m_input.mesh().prev(h)); }

@@ -43,7 +43,8 @@ struct Exact_surface : Surface_view<Delta_complex::Property_map<Edge_index, doub
   const Input_metric<K>& metric;
 };
 
-// nothing, where the geometry is not Euclidean or the numbers of the traits are exact themselves
+// There is no metric besides the lengths if the geometry is not Euclidean or the numbers of the
+// traits are exact.
 struct No_metric
 {};
 

@@ -43,8 +43,8 @@ public:
     return length;
   }
 
-  // what floating point says about the edge of `h`, whose length may have a relative error of
-  // `tolerance`
+  // Returns what floating point decides about the edge of `h`, whose length may have a relative
+  // error of `tolerance`.
   Straight_edge straight_edge(Halfedge_index h, double tolerance)
   {
     const double length = rounded_length(h);
@@ -88,7 +88,7 @@ private:
                                      : m_pair.lay_out(m_strip, h, m_courses(h));
   }
 
-  // whether the vertex `v` of T2 is not on the boundary of a triangle of T1 that it is to lie in
+  // Returns false if `v` was inserted inside a face of T1 and has a coordinate of zero.
   bool is_inside(Vertex_index v) const
   {
     if(!m_pair.is_inserted(v))
@@ -135,7 +135,8 @@ private:
   std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
 };
 
-// calls `use(length)` with a function that returns them, exact up to rounding for exact traits
+// Calls `use(length)` with a function that returns the length of an edge from its strip. For exact
+// traits, lengths are exact up to their final rounding.
 template <typename Traits, typename Use>
 void with_lengths_in_strips(const Triangulation_pair<Traits>& pair, const Use& use)
 {

@@ -330,7 +330,7 @@ private:
       return {};
   }
 
-  // of an element with the roots before `end`
+  // Returns an approximation of an element with the roots before `end`.
   Approximation approximation(const K* e, const Long_float* end) const
   {
     const auto roots = std::size_t(end - m_roots.data());

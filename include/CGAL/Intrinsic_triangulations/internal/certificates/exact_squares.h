@@ -36,7 +36,7 @@ R squared_distance(const Position& p, const Position& q)
   return dot(u, u);
 }
 
-// returns the squares of a diamond
+// Returns the positions of the four corners of the diamond of `h`.
 inline std::array<Position, 4>
 corner_positions(Halfedge_index h, const std::vector<Position>& points, const Delta_complex& mesh)
 {

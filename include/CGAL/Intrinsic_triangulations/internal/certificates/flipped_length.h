@@ -67,7 +67,7 @@ public:
                 length.lj * length.lj)
   {}
 
-  // has few quotients, since every flip calls it
+  // Returns the length and its error. Every flip calls this function, so it has few quotients.
   Bounded_length operator()() const
   {
     const double square = 4 * (m_length.ij * m_length.ij) * (m_flipped * m_flipped);

@@ -66,7 +66,7 @@ private:
   // With large radii the curvatures at the apex are nearly the curvatures of the surface.
   void start()
   {
-    // equal radii need a Delaunay triangulation
+    // with equal radii, a convex surface has a Delaunay triangulation
     const std::size_t n = m_surface.mesh().num_vertices();
     if(!make_convex(m_surface, Radii(n, 1), flip_limit()))
       throw Numerical_error("rounding keeps the surface from becoming Delaunay");

@@ -80,7 +80,7 @@ private:
   static constexpr double t_at_end = 1e-14, greatest_t_at_end = 1e-6;
   // A polyhedron is flat if its pyramids are no higher, relative to its size and to t.
   static constexpr double flat_height = 1e3;
-  // of an edge; greater errors show that heights are lost in rounding
+  // The greatest error of an edge. Greater errors show that heights are lost in rounding.
   static constexpr double greatest_edge_error = 1e-9;
 
   void build(const Curvature_path& path, const std::vector<Vertex_index>& vertices, bool is_flat)

@@ -65,7 +65,7 @@ private:
 
   const Metric_surface& m_surface;
   const Radii& m_radii;
-  // lengths that flips have rounded are no better
+  // with the relative error of lengths that flips have rounded
   Is_locally_weighted_Delaunay<Double_double> m_is_Delaunay{0x1p-80};
 };
 

@@ -27,7 +27,7 @@ public:
   Radii() = default;
   Radii(std::size_t n, double radius) : m_mean(radius * radius), m_weight(n, 0.) {}
 
-  // the squares less their mean
+  // Returns the square of radius `i`, less the mean of all squares.
   const Double_double& weight(std::size_t i) const { return m_weight[i]; }
   Double_double radius(std::size_t i) const { return sqrt(m_mean + m_weight[i]); }
 

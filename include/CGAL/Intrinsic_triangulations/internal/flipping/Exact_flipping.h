@@ -87,7 +87,8 @@ public:
 
   Decisions& decisions() { return m_decisions; }
 
-  // returns whether that was possible, as it always is if no length is unknown
+  // Flips the edge of `h`. Returns whether that was possible; it is always possible if no length is
+  // unknown.
   bool flip(Halfedge_index h)
   {
     const float error = greatest_error_around(h);

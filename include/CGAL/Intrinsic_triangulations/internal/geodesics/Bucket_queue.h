@@ -34,7 +34,7 @@ public:
     ++m_size;
   }
 
-  // goes on to the first bucket that contains something
+  // Returns whether the queue is empty. Moves on to the first bucket that contains a value.
   bool is_empty()
   {
     while(m_first < m_bucket.size() && m_next == m_bucket[m_first].size()) {
@@ -47,13 +47,14 @@ public:
     return m_size == 0;
   }
 
-  // no key is smaller; infinite if there is none
+  // Returns a lower bound of all keys; infinity if the queue is empty.
   FT least_key()
   {
     return is_empty() ? std::numeric_limits<FT>::infinity() : FT(FT(m_first) / m_per_key);
   }
 
-  // in the order of arrival; \pre !is_empty()
+  // Removes and returns a value of the first bucket, the one that was added first.
+  // \pre !is_empty()
   Value pop()
   {
     --m_size;

@@ -115,7 +115,7 @@ public:
                           : Uncertain<bool>::indeterminate();
   }
 
-  // the sum, if it is less than pi
+  // Returns the sum. \pre it is less than pi
   FT angle() const
   {
     using std::atan2;
@@ -158,7 +158,7 @@ Bounded_angle<Length_of<Surface>> fan_angle(const Fan& outgoing_halfedges, const
   return sum;
 }
 
-// whether it is less than pi
+// Returns whether the angle is less than pi; indeterminate if its error leaves this open.
 template <typename FT>
 Uncertain<bool> is_less_than_pi(const Bounded_angle<FT>& sum)
 {

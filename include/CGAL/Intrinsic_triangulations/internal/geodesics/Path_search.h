@@ -295,7 +295,7 @@ protected:
     return result;
   }
 
-  // through side `c` of the face of `q`
+  // Looks for shorter paths that reach `q` through side `c` of its face.
   void look_through(Index c, const Location& q, const Flat_face<FT>& face, Last_part& part) const
   {
     const Index edge = m_views.charts().across(c);
@@ -342,7 +342,7 @@ protected:
   std::pair<View, Vector> add_crossings(const Last_part& part, std::vector<Place>& places) const
   {
     const Index o = m_views.charts().across(m_views.views()[part.view].edge);
-    // the end may lie on the last edge; vertices do not
+    // the end of the path is no crossing if it lies on the last edge
     bool is_crossing = places.size() > 1 || !on_edge(places.back()) ||
                        halfedge_of(places.back()) != Charts::halfedge(o, m_mesh);
     return root_of(part.view, part.end, [&](const View& view, const Vector& end) {

@@ -119,7 +119,7 @@ public:
     : m_sum(angles.sum()), m_back(back), m_is_border(angles.is_border()), m_is_whole(is_whole)
   {}
 
-  // whether there are some between two angles
+  // Returns whether there are such directions between two angles.
   bool meets(const FT& first, const FT& last) const
   {
     const FT half = pi<FT>() - flat_angle_tolerance<FT>(), a = first - m_back, b = last - m_back;

@@ -109,7 +109,7 @@ public:
       std::array<double, 3> b = p.second;
       for(double& x : b)
         x += inwards * (1. / 3 - x);
-      // from the corner with the largest coordinate
+      // the layout starts at the corner with the largest coordinate
       const Halfedge_index h =
         sides(p.first,
               m_mesh)[static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin())];

@@ -135,7 +135,7 @@ private:
       m_x.row(block.row[i]) -= below.row(i);
   }
 
-  // the same in the upper triangle
+  // Substitutes in the upper triangle, from the last column back.
   void substitute(const Block& block)
   {
     auto below = m_below.topRows(block.rows - block.columns);
@@ -255,7 +255,7 @@ private:
   explicit Supernodal_Cholesky(int ordering)
   {
     cholmod_common& settings = this->m_cholmod;
-    // operations per entry: where both kinds take equally long, with OpenBLAS
+    // the number of operations per entry at which both kinds take equally long, with OpenBLAS
     settings.supernodal_switch = 80;
     settings.final_ll = 1; // the other form does not find out whether a matrix is positive
     settings.quick_return_if_not_posdef = 1;

@@ -188,7 +188,7 @@ public:
 
   Halfedge_index halfedge() const { return m_halfedge; }
 
-  // in the face of halfedge(), as its barycentric coordinates are ordered
+  // Returns the point in the face of halfedge(), with its barycentric coordinates in their order.
   Face_location<FT> location() const
   {
     const std::size_t first = side_number(m_halfedge, m_mesh);
