@@ -116,7 +116,7 @@ private:
     }
   }
 
-  // Returns the place of crossing `m` on the first halfedge of the edge `e` of C.
+  // Returns the position of crossing `m` on the first halfedge of the edge `e` of C.
   auto place_of_C(Edge_index e, size_type m)
   {
     const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);

@@ -159,7 +159,7 @@ private:
     rate(k);
   }
 
-  // Returns the flip of the outgoing halfedge to j, which lies between those to l and k.
+  // Returns the flip of the halfedge to j, which lies between the halfedges to l and k.
   static Star_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
   {
     const double at_l = cross(l, j.point), at_k = cross(j.point, k);

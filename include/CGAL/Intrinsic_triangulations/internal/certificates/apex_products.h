@@ -104,8 +104,8 @@ Apex_products<N> apex_products(Halfedge_index h, const Exact_surface<Number>& in
   return apex_products<N>(N(a), N(b), N(c));
 }
 
-// The distances of the apex r of a triangle pqr, divided by the length of pq: from p and from q
-// along pq, and across pq.
+// The position of the apex r of a triangle pqr: its distances from p and from q along pq, and from
+// pq. All are divided by the length of pq.
 template <typename N>
 struct Apex_ratios
 {
