@@ -59,8 +59,8 @@ struct Mark
 {
   Vertex_index vertex; // of the subdivision
   std::size_t family;
-  // The position on the edge of A or C, whose halfedge leaves the face of the halfedge of B.
-  // The sum of the weighted vectors of its ends is the point of B.
+  // The position on the edge of A or C: on the halfedge that leaves the face. The sum of the
+  // weighted vectors of the ends is the point on B.
   Edge_location<FT> across;
   FT here;                 // the position on the halfedge of B
   Surface_point<FT> other; // in the other family's triangulation
