@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The exception of the first chunk that throws one. Those before it have all been run.
+// Stores the exception of the first chunk that throws one. All earlier chunks have been run.
 class First_exception
 {
 public:

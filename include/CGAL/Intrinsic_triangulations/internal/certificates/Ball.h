@@ -24,31 +24,31 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The largest of the bounds for operations is the bound for quotients.
+// The bound for quotients is the largest.
 template <>
 struct Rounding<Double_double>
 {
   static constexpr double unit() { return 0x1p-102; }
 };
 
-// A complex number that is known up to an error: it lies in a disk. Operations are rounded to
-// nearest; what they lose is added to the radius. That is computed in `double`, rounded, too, hence
-// its growth; where it underflows, the least positive number stands for it.
+// A ball is a disk that contains a complex number. Operations round to nearest and add their
+// rounding error to the radius. The radius is rounded, too, so it is enlarged. If it underflows,
+// the least positive number replaces it.
 template <typename N>
 struct Ball
 {
   N x{0}, y{0};
   double radius{0};
 
-  // A bound that is not tight would be raised to the power of the number of factors. The added
-  // term covers squares that underflow.
+  // The bound must be tight, because products raise its excess to the power of the number of
+  // factors. The added term covers squares that underflow.
   double norm() const
   {
     const double u = to_double(x), v = to_double(y);
     return std::sqrt(u * u + v * v) + 1e-150;
   }
 
-  // `error` counts units of roundoff, relative to the midpoint
+  // Adds `error` units of roundoff, relative to the midpoint, to the radius.
   Ball with_error(int error) const
   {
     return {x, y, grown(radius + error * Rounding<N>::unit() * norm())};
@@ -77,7 +77,7 @@ private:
   }
 };
 
-// the sign of a coordinate of a ball
+// Returns the sign of a coordinate of a ball.
 template <typename N>
 Uncertain<Sign> certain_sign(const N& coordinate, double radius)
 {
@@ -106,7 +106,7 @@ Uncertain<Sign> sign_of_imaginary(const Ball<N>& a, const Ball<N>& b)
   return sign_of_imaginary(a * b);
 }
 
-// returns the root of a real number that is not negative
+// Returns the root of a real number that is not negative.
 template <typename N>
 Ball<N> root(const Ball<N>& a)
 {

@@ -30,7 +30,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Lengths, angles and corners of T2. Each is laid out again from the metric of T1 with as many
+// Computes lengths, angles and corners of T2. Each is laid out from the metric of T1 with as many
 // digits as its rounded value needs.
 template <typename Traits>
 class Certain_measures
@@ -46,13 +46,13 @@ public:
   Certain_measures(const Certain_measures&) = delete;
   Certain_measures& operator=(const Certain_measures&) = delete;
 
-  // whether the edge of `h` is a whole edge of T1
+  // Returns whether the edge of `h` is a whole edge of T1.
   bool is_input_edge(Halfedge_index h) const
   {
     return m_pair.coordinates().is_shared(m_mesh.edge(h)) && !has_inserted_end(h);
   }
 
-  // the cheapest way to both
+  // Returns the length of the edge of `h` and whether it is certainly straight, at the least cost.
   Straight_edge straight_edge(Halfedge_index h) const
   {
     if(is_input_edge(h))
@@ -72,7 +72,7 @@ public:
     return bounded_length(h, error).length;
   }
 
-  // Returns the same length with the bound that is known for its error, at most `error`.
+  // Returns the length of the edge of `h` with a bound for its error, at most `error`.
   Bounded_length bounded_length(Halfedge_index h, double error = certified_length_error()) const
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
@@ -93,7 +93,7 @@ public:
     return result;
   }
 
-  // returns the length of the edge of `h`, which is shared; it may be too short to be positive
+  // Returns the length of the edge of `h`, which is shared. It may be too short to be positive.
   double shared_length(Halfedge_index h) const
   {
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
@@ -107,7 +107,7 @@ public:
     return std::abs(std::arg(rounded_corner(h, absolute_value, error).first));
   }
 
-  // returns the angle at the source of the halfedge `h` of T1 in its face, between 0 and pi
+  // Returns the angle at the source of the halfedge `h` of T1 in its face, between 0 and pi.
   double input_angle(Halfedge_index h) const
   {
     double angle = 0;
@@ -139,7 +139,7 @@ public:
                              : std::numeric_limits<double>::infinity();
   }
 
-  // returns the side from which a face is laid out without loss of digits
+  // Returns the side from which a face is laid out without loss of digits.
   Halfedge_index shortest_side(Face_index f) const
   {
     const auto side = sides(f, m_mesh);
@@ -148,11 +148,11 @@ public:
     });
   }
 
-  // the corners of T1 that are kept, with more digits than `double` has
+  // Returns the stored corners of T1 with more digits than `double` has.
   Rounded<Double_double>& extended_corners() const { return m_extended; }
 
 protected:
-  // Without `courses`, these are computed when they are read.
+  // Without `courses`, the courses of edges are computed when they are read.
   explicit Certain_measures(const Pair& pair, const Edge_courses<Traits>* courses = nullptr)
     : m_pair(pair),
       m_mesh(pair.mesh()),
@@ -184,7 +184,7 @@ protected:
       try_with_many_digits(attempt);
   }
 
-  // Does the same without corners in `double`.
+  // Calls `attempt(corners)` until it returns true, but never with corners of type `double`.
   template <typename Attempt>
   void try_with_many_digits(const Attempt& attempt) const
   {
@@ -217,8 +217,8 @@ protected:
 
 private:
   // Returns a halfedge of T1 as long as the edge of `h`, which is an edge of T1. With positions,
-  // all that join the same vertices are, and most edges keep their indices. So outgoing halfedges,
-  // which memory would have to find, are not needed.
+  // all edges between the same vertices have this length. Most edges keep their indices, so a
+  // search around a vertex is rarely needed.
   Halfedge_index input_edge_as_long(Halfedge_index h) const
   {
     const Delta_complex& input = m_pair.input_mesh();
@@ -228,7 +228,8 @@ private:
     return joins_the_same ? h : m_pair.input_halfedge(h);
   }
 
-  // whether an edge without inserted ends crosses triangles whose sides are known in `double`
+  // Returns whether an edge without inserted ends crosses triangles whose sides are known in
+  // `double`.
   bool has_certain_strip(Halfedge_index h) const
   {
     return m_courses.count(h) > 0 && !has_inserted_end(h) && m_metric.squared_lengths.empty();
@@ -253,7 +254,8 @@ private:
     return result;
   }
 
-  // NaN if it is not known up to a relative error of `error`
+  // Returns the length of an edge laid out in a strip, or NaN if its relative error may exceed
+  // `error`.
   template <typename Strip, typename Corners>
   static double rounded_length(const Strip& strip, const Corners& corners,
                                double error = certified_length_error())

@@ -19,7 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The results of floating-point decisions about an edge of T2 that has been laid out.
+// Stores the length of an edge of T2, computed in floating point, and whether it is certainly
+// straight.
 struct Straight_edge
 {
   bool is_certain; // that it is straight
@@ -27,14 +28,14 @@ struct Straight_edge
   double error;    // a bound for its relative error
 };
 
-// The strip of triangles of T1 that an edge of T2 crosses. It is laid out in `double` from its
-// source by the corners of these triangles, not by lengths.
+// Lays out the strip of triangles of T1 that an edge of T2 crosses. The layout is computed in
+// `double` from the corners of these triangles, not from lengths.
 //
-// Let u be the rounding unit. A side is the side before times a factor with an error of at most 20
-// u, and the product adds less than 3 u. So a side has at most 24 u for each triangle. The
-// position of a corner is the sum of sides on the shorter way from the source; each sum adds a u
-// of that way. Hence the displacement of a corner is at most a product: 32 u times the number of
-// triangles, times the longest way.
+// Let u be the rounding unit. Each side is the previous side times a factor with an error of at
+// most 20 u. The product adds less than 3 u, so a side has an error of at most 24 u per triangle.
+// The position of a corner is the sum of sides on the shorter path from the source. Each sum adds u
+// times the length of this path. Hence the displacement of a corner is at most 32 u times the
+// number of triangles times the length of the longest path.
 template <typename Number>
 class Certain_strip : Euclidean_strip<double>
 {
@@ -65,10 +66,10 @@ private:
     return {is_straight, bound <= error ? length : std::numeric_limits<double>::quiet_NaN(), bound};
   }
 
-  // Two triangles are laid out from their common side `x`, each of their other corners on its own.
-  // From either end of `x` they are seen with a relative error of 20 u. The products that
-  // determine on which side of the end the edge passes have 44 u; the length has 22 u of two
-  // sides. Products of sides are bounded by half of the sum of their squares.
+  // The two triangles are laid out from their common side `x`. From either end of `x`, each apex
+  // has a relative error of 20 u. The products that determine on which side of an end the edge
+  // passes have an error of 44 u. The length has an error of 22 u times two sides. Products of
+  // sides are bounded by half of the sum of their squares.
   Straight_edge across(Halfedge_index x, double error) const
   {
     const auto apex = apex_products<double>(x, m_input),
@@ -86,7 +87,7 @@ private:
     return bounded(is_straight, std::sqrt(square), unit * std::sqrt(2 * at_source / square), error);
   }
 
-  // The plane is seen from behind: a side with its triangle on the left has it on the right.
+  // The plane is seen from behind: a triangle on the left of a side is laid out on its right.
   void lay_out(const Edge_course& course)
   {
     const Halfedge_index ai = m_input.mesh().prev(course[0]);
@@ -110,7 +111,8 @@ private:
       turn_around_source(corner(h, l), direction() * l.from_source);
   }
 
-  // the vectors from the ends of a side to the third corner, divided by the length of the side
+  // Stores the third corner of a triangle, relative to both ends of a side, as fractions of this
+  // side.
   struct Apex
   {
     Vector from_source, from_target;

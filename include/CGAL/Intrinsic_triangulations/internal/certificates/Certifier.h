@@ -63,11 +63,11 @@ public:
     return std::move(m_certificate);
   }
 
-  // Returns an object that several calls of `straight_length()` can use.
+  // Returns decisions for several calls of `straight_length()`.
   Decisions decisions() const { return Decisions(m_pair, m_courses); }
 
-  // Returns the length of the edge `e`. Returns zero if it cannot be shown that it is straight, or
-  // that the faces at inserted ends turn around once.
+  // Returns the length of the edge `e`. Returns zero if the edge cannot be proved straight, or the
+  // faces at inserted ends are not proved to turn around once.
   double straight_length(Edge_index e, Decisions& decisions)
   {
     try {
@@ -85,8 +85,8 @@ public:
   }
 
 private:
-  // Calls `check(x, decisions, part)` for all elements, with decisions and a certificate for each
-  // chunk.
+  // Calls `check(x, decisions, part)` for all elements. Each chunk has its own decisions and
+  // certificate.
   template <typename Index, typename Check>
   void for_each(const Check& check)
   {
@@ -126,7 +126,7 @@ private:
     m_certificate.decided_exactly += part.decided_exactly;
   }
 
-  // notes the length too
+  // Checks whether the edge `e` is straight, and stores its length.
   void check_straightness(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
   {
     const Straight_edge straight = decisions.straight_edge(m_mesh.halfedge(e));
@@ -176,9 +176,8 @@ private:
     }
   }
 
-  // Returns whether the faces at an inserted vertex lie the right way round and around it once.
-  // The sum of the angles is a multiple of a full turn (of a half turn on the boundary): few digits
-  // suffice.
+  // Returns whether the faces at an inserted vertex are oriented and turn around it once. The sum
+  // of the angles is a multiple of 2 pi (of pi on the boundary), so few digits suffice.
   bool is_turned_around_once(Vertex_index v, Decisions& decisions) const
   {
     double sum = 0;

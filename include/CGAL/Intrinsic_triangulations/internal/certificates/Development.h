@@ -35,7 +35,7 @@ class Development
 public:
   typedef typename Corners::Complex Complex;
 
-  // a side of a triangle of T1, in the plane
+  // Represents a side of a triangle of T1, placed in the plane.
   struct Placed_side
   {
     Halfedge_index halfedge;
@@ -66,7 +66,8 @@ public:
       const auto w = weights(outgoing, v);
       return {outgoing, -w[1], w[0], w[0] + w[1]};
     }
-    // The layout starts at the nearest corner, so that the distance from it loses no digits.
+    // The position is computed from the nearest corner, so that the distance from it loses no
+    // digits.
     const auto& p = std::get<Face_location<double>>(m_pair.inserted_vertex(v));
     const auto& b = p.second;
     const Halfedge_index side =
@@ -78,7 +79,7 @@ public:
 
   typedef boost::container::small_vector<Placed_side, 4> Placed_sides;
 
-  // An edge of T2 from the origin, with the sides of T1 that it crosses, each up to a positive
+  // Stores an edge of T2 from the origin and the sides of T1 that it crosses, each up to a positive
   // factor.
   struct Strip
   {
@@ -87,7 +88,7 @@ public:
     Complex end;
   };
 
-  // without them
+  // Returns the strip of `h` without the sides that `h` crosses.
   Strip uncrossed_strip(Halfedge_index h) const
   {
     const Placed_side first = start(h);
@@ -96,7 +97,7 @@ public:
 
   Strip strip(Halfedge_index h) const { return strip(h, start(h)); }
 
-  // Returns the strip of `h` if its first triangle lies at `first`.
+  // Returns the strip of `h`, whose first triangle lies at `first`.
   Strip strip(Halfedge_index h, const Placed_side& first) const
   {
     Strip result{first, {}, m_corners.number(0)};
@@ -119,8 +120,8 @@ public:
     return {end(h, side), end(following, following_side(h, side))};
   }
 
-  // Returns the side at or clockwise from the outgoing halfedge of T2 that follows `h`, for which
-  // `side` is this.
+  // Returns the side at or clockwise from the outgoing halfedge of T2 that follows `h`. `side` is
+  // the side at or clockwise from `h`.
   Placed_side following_side(Halfedge_index h, Placed_side side) const
   {
     const Delta_complex& mesh = m_pair.mesh();
@@ -141,13 +142,13 @@ public:
     return side;
   }
 
-  // the next outgoing halfedge around the origin, counterclockwise
+  // Returns the next outgoing halfedge around the origin, counterclockwise.
   Placed_side following_outgoing(const Placed_side& side, bool is_inserted) const
   {
     return is_inserted ? beyond(side) : outgoing_in_face(side, m_input.prev(side.halfedge));
   }
 
-  // the corner of the triangle opposite to `side`
+  // Returns the corner of the triangle opposite to `side`.
   Complex apex(const Placed_side& side) const
   {
     const Halfedge_index h = side.halfedge;
@@ -157,28 +158,28 @@ public:
   }
 
   // Returns the point of the triangle of `side` with the barycentric coordinates `w`, divided by
-  // their sum. They begin with the source of `side`.
+  // their sum. The coordinates begin with the source of `side`.
   Complex point(const Placed_side& side, const std::array<Complex, 3>& w) const
   {
     return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
   }
 
-  // the triangle on the other side of `side`
+  // Returns the triangle on the other side of `side`.
   Placed_side beyond(Placed_side side) const
   {
     return {m_input.opposite(side.halfedge), std::move(side.target), std::move(side.source),
             -std::move(side.vector)};
   }
 
-  // returns barycentric coordinates divided by their sum, up to a common positive factor
+  // Returns barycentric coordinates divided by their sum, up to a common positive factor.
   std::array<Complex, 3> weights(const std::array<double, 3>& b) const
   {
     return m_corners.weights(b);
   }
 
 private:
-  // Returns where `h` ends if its first triangle lies at `side`. Appends the sides of T1 that it
-  // crosses to `crossed`.
+  // Returns the position of the end of `h` if its first triangle lies at `side`. Appends the sides
+  // of T1 that `h` crosses to `crossed`.
   Complex end(Halfedge_index h, Placed_side side, Placed_sides* crossed = nullptr) const
   {
     const Delta_complex& mesh = m_pair.mesh();
@@ -203,14 +204,15 @@ private:
   Complex at_source(Halfedge_index h) const { return m_corners.at_source(h); }
   Complex at_target(Halfedge_index h) const { return conj(m_corners.at_target(h)); }
 
-  // the barycentric coordinates of a point from the source of `side` on; their sum is one, exactly
+  // Returns the barycentric coordinates of a point, beginning with the source of `side`. Their sum
+  // is exactly one.
   std::array<Complex, 3> weights(Halfedge_index side, const Face_location<double>& p) const
   {
     return weights(coordinates_from(side, p, m_input));
   }
 
-  // the coordinates of a vertex that was inserted on the edge of `side`: only the first two are
-  // not zero
+  // Returns the coordinates of a vertex that was inserted on the edge of `side`. Only the first two
+  // are not zero.
   std::array<Complex, 3> weights(Halfedge_index side, Vertex_index inserted) const
   {
     const auto& [u, v] = m_pair.on_input_edge(side, inserted).weight;
@@ -218,8 +220,8 @@ private:
   }
 
   // Returns the coordinates of the source of the halfedge `back` of T2, which leads into the
-  // triangle of `side`. On an edge of T1 both are read, not one computed from the other: they are
-  // the same from either side.
+  // triangle of `side`. On an edge of T1 both coordinates are read. Neither is computed from the
+  // other, so that both sides agree.
   std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
   {
     const Vertex_index v = m_pair.mesh().source(back);
@@ -233,7 +235,7 @@ private:
                                             : std::array<Complex, 3>{w[1], zero, w[0]};
   }
 
-  // Returns `z` in the scale of positions that depend on a corner of the triangle of `h`.
+  // Returns `z` in the scale of positions to which a corner of the triangle of `h` has contributed.
   Complex scaled(const Complex& z, Halfedge_index h) const { return m_corners.scaled(z, h); }
 
   // The third corner of a triangle is computed from the nearer end of the side.
@@ -251,7 +253,7 @@ private:
     return {m_input.opposite(last), side.source, end, end};
   }
 
-  // Returns the position of the source of `h`, which is a halfedge of the same face as `side`.
+  // Returns the position of the source of `h`, a halfedge of the same face.
   Complex place_of_source(Halfedge_index h, const Placed_side& side) const
   {
     return h == side.halfedge                 ? side.source
@@ -262,7 +264,7 @@ private:
                  side.vector * m_corners.from_source(side.halfedge, h);
   }
 
-  // Returns the position of `exit`, another side of the face of `side`.
+  // Returns the side `exit` of the face.
   Placed_side other_side(const Placed_side& side, Halfedge_index exit) const
   {
     const Halfedge_index h = side.halfedge;
@@ -284,7 +286,7 @@ private:
     }
   }
 
-  // returns where the vertex `v` lies beyond the origin on `side`
+  // Returns the position of the vertex `v`, which lies beyond the origin on `side`.
   Complex end_along(const Placed_side& side, Vertex_index v) const
   {
     if(!m_pair.is_inserted(v))
@@ -293,7 +295,7 @@ private:
     return w[0] * side.source + w[1] * side.target;
   }
 
-  // returns where the source of the halfedge `back` of T2, which leads into the triangle, lies
+  // Returns the position of the source of the halfedge `back` of T2, which leads into the triangle.
   Complex place(Halfedge_index back, const Placed_side& side) const
   {
     return m_pair.is_inserted(m_pair.mesh().source(back))

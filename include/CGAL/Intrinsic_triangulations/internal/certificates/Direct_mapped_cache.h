@@ -13,13 +13,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Values of a function of numbers, kept until others replace them. So a single value costs little,
-// and few are computed twice.
+// Stores values of a function of integers until others replace them. A single value costs little,
+// and few values are computed twice.
 template <typename Value>
 class Direct_mapped_cache
 {
 public:
-  // Returns the value of `key`. If the cache does not hold it, `compute()` returns it.
+  // Returns the value of `key`, which `compute()` returns if it is not stored.
   template <typename Compute>
   Value operator()(std::size_t key, const Compute& compute)
   {
@@ -40,11 +40,10 @@ private:
     Value value{};
   };
 
-  // a power of two
+  // Returns the position of `key`. The number of entries is a power of two.
   std::size_t place(std::size_t key) const { return key & (m_entries.size() - 1); }
 
-  // A table that is too small is filled again, which at most doubles the cost. One of full size
-  // stays.
+  // Enlarges a table that is too small. The table is filled again, which at most doubles the cost.
   void grow()
   {
     m_misses = 0;

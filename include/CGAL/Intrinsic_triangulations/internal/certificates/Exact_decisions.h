@@ -32,14 +32,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// How many decisions were made at each stage.
+// Counts the decisions that were made at each stage.
 struct Decision_count
 {
   std::size_t floating_point = 0, multiprecision = 0, exact = 0;
 };
 
-// Decisions about T2, each derived again from the metric of T1. They use floating point with error
-// bounds, then more and more digits, and in the end exact numbers.
+// Decides predicates of T2 from the metric of T1. Decisions use floating point with error bounds,
+// then more and more digits, and finally exact numbers.
 template <typename Traits>
 class Exact_decisions : public Certain_measures<Traits>
 {
@@ -62,8 +62,8 @@ protected:
   using Base::try_with_more_digits;
 
 public:
-  // How many independent square roots a decision may involve: their number in the end, and where
-  // they are faster than many digits. What each more takes is three times as much.
+  // A decision with at most `few_roots` independent square roots is faster than many digits. A
+  // decision may involve at most `many_roots`. Each further root triples the cost.
   static constexpr std::size_t few_roots = 2, many_roots = 12;
 
   using Base::is_input_edge;
@@ -78,12 +78,12 @@ public:
     : Base(pair, &courses), m_is_flat(m_metric.points, pair.input_mesh())
   {}
 
-  // Lets decisions that take more than `most_digits` binary digits and more than a few roots count
-  // as ties: the error is far below all others.
+  // Leaves decisions open that need more than `most_digits` binary digits and more than a few
+  // roots. Such a decision is almost certainly a tie.
   void allow_few_roots() { m_most_roots = few_roots; }
 
-  // Returns whether the edge of `h`, which could be flipped, is locally Delaunay. Stored lengths
-  // decide if their error bounds allow it.
+  // Returns whether the edge of `h`, which can be flipped, is locally Delaunay. The stored lengths
+  // decide if their errors allow it.
   bool is_Delaunay(Halfedge_index h)
   {
     const Euclidean_geometry_traits<double>::Is_locally_Delaunay by_lengths{
@@ -92,8 +92,8 @@ public:
     return by_lengths.is_certain(lengths) || (by_lengths(lengths) && is_exactly_Delaunay(h));
   }
 
-  // Returns this for any stored lengths. An undecided edge counts as a tie, and certificates name
-  // it; exact traits do not allow that.
+  // Returns whether the edge of `h` is locally Delaunay, whatever lengths are stored. An undecided
+  // edge counts as a tie, and certificates list it; exact traits leave none undecided.
   bool is_exactly_Delaunay(Halfedge_index h, bool has_exact_squares = false)
   {
     try {
@@ -121,8 +121,8 @@ public:
     return !m_metric.points.empty() && !has_inserted_end(h) && has_exact_square(h);
   }
 
-  // Returns the sign of the Delaunay condition from exact squares, if the five edges are edges of
-  // T1 or straight lines in space.
+  // Returns the Delaunay sign of `h` from squared lengths. The edges of its diamond are edges of T1
+  // or straight lines in space.
   Sign Delaunay_sign_by_squares(Halfedge_index h)
   {
     ++m_count.exact;
@@ -136,14 +136,14 @@ public:
                                             : sign_by_squares<K>(h);
   }
 
-  // returns the sign of pi minus the angle of the union of the two faces of `h` at its source
+  // Returns the sign of pi minus the angle of the union of the two faces of `h` at its source.
   Sign convexity_at_source(Halfedge_index h)
   {
     const Halfedge_index following = m_mesh.next(m_mesh.opposite(h));
     return is_straight_corner(m_mesh.prev(h), following) ? ZERO : compare_with_pi(h, following);
   }
 
-  // returns whether the union of the two faces of `h` is strictly convex at its ends
+  // Returns whether the union of the two faces of `h` is strictly convex at its ends.
   bool is_convex(Halfedge_index h)
   {
     return convexity_at_source(h) == POSITIVE &&
@@ -162,8 +162,8 @@ public:
                });
   }
 
-  // Returns whether this sign is POSITIVE, by more than `flat_fan_tolerance()` where that needs
-  // many digits.
+  // Returns whether the fan sign is POSITIVE. If many digits are needed, the sum must differ from
+  // pi by more than `flat_fan_tolerance()`.
   template <typename Fan>
   bool is_less_than_pi(const Fan& outgoing) const
   {
@@ -171,8 +171,8 @@ public:
     return std::abs(rest) > fan_tolerance() ? rest > 0 : is_nearly_pi_but_less(outgoing);
   }
 
-  // Returns the same for a sum that differs from pi by no more than `fan_tolerance()`. Nearly all
-  // are ties, for which numbers of type `double` do not suffice.
+  // Returns whether the fan sign is POSITIVE for a sum within `fan_tolerance()` of pi. Nearly all
+  // such sums are ties, which numbers of type `double` cannot decide.
   template <typename Fan>
   bool is_nearly_pi_but_less(const Fan& outgoing) const
   {
@@ -188,18 +188,18 @@ public:
     return result;
   }
 
-  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side;
-  // false without positions.
+  // Returns whether the two faces at the edge of `input` in T1 are coplanar and lie side by side.
+  // Returns false without positions.
   bool is_flat(Halfedge_index input) { return m_is_flat(input); }
 
-  // returns the orientation of the face of `h`
+  // Returns the orientation of the face of `h`.
   Sign orientation(Halfedge_index h)
   {
     return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });
   }
 
-  // Returns whether the face of `h` has the orientation of the faces of T1 in which it lies. It
-  // may have no area only if they have none.
+  // Returns whether the face of `h` has the orientation of the faces of T1 in which it lies. It may
+  // have zero area only if these faces have zero area.
   bool is_oriented(Halfedge_index h)
   {
     const Sign sign = orientation(h);
@@ -217,9 +217,9 @@ public:
     return sign == POSITIVE || (sign == ZERO && passes_triangle(h, false));
   }
 
-  // Returns the sign of the position on the halfedge `h` where it crosses an edge of T1 as
-  // crossing `m`, minus `t`. It follows from the heights of both ends of `h` over that edge. `h`
-  // is straight. If it runs along that edge, the sign is ZERO.
+  // Returns the sign of s - `t`, if `h` crosses an edge of T1 as crossing `m` at the position s.
+  // The sign follows from the heights of both ends of `h`, which is straight, over that edge. If
+  // `h` runs along that edge, the sign is ZERO.
   template <typename Lazy_number>
   Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_number& t)
   {
@@ -236,8 +236,8 @@ public:
 
   const Decision_count& count() const { return m_count; }
 
-  // Returns the sign `predicate(development)`, which is called with more and more digits. Roots of
-  // few numbers, as for many coplanar faces, are faster than many digits. If the input consists of
+  // Returns the sign `predicate(development)`, which is called with more and more digits. Few
+  // roots, as for many coplanar faces, are faster than many digits. If the input consists of
   // numbers of type `double`, the last numbers are of type `Exact`.
   template <typename Exact = Exact_ring, typename Predicate>
   Sign decide(const Predicate& predicate)
@@ -275,8 +275,8 @@ public:
   }
 
 private:
-  // Whether the squared length of the edge of `h` is known without roots. It is an edge of T1, or
-  // a straight line in space, between inserted vertices too.
+  // Returns whether the squared length of the edge of `h` is known without roots. Such an edge is
+  // an edge of T1 or a straight line in space, also between inserted vertices.
   bool has_exact_square(Halfedge_index h)
   {
     if(is_input_edge(h))
@@ -290,14 +290,14 @@ private:
     return true;
   }
 
-  // whether a vertex of the diamond of `h` is inserted
+  // Returns whether a vertex of the diamond of `h` is inserted.
   bool has_inserted_corner(Halfedge_index h) const
   {
     return has_inserted_end(h) || has_inserted_end(m_mesh.next(h)) ||
            has_inserted_end(m_mesh.next(m_mesh.opposite(h)));
   }
 
-  // returns the position of the vertex `v` of T2 in space, exactly
+  // Returns the position of the vertex `v` of T2 in space, exactly.
   std::array<Exact_field, 3> exact_position(Vertex_index v) const
   {
     const auto number = [](double x) { return Exact_field(x); };
@@ -316,7 +316,7 @@ private:
     return result;
   }
 
-  // Decides whether `h` is Delaunay if all edges of its diamond are straight lines in space.
+  // Returns the Delaunay sign of `h` if all edges of its diamond are straight lines in space.
   Sign sign_by_places(Halfedge_index h) const
   {
     const Halfedge_index next = m_mesh.next(h), beyond = m_mesh.next(m_mesh.opposite(h));
@@ -353,7 +353,7 @@ private:
 
   // ---- Predicates ----
 
-  // the sign of pi minus the sum of the angles at the sources of two halfedges
+  // Returns the sign of pi minus the sum of the angles at the sources of two halfedges.
   Sign compare_with_pi(Halfedge_index a, Halfedge_index b)
   {
     return decide([&](const auto& development) {
@@ -372,7 +372,7 @@ private:
     return sum;
   }
 
-  // whether the edges lead along one edge of T1, through the vertex between them
+  // Returns whether the edges lead along one edge of T1, through the vertex between them.
   bool is_straight_corner(Halfedge_index before, Halfedge_index after) const
   {
     return m_pair.is_inserted(m_mesh.source(after)) && before != m_mesh.opposite(after) &&
@@ -380,7 +380,7 @@ private:
            m_pair.coordinates().is_shared(m_mesh.edge(after));
   }
 
-  // 0 and 2 pi have the same sine as pi; then the cosines decide
+  // The angles 0 and 2 pi have the same sine as pi, so the cosines decide.
   template <typename Complex>
   static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
   {
@@ -395,8 +395,8 @@ private:
 
   // ---- Squared lengths ----
 
-  // Whether the halfedge `h` leads through triangles of T1, or along one on its left, that have an
-  // area, or that have none.
+  // Returns whether `h` crosses a triangle of T1, or has one on its left, that has an area (or that
+  // has none).
   bool passes_triangle(Halfedge_index h, bool has_area) const
   {
     const auto is_one = [&](Halfedge_index side) {

@@ -16,7 +16,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The edges of T1 whose two faces lie in one plane, side by side.
+// Determines the edges of T1 whose two faces are coplanar and lie side by side.
 class Flat_edges
 {
 public:
@@ -24,7 +24,7 @@ public:
     : m_points(points), m_mesh(mesh)
   {}
 
-  // Returns whether the edge of `h`, which is not on the boundary, is flat; false without
+  // Returns whether the edge of `h`, which is not on the boundary, is flat. Returns false without
   // positions.
   bool operator()(Halfedge_index h)
   {

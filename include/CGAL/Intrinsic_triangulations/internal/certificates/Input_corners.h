@@ -30,8 +30,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A corner at p of a triangle pqr of T1, where pq is the side of a halfedge. As a complex number
-// it is (r - p) / (q - p), up to conjugation. Its argument is the angle, and its absolute value
+// Stores a corner at p of a triangle pqr of T1, for the side pq of a halfedge. As a complex number
+// it is (r - p) / (q - p), up to conjugation. Its argument is the angle, and its absolute value is
 // the ratio of the sides.
 struct Input_corner
 {
@@ -52,14 +52,14 @@ inline Input_corner corner_at_target(Halfedge_index h, const Delta_complex& mesh
   return {c.q, c.p, c.r, c.pq, c.qr, c.pr};
 }
 
-// the ring and the field of exact squared lengths that are stored as numbers of another type
+// Names the ring and the field of exact squared lengths that are stored as numbers of another type.
 template <typename Stored>
 using Ring_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_ring, Stored>;
 template <typename Stored>
 using Field_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_field, Stored>;
 
-// Twice the scalar product of the sides at a corner, and the square of four times the area. Both
-// are computed from the squared lengths of pq, pr and qr, without divisions.
+// Stores twice the scalar product of the sides at a corner, and the square of four times the area.
+// Both are computed from the squared lengths of pq, pr and qr, without divisions.
 template <typename K>
 struct Corner_products
 {
@@ -71,7 +71,7 @@ struct Corner_products
   {}
 };
 
-// returns the positions of the corners of the triangle of `h`
+// Returns the positions of the corners of the triangle of `h`.
 template <typename Number>
 std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Exact_surface<Number>& input)
 {
@@ -80,8 +80,8 @@ std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Exact_surfac
           input.metric.points[mesh.target(mesh.next(h))]};
 }
 
-// Corners up to an error that is a few units of roundoff of their absolute value, however thin the
-// triangle is.
+// Computes corners of T1. Their error is a few units of roundoff of their absolute value, however
+// thin the triangle is.
 template <typename N, typename Number>
 class Rounded_corners
 {
@@ -95,7 +95,7 @@ public:
 
   static Complex number(int x) { return {N(x), N(0), 0}; }
 
-  // Exact digits are computed only if `double` does not suffice.
+  // Exact digits are requested only if `double` does not suffice.
   template <typename Lazy_number>
   static Complex number(const Lazy_number& x)
   {
@@ -107,13 +107,13 @@ public:
       return to_ball<N>(x.exact());
   }
 
-  // Returns `z` in the scale of the corners of the triangle of `h`: all have the same scale here.
+  // Returns `z` unchanged: rounded corners are not scaled.
   static const Complex& scaled(const Complex& z, Halfedge_index) { return z; }
 
-  // Coplanar triangles are not joined to one face.
+  // Returns false: triangles are laid out one by one.
   static bool is_flat(Halfedge_index) { return false; }
 
-  // returns numbers that are not negative, divided by their sum
+  // Returns numbers that are not negative, divided by their sum.
   static std::array<Complex, 3> weights(const std::array<double, 3>& b)
   {
     const N sum = N(b[0]) + N(b[1]) + N(b[2]);
@@ -121,7 +121,7 @@ public:
     return {weight(b[0]), weight(b[1]), weight(b[2])};
   }
 
-  // the corners at the ends of the side `h` of a triangle
+  // The next functions return the corners at the ends of the side `h` of a triangle.
   Complex at_source(Halfedge_index h)
   {
     return m_corner(2 * std::size_t(h.idx()), [&] {
@@ -186,7 +186,7 @@ private:
 };
 
 // Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a
-// common factor. Coordinates and lengths are made whole numbers, which need no common
+// common factor. Coordinates and lengths are scaled to whole numbers, which need no common
 // denominators.
 template <typename K, typename Number>
 std::array<K, 3> squared_sides(Halfedge_index h, const Exact_surface<Number>& input)
@@ -217,9 +217,9 @@ Sign area_sign(Halfedge_index h, const Exact_surface<Number>& input)
   return CGAL::sign(Corner_products<K>(squared_sides<K>(h, input)).squared_quadrupled_area);
 }
 
-// Corners of numbers with square roots, exactly, for one decision. They are not divided by the
-// squared length of their side: a position is determined up to a positive factor. With positions,
-// adjacent faces in one plane make one face, whose vertices all get their positions at once.
+// Computes corners exactly, as numbers with square roots, for one decision. Corners are not divided
+// by the squared length of their side, so positions are determined up to a positive factor. With
+// positions, adjacent coplanar faces form one face, whose vertices are placed at once.
 template <typename K, typename Number>
 class Exact_corners
 {
@@ -241,20 +241,20 @@ public:
 
   Complex scaled(Complex z, Halfedge_index h) { return z.is_zero() ? z : std::move(z) * scale(h); }
 
-  // returns numbers that are not negative; they need not be divided by their sum
+  // Returns numbers that are not negative, which need not be divided by their sum.
   std::array<Complex, 3> weights(const std::array<double, 3>& b) const
   {
     return {real(K(b[0])), real(K(b[1])), real(K(b[2]))};
   }
 
-  // Returns whether the triangles on both sides of `h` are laid out as one face.
+  // Returns whether the faces on both sides of `h` are one face.
   bool is_flat(Halfedge_index h) const { return m_is_flat(h); }
 
   Complex at_source(Halfedge_index h) { return from_source(h, m_input.mesh().prev(h)); }
   Complex at_target(Halfedge_index h) { return conj(real(scale(h)) - at_source(h)); }
 
-  // Returns where the source of `other`, a halfedge of the face of `h`, lies from the source of
-  // `h`.
+  // Returns the vector from the source of `h` to the source of `other`, a halfedge of the same
+  // face.
   Complex from_source(Halfedge_index h, Halfedge_index other)
   {
     if(other == h)
@@ -272,14 +272,14 @@ public:
     return result;
   }
 
-  // whether there were more roots than are allowed
+  // Returns whether there were more roots than are allowed.
   bool has_too_many_roots() const { return m_has_too_many_roots; }
 
 private:
   typedef typename Complex::Element Element;
 
-  // The common data of the corners of a face. Up to `factor`, their imaginary parts are multiples
-  // of one root.
+  // Stores the common data of the corners of a face. Up to `factor`, their imaginary parts are
+  // multiples of a root.
   struct Face
   {
     std::array<K, 3> square; // the squared sides; unused with positions
@@ -292,7 +292,7 @@ private:
 
   Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
 
-  // Returns the factor of positions that were computed with a corner of the face of `h`.
+  // Returns the factor of positions to which a corner of the face of `h` has contributed.
   K scale(Halfedge_index h)
   {
     const Face& f = face(h);
@@ -311,7 +311,7 @@ private:
     return m_input.metric.points[m_input.mesh().target(h)];
   }
 
-  // returns the value of side number `s` from `h` on
+  // Returns the squared length of the side with number `s`, counted from `h`.
   const K& square(Halfedge_index h, std::size_t s)
   {
     return face(h).square[(side_number(h, m_input.mesh()) + s) % 3];
@@ -325,7 +325,7 @@ private:
     return place->second;
   }
 
-  // Lengths that exceed the triangle inequality by rounding make a flat triangle.
+  // If lengths exceed the triangle inequality by rounding, the triangle is flat.
   void set_sides(Halfedge_index h, Face& f)
   {
     f.square = squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_input);

@@ -36,20 +36,19 @@ struct Input_metric
 
 namespace internal {
 
-// The surface of T1 as exact decisions know it.
+// Represents the surface of T1 for exact decisions.
 template <typename K>
 struct Exact_surface : Surface_view<Delta_complex::Property_map<Edge_index, double>>
 {
   const Input_metric<K>& metric;
 };
 
-// There is no metric besides the lengths if the geometry is not Euclidean or the numbers of the
-// traits are exact.
+// Replaces the metric if the geometry is not Euclidean or the numbers of the traits are exact.
 struct No_metric
 {};
 
-// Whether decisions are exact although lengths are of type `double`: the metric of T1 decides if
-// lengths do not.
+// Determines whether decisions are exact although lengths are of type `double`. If lengths do not
+// decide, the metric of T1 does.
 template <typename Traits, typename = void>
 struct Is_exact : std::false_type
 {};
@@ -58,7 +57,8 @@ template <typename Traits>
 struct Is_exact<Traits, std::void_t<typename Traits::Exact_number>> : std::true_type
 {};
 
-// whether points inside faces have distances in this geometry, so that vertices can be inserted
+// Determines whether points inside faces have distances in this geometry, so that vertices can be
+// inserted.
 template <typename Traits, typename = void>
 struct Has_distance : std::false_type
 {};
@@ -68,7 +68,8 @@ struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_
   : std::true_type
 {};
 
-// The default traits that `Traits` is, or is derived from; void if there are none.
+// Finds the default traits that equal `Traits` or are its base class. The result is void without
+// such traits.
 template <typename Integer>
 Euclidean_geometry_traits<double, Integer>
 default_traits(const Euclidean_geometry_traits<double, Integer>&);
@@ -77,8 +78,8 @@ void default_traits(...);
 template <typename Traits>
 using Default_traits_of = decltype(default_traits(std::declval<const Traits&>()));
 
-// Whether the function objects that measure belong to the default traits, whose geometry exact
-// decisions know. Then, whether the function objects that decide about flips do, too.
+// Determines whether the function objects that measure belong to the default traits, whose geometry
+// exact decisions know. It also determines this for the function objects that decide about flips.
 template <typename Traits, typename Default = Default_traits_of<Traits>>
 struct Inherited
 {
@@ -100,7 +101,7 @@ struct Inherited<Traits, void>
   static constexpr bool geometry = false, decisions = false;
 };
 
-// `double` can fail to decide, and then exact decisions follow
+// Selects the type of the metric of T1, which exact decisions use if `double` does not decide.
 template <typename Traits, typename = void>
 struct Metric_of
 {
@@ -116,21 +117,22 @@ struct Metric_of<Traits, std::void_t<typename Traits::Exact_number>>
 template <typename Traits>
 using Input_metric_of = typename Metric_of<Traits>::type;
 
-// whether the metric of T1 is kept, so that certificates are possible
+// Returns whether the metric of T1 is stored, so that certificates are possible.
 template <typename Traits>
 constexpr bool has_metric()
 {
   return !std::is_same_v<Input_metric_of<Traits>, No_metric>;
 }
 
-// Whether flips can continue with exact decisions. Traits with other conditions do not allow this.
+// Returns whether exact decisions can continue flips. They cannot if the traits have conditions of
+// their own.
 template <typename Traits>
 constexpr bool has_exact_decisions()
 {
   return Is_exact<Traits>::value || Inherited<Traits>::decisions;
 }
 
-// a vector between positions
+// Returns the vector between two positions.
 template <typename N>
 std::array<N, 3> vector_between(const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
@@ -143,7 +145,7 @@ N dot(const std::array<N, 3>& u, const std::array<N, 3>& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-// returns coordinate `c` of the vector product
+// Returns coordinate `c` of the vector product.
 template <typename N>
 N cross_coordinate(const std::array<N, 3>& u, const std::array<N, 3>& v, std::size_t c)
 {

@@ -23,7 +23,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The length of each edge of T2, recomputed in the strip of triangles of T1 that it passes.
+// Computes the length of each edge of T2 in the strip of triangles of T1 that the edge crosses.
 template <typename Traits>
 class Lengths_in_strips
 {
@@ -33,6 +33,7 @@ class Lengths_in_strips
 public:
   explicit Lengths_in_strips(const Pair& pair) : m_pair(pair), m_courses(pair, Concurrency()) {}
 
+  // Returns the length of the edge of `h`.
   // \throws Numerical_error if it is not positive and finite
   FT operator()(Halfedge_index h)
   {
@@ -43,8 +44,8 @@ public:
     return length;
   }
 
-  // Returns what floating point decides about the edge of `h`, whose length may have a relative
-  // error of `tolerance`.
+  // Returns the length of the edge of `h`, computed in floating point, and whether it is certainly
+  // straight. The length may have a relative error of `tolerance`.
   Straight_edge straight_edge(Halfedge_index h, double tolerance)
   {
     const double length = rounded_length(h);
@@ -77,7 +78,7 @@ public:
     return m_strip.is_certain(error, tolerance);
   }
 
-  // returns the courses of the edges whose lengths have been computed
+  // Returns the courses of the edges whose lengths have been computed.
   Edge_courses<Traits> courses() && { return std::move(m_courses); }
 
 private:
@@ -88,7 +89,8 @@ private:
                                      : m_pair.lay_out(m_strip, h, m_courses(h));
   }
 
-  // Returns false if `v` was inserted inside a face of T1 and has a coordinate of zero.
+  // Returns whether the vertex `v` of T2 is not on the boundary of the triangle of T1 that contains
+  // it.
   bool is_inside(Vertex_index v) const
   {
     if(!m_pair.is_inserted(v))
@@ -117,7 +119,8 @@ private:
     return error;
   }
 
-  // 0, which is not a length, if no vertices can be inserted
+  // Returns the length of the edge of `h` inside a face of T1. Returns 0, which is not a length, if
+  // no vertices can be inserted.
   FT length_in_face([[maybe_unused]] Halfedge_index h)
   {
     if constexpr(Has_distance<Traits>::value) {
@@ -135,8 +138,8 @@ private:
   std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
 };
 
-// Calls `use(length)` with a function that returns the length of an edge from its strip. For exact
-// traits, lengths are exact up to their final rounding.
+// Calls `use(length)` with a function that returns the lengths of edges. They are exact up to
+// rounding for exact traits.
 template <typename Traits, typename Use>
 void with_lengths_in_strips(const Triangulation_pair<Traits>& pair, const Use& use)
 {

@@ -14,20 +14,20 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The number of binary digits with which numbers are enclosed in the end.
+// Numbers are enclosed with at most this number of binary digits.
 constexpr int most_digits = 1024;
 
-// It has 309 decimal digits, at least `most_digits` binary ones.
+// The type has 309 decimal digits, which are at least `most_digits` binary digits.
 typedef Decimal_float<309> Long_float;
 
-// the roundoff u of a number type
+// Stores the unit of roundoff u of a number type.
 template <typename N>
 struct Rounding
 {
   static constexpr double unit() { return std::numeric_limits<N>::epsilon() / 2; }
 };
 
-// It is zero if it is below the range of `double`.
+// The unit is zero if it is below the range of `double`.
 template <unsigned int Digits>
 struct Rounding<Decimal_float<Digits>>
 {

@@ -62,8 +62,8 @@ std::optional<K> root_in(const K& x)
   return {};
 }
 
-// Returns the primes modulo which the rational number `x` > 0 is no square. A fraction is a square
-// if the product of its numerator and denominator is one.
+// Returns the primes modulo which the rational number `x` > 0 is not a square. A fraction is a
+// square if the product of its numerator and denominator is.
 template <typename K>
 std::optional<std::uint64_t> characters_of(const K& x)
 {
@@ -80,9 +80,9 @@ std::optional<std::uint64_t> characters_of(const K& x)
   }
 }
 
-// The ring that arises from an ordered ring `K` by adding square roots. An element is given by the
-// coefficients of the products of roots: bit b of the index stands for root b. If `K` is rational,
-// no root is a multiple of a product of others. Signs are right even if one is.
+// Represents the ring that arises from an ordered ring `K` by adding square roots. An element
+// stores the coefficients of the products of roots: bit b of the index stands for root b. If `K` is
+// rational, no root is a multiple of a product of others. Signs are correct even if one is.
 template <typename K>
 class Root_tower
 {
@@ -91,16 +91,16 @@ public:
 
   explicit Root_tower(std::size_t maximum = 0) : m_maximum(maximum) {}
 
-  // A root and a positive number by which it is multiplied, so that nothing has to be divided.
+  // Stores a root and a positive factor of this root, which avoids divisions.
   struct Multiple
   {
     Element root;
     K factor;
   };
 
-  // Returns a multiple of the root of `square`, which is added to the ring. It is not added if it
-  // is a multiple of an existing root, or of a product of these. Returns nothing if the ring has
-  // too many roots.
+  // Returns a multiple of the root of `square`, and adds the root to the ring. The root is not
+  // added if it is a multiple of an existing root, or of a product of existing roots. Returns
+  // nothing if the ring has too many roots.
   std::optional<Multiple> root(const K& square)
   {
     if(const auto r = root_in(square))
@@ -202,7 +202,7 @@ public:
   }
 
 private:
-  // The size of elements with two roots. Larger ones are multiplied by fewer products.
+  // Elements of this size have two roots. Larger elements are multiplied by fewer products.
   static constexpr std::size_t small_size = 4;
 
   static Element multiple_of_root(std::size_t place, const K& factor)
@@ -250,7 +250,7 @@ private:
 
   // ---- Products ----
 
-  // Roots that both factors have make their squares.
+  // A root that both factors have contributes its square.
   void add_products(const K* a, std::size_t size_a, const K* b, std::size_t size_b, Sign sign,
                     K* sum) const
   {
@@ -264,7 +264,7 @@ private:
         }
   }
 
-  // With three products of halves instead of four (Karatsuba), unless there are few terms.
+  // Multiplies by three products of halves instead of four (Karatsuba), unless there are few terms.
   BOOST_NOINLINE void add_large_product(const K* a, const K* b, std::size_t size, Sign sign,
                                         K* sum) const
   {
@@ -293,7 +293,7 @@ private:
 
   // ---- Floating point ----
 
-  // A number and the sum of the absolute values of its terms.
+  // Stores a number and the sum of the absolute values of its terms.
   struct Approximation
   {
     Long_float value, magnitude;
@@ -330,7 +330,7 @@ private:
       return {};
   }
 
-  // Returns an approximation of an element with the roots before `end`.
+  // Returns the approximation of an element with the roots before `end`.
   Approximation approximation(const K* e, const Long_float* end) const
   {
     const auto roots = std::size_t(end - m_roots.data());
@@ -356,7 +356,7 @@ private:
   mutable std::vector<Long_float> m_roots;
 };
 
-// a complex number over such a ring
+// Represents a complex number whose parts are elements of a `Root_tower`.
 template <typename K>
 struct Root_complex
 {
@@ -417,7 +417,7 @@ Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a)
   return a.tower->sign(a.y);
 }
 
-// the sign of the imaginary part of a product
+// Returns the sign of the imaginary part of a product.
 template <typename K>
 Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a, const Root_complex<K>& b)
 {

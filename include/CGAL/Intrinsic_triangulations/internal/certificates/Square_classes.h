@@ -19,7 +19,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The 64 greatest primes below 2^31.
+// Returns one of the 64 greatest primes below 2^31.
 inline std::uint64_t character_prime(std::size_t i)
 {
   static constexpr std::array<std::uint16_t, 64> distance{
@@ -41,7 +41,7 @@ inline std::uint64_t power(std::uint64_t x, std::uint64_t exponent, std::uint64_
   return result;
 }
 
-// The residue of a number m 2^e with a whole number m of 53 bits.
+// Returns the residue of a number m 2^e with a whole number m of 53 bits.
 inline std::uint64_t residue(const Scaled_part& part, std::uint64_t prime)
 {
   int exponent;
@@ -76,15 +76,15 @@ std::optional<std::uint64_t> quadratic_characters(const K& x)
   return bits;
 }
 
-// Products of numbers that are not squares: whether one more number times such a product can be a
-// square. That characters are independent proves that it cannot; Gaussian elimination over two
-// elements shows the only product for which it may.
+// Stores products of numbers that are not squares. Determines whether one more number times such a
+// product can be a square. Independent characters prove that it cannot. Gaussian elimination over
+// two elements finds the only product for which it may.
 class Square_classes
 {
 public:
   std::size_t size() const { return m_size; }
 
-  // Adds a number.
+  // Adds a number with the given quadratic characters.
   void add(std::optional<std::uint64_t> characters)
   {
     const std::size_t bit = std::size_t(1) << m_size++;

@@ -46,9 +46,9 @@ N square_in_range(const N& pq, const N& pr, const N& qr)
            : N(std::numeric_limits<double>::quiet_NaN());
 }
 
-// The third corner r of a triangle pqr on the left of pq. It has scalar products of pq with pr and
-// with qr, the length of their vector product, and the squared lengths of the sides. The square of
-// pq is NaN if products may leave the range of numbers.
+// Stores products of the sides of a triangle pqr on the left of pq. These are the scalar products
+// of pq with pr and with qr, and the length of their vector product. The squared lengths of the
+// sides are stored, too. The square of pq is NaN if products may leave the range of numbers.
 template <typename N>
 struct Apex_products
 {
@@ -56,11 +56,12 @@ struct Apex_products
   N square_pq, square_pr, square_qr;
 };
 
-// Returns the products of the triangle of the halfedge pq, from positions. Divided by the square
-// of pq, the products make vectors to r. They have a relative error of 20 u, for the rounding unit
-// u, however thin the triangle is. Components of vectors have one u. So a scalar product has 5 u,
-// compared with the product of both lengths. The vector product with the shorter side at r has 9
-// u; the quotients add 7 u. Inlined, the products of two triangles are computed at once.
+// Returns the products of the triangle of the halfedge pq, from positions. Divided by the square of
+// pq, the products yield vectors to r. These have a relative error of 20 u, for the rounding unit
+// u, however thin the triangle is. Components of vectors have an error of one u. So a scalar
+// product has an error of 5 u, relative to the product of both lengths. The vector product with the
+// shorter side at r has 9 u; the quotients add 7 u. Inlined, the products of two triangles are
+// computed at once.
 template <typename N>
 BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Position& q,
                                                  const Position& r)
@@ -77,7 +78,7 @@ BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Positi
           square_qr};
 }
 
-// Returns the products, computed from lengths without cancellation.
+// Returns the products, computed from lengths. No difference in the formulas cancels digits.
 template <typename N>
 BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const N& rp)
 {
@@ -104,8 +105,8 @@ Apex_products<N> apex_products(Halfedge_index h, const Exact_surface<Number>& in
   return apex_products<N>(N(a), N(b), N(c));
 }
 
-// The position of the apex r of a triangle pqr: its distances from p and from q along pq, and from
-// pq. All are divided by the length of pq.
+// Stores the coordinates of r along pq, from p and from q, and its height over pq. All are divided
+// by the length of pq.
 template <typename N>
 struct Apex_ratios
 {

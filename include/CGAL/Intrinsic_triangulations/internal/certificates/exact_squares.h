@@ -44,7 +44,7 @@ corner_positions(Halfedge_index h, const std::vector<Position>& points, const De
           points[mesh.target(mesh.next(mesh.opposite(h)))]};
 }
 
-// the exponent of the last binary digit of `x` that is not zero
+// Returns the exponent of the last binary digit of `x` that is not zero.
 inline int last_exponent(double x)
 {
   constexpr int digits = std::numeric_limits<double>::digits;
@@ -53,7 +53,7 @@ inline int last_exponent(double x)
   return exponent - digits + std::ilogb(static_cast<double>(mantissa & -mantissa));
 }
 
-// Multiplies coordinates with the least power of two that makes all of them whole numbers, if they
+// Multiplies coordinates by the least power of two that makes all of them whole numbers, if they
 // stay in range. Returns this power, or one that is in range.
 template <std::size_t n>
 double scale_to_integers(std::array<Position, n>& points)
@@ -74,8 +74,8 @@ double scale_to_integers(std::array<Position, n>& points)
   return std::ldexp(1., std::clamp(-last, 2 - limit, limit - 1));
 }
 
-// Returns (x - y) * unit for a power of two, without exact numbers if it is a number of type
-// `double`.
+// Returns (x - y) * unit for a power of two `unit`. Exact numbers are avoided if the result is a
+// number of type `double`.
 template <typename R>
 R scaled_difference(double x, double y, double unit)
 {
@@ -85,7 +85,7 @@ R scaled_difference(double x, double y, double unit)
                                                                      : R((R(x) - R(y)) * R(unit));
 }
 
-// returns a vector between positions, multiplied by a power of two
+// Returns a vector between positions, multiplied by a power of two.
 template <typename R>
 std::array<R, 3> exact_vector(const Position& p, const Position& q, double unit = 1)
 {
@@ -93,16 +93,16 @@ std::array<R, 3> exact_vector(const Position& p, const Position& q, double unit 
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-// A corner of a triangle: the scalar product of its sides and the product of their squares, or
-// these times 2 and 4.
+// Stores a corner of a triangle: the scalar product of its sides and the product of their squares,
+// or these times 2 and 4.
 template <typename R>
 struct Corner_cosine
 {
   R product, square;
 };
 
-// Returns the sign of pi minus the sum of two angles: of cos_k sin_l + cos_l sin_k. Only one root
-// of each angle enters, so that squaring decides.
+// Returns the sign of pi minus the sum of two angles. It is the sign of cos_k sin_l + cos_l sin_k.
+// Each angle contributes only one root, so that squaring decides.
 template <typename R>
 Sign compare_with_pi(const Corner_cosine<R>& k, const Corner_cosine<R>& l)
 {
@@ -131,7 +131,7 @@ Corner_cosine<R> corner_cosine(const Position& i, const Position& k, const Posit
   return {dot(u, v), dot(u, u) * dot(v, v)};
 }
 
-// Returns the sign of a sum. What rounding takes from partial sums is added up too.
+// Returns the sign of a sum. The rounding errors of partial sums are added up, too.
 template <std::size_t n>
 Sign sign_of_sum(std::array<double, n> x)
 {
@@ -145,8 +145,8 @@ Sign sign_of_sum(std::array<double, n> x)
   return last == x.rend() ? ZERO : CGAL::sign(*last);
 }
 
-// Returns the sign of a sum of three products and their rounding errors, which come first. Where
-// coordinates have few digits, only the last sum is rounded, and its sign is right.
+// Returns the sign of a sum of three products and their rounding errors, which come first. If
+// coordinates have few digits, only the last sum is rounded, and its sign is correct.
 inline Sign sign_of_products(const std::array<double, 6>& x)
 {
   const Double_double sum = Double_double::exact_sum(x[3], x[4]);
@@ -193,8 +193,8 @@ inline Sign compare_opposite_angles(const Position& i, const Position& j, const 
   return compare_with_pi(corner_cosine<Exact_ring>(i, k, j), corner_cosine<Exact_ring>(i, l, j));
 }
 
-// the determinant of three vectors and the scalar product of the normals of two triangles at the
-// first one
+// Stores the determinant of three vectors, and the scalar product of the normals of two triangles
+// at the first vector.
 template <typename R>
 struct Hinge
 {
@@ -219,7 +219,8 @@ inline bool is_flat_in_space(const Position& i, const Position& j, const Positio
   const auto norm = [&](const Position& p) {
     return CGAL::abs(p[0] - i[0]) + CGAL::abs(p[1] - i[1]) + CGAL::abs(p[2] - i[2]);
   };
-  // the determinant has a relative error of less than 16 units of roundoff, the product of 32
+  // The determinant has a relative error of less than 16 units of roundoff, and the scalar product
+  // has less than 32.
   const double error = 8 * std::numeric_limits<double>::epsilon() * norm(j) * norm(k) * norm(l);
   const Hinge<double> rounded = hinge(double());
   if(CGAL::abs(rounded.volume) > error + (std::numeric_limits<double>::min)())

@@ -25,8 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns a face in which the triangle inequality fails; null if there is none, as with positions.
-// Exact numbers are compared only if lengths obey it within rounding error.
+// Returns a face that violates the triangle inequality. Returns null if none does, as with
+// positions. Lengths that satisfy it by more than rounding errors need no exact test.
 template <typename Number>
 Face_index violated_triangle(const Exact_surface<Number>& input)
 {
@@ -53,7 +53,7 @@ void check_exact_triangles(const Exact_surface<Number>& input)
 
 // ---- Lengths in floating point ----
 
-// returns the greatest number of type `double` that does not exceed the sum of two positive ones
+// Returns the greatest number of type `double` that does not exceed the sum of two positive ones.
 inline double sum_rounded_down(double a, double b)
 {
   if(a < b)
@@ -62,7 +62,7 @@ inline double sum_rounded_down(double a, double b)
   return sum - a > b ? std::nextafter(sum, 0) : sum; // the difference is exact
 }
 
-// returns the longest side of a face, and the sum of the others, rounded down
+// Returns the longest side of a face, and the sum of the others, rounded down.
 template <typename Surface>
 std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surface)
 {
@@ -75,9 +75,9 @@ std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surf
   return {longest, sum_rounded_down(length(mesh.next(longest)), length(mesh.prev(longest)))};
 }
 
-// Shortens the edges that are longer than the two other sides of a face together to their sum.
-// Short edges come first: an edge that is shortened later is no shorter, and few edges are
-// shortened more than once.
+// Shortens edges that are longer than the sum of the two other sides of a face to this sum. Short
+// edges come first, so that an edge shortened later is no shorter. Few edges are shortened more
+// than once.
 template <typename Surface>
 void shorten_to_triangles(const Surface& surface)
 {
@@ -102,9 +102,9 @@ void shorten_to_triangles(const Surface& surface)
   }
 }
 
-// Lengths of type `double` may exceed the triangle inequality by rounding. As the metric of a
-// surface, exactly, they decide without contradictions. Squared lengths without a surface are left
-// out, and the lengths themselves, which then count as exact, are shortened.
+// Turns lengths of type `double`, which may violate the triangle inequality by rounding, into the
+// exact metric of a surface. Decisions are then free of contradictions. Squared lengths without a
+// surface are removed. The lengths are shortened, and then count as exact.
 inline void make_triangles_exact(const Exact_surface<double>& input, Input_metric<double>& metric)
 {
   if(!metric.squared_lengths.empty() && violated_triangle(input) != Delta_complex::null_face())

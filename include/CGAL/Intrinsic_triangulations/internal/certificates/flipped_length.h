@@ -17,10 +17,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The relative error of the length of an edge of T1: it comes from less than ten roundings.
+// Bounds the relative error of the length of an edge of T1, which results from less than ten
+// roundings.
 constexpr double input_length_error() { return 4 * std::numeric_limits<double>::epsilon(); }
 
-// a length with a bound for its relative error
+// Stores a length with a bound for its relative error.
 struct Bounded_length
 {
   double length, error;
@@ -28,7 +29,7 @@ struct Bounded_length
   bool is_good() const { return error <= certified_length_error(); }
 };
 
-// A triangle of a diamond over the diagonal ij, with the corner k.
+// Stores a triangle of a diamond over the diagonal ij, with the corner k.
 struct Half_diamond
 {
   double perimeter, slack; // the least slack of the triangle inequalities
@@ -42,14 +43,15 @@ struct Half_diamond
   {}
 };
 
-// The error of the other diagonal kl of a diamond whose lengths have relative errors of at most
-// `error`.
+// Computes the error of the other diagonal kl of a diamond whose lengths have relative errors of at
+// most `error`.
 //
 // Consider four points of the plane with the affine dependency a_i p_i + ... = 0. The products a_i
 // a_j are an equilibrium stress. So the sum of a_i a_j l_ij dl_ij over all six distances is zero.
-// All but a_k a_l l_kl dl_kl are bounded by the errors of their lengths. Their sum, divided by a_k
-// a_l l_kl^2, bounds the relative error of l_kl. The crossing of the diagonals cuts ij in the ratio
-// of a_j to a_i. It cuts kl in the ratio of a_l to a_k, which is the ratio of the heights over ij.
+// All terms except a_k a_l l_kl dl_kl are bounded by the errors of their lengths. Their sum,
+// divided by a_k a_l l_kl^2, bounds the relative error of l_kl. The crossing of the diagonals cuts
+// ij in the ratio of a_j to a_i. It cuts kl in the ratio of a_l to a_k, which is the ratio of the
+// heights over ij.
 class Flipped_diagonal
 {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -67,7 +69,7 @@ public:
                 length.lj * length.lj)
   {}
 
-  // Returns the length and its error. Every flip calls this function, so it has few quotients.
+  // This function has few quotients, because the loop of flips calls it.
   Bounded_length operator()() const
   {
     const double square = 4 * (m_length.ij * m_length.ij) * (m_flipped * m_flipped);

@@ -16,8 +16,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A number of type `double` times a power of two, whose exponent is a multiple of 256. Numbers
-// beyond the range of `double` consist of these.
+// Represents a number of type `double` times a power of two, whose exponent is a multiple of 256.
+// Numbers beyond the range of `double` are sums of such parts.
 struct Scaled_part
 {
   double factor;
@@ -62,7 +62,7 @@ bool for_each_part(K x, std::size_t maximum, const Use& use)
   return x == K(0);
 }
 
-// Returns the nearest integer if `part` has few digits. A number with more digits is an integer.
+// Returns the nearest whole number. A part with many digits is a whole number already.
 inline Scaled_part whole_part(Scaled_part part)
 {
   for(; part.exponent > 0 && std::abs(part.factor) < 0x1p300; part.exponent -= 256)
