@@ -14,7 +14,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// the sides of a face as a correspondence has them
+// Describes the sides of a face to `Face_map`, read from a correspondence.
 template <typename Traits>
 class Correspondence_marks
 {

@@ -23,8 +23,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The positions of crossings, derived again from the metric of T1, with the errors of numbers of
-// type `N`.
+// Computes the positions of crossings from the metric of T1, with the errors of numbers of type
+// `N`.
 template <typename Traits, typename N>
 class Crossing_enclosure
 {
@@ -52,8 +52,8 @@ public:
   }
 
 private:
-  // Returns the position where `h`, which has this direction, passes a side of T1, as it is seen
-  // from both its ends.
+  // Returns the position where `h`, which has the given direction, passes a side of T1. The side is
+  // seen from both ends of `h`.
   template <typename Complex, typename Side>
   static Enclosure place(Halfedge_index h, const Complex& direction, const Side& near,
                          const Side& far)
@@ -98,7 +98,7 @@ private:
   Development<Traits, Corners> m_development;
 };
 
-// a number of type `double` may lie between two that enclose it
+// A number of type `double` may lie between two that enclose it.
 inline bool is_narrow(const Interval_nt<>& place, double width)
 {
   return place.sup() - place.inf() <= width ||
@@ -110,7 +110,7 @@ inline bool is_narrow(const Trace_point<Interval_nt<>>& place, double width)
   return is_narrow(place.on_input.t, width) && is_narrow(place.on_intrinsic.t, width);
 }
 
-// Encloses crossings of many edges, with as many digits as it takes.
+// Encloses crossings of many edges, with as many digits as needed.
 template <typename Traits>
 class Crossing_encloser
 {
@@ -122,8 +122,8 @@ public:
     : m_pair(pair), m_courses(courses), m_in_double(pair, courses), m_extended(pair, courses)
   {}
 
-  // Returns the positions of the crossings on the halfedge `h` of T2, the first of its edge. They
-  // are intervals of this width, or wider ones if `most_digits` do not suffice.
+  // Returns the positions of the crossings on the halfedge `h` of T2, the first of its edge. Each
+  // is an interval of this width, or a wider one if `most_digits` do not suffice.
   Enclosures operator()(Halfedge_index h, double width)
   {
     const Enclosures result = with_few_digits(h, width);
@@ -131,8 +131,8 @@ public:
                                      : Crossing_enclosure<Traits, Long_float>(m_pair, m_courses)(h);
   }
 
-  // Returns the same positions, but takes no more than 106 bits if `h` passes a face without area.
-  // If it runs along an edge, more bits do not help.
+  // Returns enclosures of the crossings of `h` with at most 106 bits if `h` passes a face without
+  // area. If `h` runs along an edge, more bits do not help.
   Enclosures with_digits_that_help(Halfedge_index h, double width)
   {
     Enclosures result = with_few_digits(h, width);

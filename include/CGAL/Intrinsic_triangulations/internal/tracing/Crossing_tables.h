@@ -51,7 +51,7 @@ std::vector<float> face_heights(const Surface& surface, Concurrency concurrency)
   return result;
 }
 
-// returns the least height of the faces at the edge of `h`
+// Returns the least height of the faces at the edge of `h`.
 inline float height_around(Halfedge_index h, const Delta_complex& mesh,
                            const std::vector<float>& heights)
 {
@@ -62,8 +62,8 @@ inline float height_around(Halfedge_index h, const Delta_complex& mesh,
   return result;
 }
 
-// All crossings of edges of T1 with edges of T2, traced along the edges of T1. `Correspondence`
-// answers queries from them.
+// Stores all crossings of edges of T1 with edges of T2, traced along the edges of T1.
+// `Correspondence` answers queries from them.
 template <typename Traits>
 class Crossing_tables
 {
@@ -153,14 +153,14 @@ private:
       });
   }
 
-  // What a chunk of edges of T1 crosses, in order, and how many pieces that makes.
+  // Stores the crossings of a chunk of edges of T1, in order, and counts their pieces.
   struct Chunk
   {
     std::vector<size_type> crossings;
     size_type pieces = 0;
   };
 
-  // Every curve is met at both its ends; it is traced along the first halfedge of its edge.
+  // Traces every curve along the first halfedge of its edge. The curve occurs at both its ends.
   void trace_all(const Part_starts<Traits>& starts, Concurrency concurrency)
   {
     const std::size_t edges = m_tri.input_mesh().num_edges();
@@ -180,7 +180,7 @@ private:
 
   // ---- Thin faces ----
 
-  // Determines where rounded lengths do not determine positions.
+  // Determines which crossings have positions that rounded lengths do not determine.
   struct Doubt
   {
     std::vector<float> input_heights, heights; // of faces, empty if all places are certain
@@ -208,7 +208,7 @@ private:
     return !(input_height * height * height >= least_product_of_heights());
   }
 
-  // Notes the crossings of a part of the edge of `input` that are doubtful, one or all.
+  // Records the undetermined crossings, one or all, of a part of the edge of `input`.
   void note_doubt(Halfedge_index input, const Edge_tracer<Traits>& tracer)
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -224,8 +224,9 @@ private:
     }
   }
 
-  // Finds the positions of crossings on edges of T2 with a doubtful crossing on the exact surface.
-  // If edges run along each other, they stay: any common position is right.
+  // Computes the positions of crossings on edges of T2 with an undetermined crossing on the exact
+  // surface. If edges run along each other, positions are kept, because any common position is
+  // correct.
   void enclose_doubtful(Concurrency concurrency)
   {
     if(m_doubt.is_doubtful.empty())
@@ -256,7 +257,7 @@ private:
       }
   }
 
-  // Each part but the first starts where another ends.
+  // Each part starts at the end of another one, except for the first.
   void trace(Edge_index e, const Part_starts<Traits>& starts, Edge_tracer<Traits>& tracer,
              Chunk& chunk)
   {
@@ -328,7 +329,7 @@ private:
 
   // ---- Order ----
 
-  // the position on an edge of a crossing that is still to be found on it
+  // Marks a crossing whose position on an edge is not computed yet.
   static FT unknown() { return FT(-1); }
 
   Record& on_intrinsic(Edge_index e, size_type p)
@@ -336,10 +337,10 @@ private:
     return m_records[m_on_intrinsic.before(e) + p];
   }
 
-  // Rounding may move a crossing along an edge, but never past another. At faces without area,
-  // edges run along each other. A crossing at such a face that would move by more than rounding is
-  // moved on both of its edges, which ends after few rounds. If it does not end, it is moved on
-  // one edge: no move is beyond 1.
+  // Rounding may move a crossing along an edge, but must not reorder crossings. At faces without
+  // area, edges run along each other. A crossing at such a face that would move by more than
+  // rounding is moved on both of its edges. This ends after few rounds. Otherwise it is moved on
+  // one edge, because no move exceeds 1.
   void settle_places(Concurrency concurrency)
   {
     constexpr bool has_distance = Has_distance<Traits>::value;
@@ -358,8 +359,7 @@ private:
     });
   }
 
-  // Calls `mend(e)` for the edges of T2 along which crossings are out of order by more than
-  // rounding.
+  // Calls `mend(e)` for the edges of T2 whose crossings are out of order by more than rounding.
   template <typename Function>
   void for_each_disorder(Concurrency concurrency, const Function& mend)
   {
@@ -374,8 +374,8 @@ private:
     });
   }
 
-  // Returns whether no crossing is moved by more than `tolerance`. Others are to be found again on
-  // their edges of T2.
+  // Returns whether no crossing is moved by more than `tolerance`. The positions of other crossings
+  // on their edges of T2 become unknown.
   bool order_along_input(const FT& tolerance, Concurrency concurrency)
   {
     std::atomic<bool> result(true);
@@ -394,8 +394,8 @@ private:
     return result;
   }
 
-  // Finds crossings in the strip of T1 along `e`: lengths of T1 define the surface, while lengths
-  // of T2 are rounded.
+  // Computes crossings in the strip of T1 along `e`, because lengths of T1 define the surface and
+  // lengths of T2 are rounded.
   void place_along_intrinsic(Edge_index e)
   {
     FT t(0);
@@ -406,7 +406,7 @@ private:
     });
   }
 
-  // Finds crossings whose position on `e` is unknown, and moves crossings that are out of order.
+  // Computes crossings whose position on `e` is unknown, and moves crossings that are out of order.
   void move_along_intrinsic(Edge_index e)
   {
     FT t(0);

@@ -23,7 +23,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The indices of the crossings on all edges of T2.
+// Numbers the crossings on all edges of T2.
 template <typename Integer>
 Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
                             const Delta_complex& mesh, Concurrency concurrency)
@@ -35,10 +35,10 @@ Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
   return Edge_marks(std::move(count));
 }
 
-// The courses of all halfedges of T2, from the integer coordinates alone. They are stored, or
-// computed when they are read. To compute one, each crossing is followed to an end of its edge of
-// T1. This continues until it has taken more steps than the number of crossings. From then on all
-// are stored, since following takes quadratic time if edges of T1 cross a large part of T2.
+// Stores the courses of all halfedges of T2, or computes them when they are read, from the integer
+// coordinates alone. To compute a course, each crossing is followed to an end of its edge of T1.
+// Once this has taken more steps than the number of crossings, all courses are stored. Following
+// takes quadratic time if edges of T1 cross a large part of T2.
 //
 // Objects that compute courses must not be read by several threads at once.
 template <typename Traits>
@@ -51,15 +51,15 @@ class Edge_courses
   typedef Edge_course::Exits Exits;
 
 public:
-  // Courses are computed.
+  // Constructs an object that computes courses when they are read.
   explicit Edge_courses(const Pair& pair)
     : m_pair(&pair), m_most_steps(static_cast<double>(pair.mesh().num_edges()))
   {}
 
-  // Courses are stored. Complexity: linear in the edges and crossings.
+  // Stores all courses. Complexity: linear in the edges and crossings.
   Edge_courses(const Pair& pair, Concurrency concurrency) : m_pair(&pair) { store(concurrency); }
 
-  // Courses are to be set before they are read. They are stored by the indices `marks`.
+  // Allocates courses at the indices `marks`, which must be set before they are read.
   Edge_courses(const Pair& pair, const Edge_marks& marks) : m_pair(&pair) { allocate(marks); }
 
   // Returns the number of crossings on the edge of `h`.
@@ -73,10 +73,10 @@ public:
     return m_is_stored ? stored(h, n) : Edge_course(n, [&](Exits& exits) { compute(h, exits); });
   }
 
-  // Returns the exit with this index, of the first halfedge of its edge.
+  // Returns the exit with this index, for the first halfedge of its edge.
   Halfedge_index exit(size_type mark) const { return m_exits[mark]; }
 
-  // Sets the exit with this index, as seen from `h`.
+  // Sets the exit with this index, which belongs to the course of `h`.
   void set(size_type mark, Halfedge_index h, Halfedge_index exit)
   {
     m_exits[mark] = oriented_like(h, exit);
@@ -84,14 +84,14 @@ public:
 
   // ---- Changes of T2 ----
 
-  // To be called after the edge of `h` has been flipped.
+  // Updates the courses after the edge of `h` has been flipped.
   void after_flip(Halfedge_index h)
   {
     if(m_is_stored)
       update(Edge_index(h));
   }
 
-  // where the course of an edge is stored
+  // Stores the position of the course of an edge.
   struct Storage
   {
     std::size_t layout; // all courses have moved where this has changed
@@ -104,8 +104,8 @@ public:
     return {m_layout, m_is_stored ? m_first[e] : unknown, m_exits.size()};
   }
 
-  // To be called after the last flip, of the edge `e`, has been taken back. Before the flip, its
-  // course was stored at `before`, where it still is.
+  // Updates the courses after the last flip, of the edge `e`, has been undone. Before the flip, the
+  // course of `e` was stored at `before`, and its exits have not been overwritten.
   void after_undo(Edge_index e, const Storage& before)
   {
     if(m_is_stored && before.layout != m_layout)
@@ -116,7 +116,7 @@ public:
     }
   }
 
-  // To be called after the vertex `m` has been inserted into a face.
+  // Updates the courses after the vertex `m` has been inserted into a face.
   void after_insertion(Vertex_index m)
   {
     const Delta_complex& mesh = m_pair->mesh();
@@ -124,7 +124,7 @@ public:
     after_cut({a, b, next_around_source(b, mesh)});
   }
 
-  // To be called after a vertex has been inserted into an edge; `h` is its second part.
+  // Updates the courses after a vertex has been inserted into an edge, whose second part is `h`.
   void after_split(Halfedge_index h)
   {
     const Delta_complex& mesh = m_pair->mesh();
@@ -141,8 +141,8 @@ private:
 
   const Coordinates& coordinates() const { return m_pair->coordinates(); }
 
-  // Stores the courses of edges that have been made, in a face that others have left or beside one
-  // that was split.
+  // Stores the courses of new edges, in a face from which edges were removed or beside an edge that
+  // was split.
   void after_cut(std::initializer_list<Halfedge_index> cuts)
   {
     m_first.resize(m_pair->mesh().num_edges(), unknown);
@@ -152,8 +152,8 @@ private:
       update(Edge_index(h));
   }
 
-  // Splits the course of an edge that has been split into `im` and `mj`; the second has the index
-  // of the whole. If the new vertex lies on an edge of T1, one crossing is removed.
+  // Splits the course of an edge into the courses of `im` and `mj`. The halfedge `mj` has the index
+  // of the whole edge. If the new vertex lies on an edge of T1, one crossing is removed.
   void split(Halfedge_index im, Halfedge_index mj)
   {
     m_first.resize(m_pair->mesh().num_edges(), unknown);
@@ -214,7 +214,7 @@ private:
       const size_type n = count(h);
       if(n == 1 && coordinates().curves_leaving(h, mesh) == 1 &&
          coordinates().curves_leaving(o, mesh) == 1) {
-        // its curve crosses nothing else: either end will do
+        // This curve crosses no other edge, so either end is possible.
         m_exits[m_first[e]] = opposite(coordinates().outgoing_in_corner(
           mesh.prev(h), Integer(0), mesh, m_pair->outgoing_halfedges()));
       } else if(n > 0)
@@ -223,7 +223,7 @@ private:
     });
   }
 
-  // Looks at all edges; so the next time comes after twice as many steps.
+  // The test visits all edges, so the next one follows after twice as many steps.
   void store_if_faster() const
   {
     double crossings = 0;
@@ -255,14 +255,14 @@ private:
 
   // ---- Updates ----
 
-  // Sets item `m` of the course of `h` among the exits of the first halfedge.
+  // Sets exit `m` of the course of `h`, stored for the first halfedge of its edge.
   static void set(Exits& exits, Halfedge_index h, std::size_t m, Halfedge_index exit)
   {
     const auto n = static_cast<size_type>(exits.size());
     exits[along_first_halfedge(h, static_cast<size_type>(m), n)] = oriented_like(h, exit);
   }
 
-  // Stores the course of an edge again, from the courses around it.
+  // Recomputes the course of an edge from the courses around it.
   void update(Edge_index e)
   {
     const Halfedge_index h = first_halfedge(e);
@@ -273,9 +273,9 @@ private:
     }
   }
 
-  // Some curves cross `h` and then cut off the corner at its source or target. They cross the
-  // other side at this corner; the rest ends. A side whose course is not known yet is left out:
-  // its curves cross the face of `h`, too.
+  // Copies parts of the courses of the other two sides of the face of `h`. Curves that cut off the
+  // corner at the source or target of `h` cross the side at this corner; the others end. A side
+  // without a known course is skipped: its curves cross the face of `h`, too.
   void copy_from_beyond(Halfedge_index h)
   {
     const Delta_complex& mesh = m_pair->mesh();
@@ -291,13 +291,13 @@ private:
                                                           m_pair->outgoing_halfedges()));
   }
 
-  // Returns where `k` items of the course of `h` are stored, from item `m` on.
+  // Returns the memory of `k` exits of the course of `h`, from exit `m` on.
   Halfedge_index* part(Halfedge_index h, std::size_t m, std::size_t k)
   {
     return m_exits.data() + m_first[Edge_index(h)] + (is_first_halfedge(h) ? m : count(h) - m - k);
   }
 
-  // Copies `k` items, unless the course of `from` is unknown.
+  // Copies `k` exits, unless the course of `from` is unknown.
   void copy_part(Halfedge_index from, std::size_t first, Halfedge_index h, std::size_t to,
                  std::size_t k)
   {

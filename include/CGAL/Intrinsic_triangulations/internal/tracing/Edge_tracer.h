@@ -21,8 +21,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where an edge of T1 starts on T2: as curve number `k` in the corner of `outgoing`; along
-// `outgoing`, if `k` is -1.
+// Stores where an edge of T1 starts on T2: as curve number `k` in the corner of `outgoing`, or
+// along `outgoing` if `k` is -1.
 template <typename Integer>
 struct Curve_start
 {
@@ -32,16 +32,16 @@ struct Curve_start
   bool is_shared() const { return k < 0; }
 };
 
-// The positions on a halfedge of T1 from one vertex of T2 on it to the next.
+// Stores the positions on a halfedge of T1 of two successive vertices of T2.
 template <typename FT>
 struct Part_of_edge
 {
   FT begin, end;
 
-  // returns its length on a halfedge of length `whole`
+  // Returns the length of the part on a halfedge of length `whole`.
   FT length(const FT& whole) const { return (end - begin) * whole; }
 
-  // returns the position at a part `t` of the way
+  // Returns the position on the halfedge at the fraction `t` of the part.
   FT operator()(const FT& t) const { return (std::min)(FT(begin + t * (end - begin)), end); }
 };
 
@@ -54,7 +54,7 @@ Part_of_edge<typename Traits::FT> part_of_edge(Halfedge_index h, Vertex_index v,
 }
 
 // Returns crossing `m` of a strip. The order along the line is known: rounding may move a crossing,
-// but never past the one before, which is at `least`.
+// but not before the previous one at `least`.
 template <typename Traits>
 typename Traits::Geodesic_strip::Crossing
 crossing_not_before(const typename Traits::FT& least, std::size_t m,
@@ -102,17 +102,17 @@ public:
 
   std::size_t size() const { return m_crossings.size(); }
 
-  // Crossing number `m` of the curve, through which it leaves the face of the halfedge.
+  // Returns crossing number `m` of the curve, through which it leaves the face of the halfedge.
   const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
 
-  // Returns the halfedge of T2 that ends with the curve, clockwise from it.
+  // Returns the last halfedge of T2 at or clockwise from the end of the curve.
   Halfedge_index last_outgoing() const
   {
     return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
   }
 
-  // Returns whether the strip is as long as the curve. Rounding of lengths of T2 can turn a strip
-  // around a vertex from which another is no farther than rounding.
+  // Returns whether the strip is as long as the curve. Rounded lengths of T2 can turn a strip
+  // around a vertex that is nearly at the position of another vertex.
   bool has_length([[maybe_unused]] const FT& length) const
   {
     if constexpr(Has_distance<Traits>::value && is_rounded<FT>())
@@ -121,7 +121,7 @@ public:
       return true;
   }
 
-  // Returns the barycentric coordinates of that crossing along the curve (they never decrease) and
+  // Returns the barycentric coordinates of crossing `m` along the curve, which never decrease, and
   // along the halfedge.
   const typename Traits::Geodesic_strip::Crossing& position(std::size_t m) const
   {
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  // the halfedges of T2 through which the curve leaves faces
+  // Iterates over the halfedges of T2 through which the curve leaves faces.
   struct Exits
   {
     const std::vector<Crossing>& crossings;

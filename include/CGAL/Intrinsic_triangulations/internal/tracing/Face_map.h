@@ -22,7 +22,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <typename FT>
 using Barycentric_coordinates = std::array<FT, 3>;
 
-// proportional, with a common positive factor, to the signed area of the triangle abc
+// Returns a number proportional, with a common positive factor, to the signed area of the triangle
+// abc.
 template <typename FT>
 FT orientation(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
                const Barycentric_coordinates<FT>& c)
@@ -31,7 +32,7 @@ FT orientation(const Barycentric_coordinates<FT>& a, const Barycentric_coordinat
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// (b - a) . (d - c)
+// Returns (b - a) . (d - c).
 template <typename FT>
 FT dot(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
        const Barycentric_coordinates<FT>& c, const Barycentric_coordinates<FT>& d)
@@ -42,7 +43,7 @@ FT dot(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& 
   return sum;
 }
 
-// Returns the point closest to `p` on the segment from `a` to `b`, from 0 to 1.
+// Returns the position, from 0 to 1, of the point closest to `p` on the segment from `a` to `b`.
 template <typename FT>
 FT closest_between(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
                    const Barycentric_coordinates<FT>& p)
@@ -51,7 +52,7 @@ FT closest_between(const Barycentric_coordinates<FT>& a, const Barycentric_coord
   return square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
 }
 
-// the point at `t` between `a` and `b`
+// Returns the point at `t` between `a` and `b`.
 template <typename FT>
 Barycentric_coordinates<FT> point_between(const Barycentric_coordinates<FT>& a,
                                           const Barycentric_coordinates<FT>& b, const FT& t)
@@ -71,9 +72,9 @@ FT squared_distance(const Barycentric_coordinates<FT>& a, const Barycentric_coor
   return dot(foot, p, foot, p);
 }
 
-// A projective map, given by the corners of a convex polygon and their images. As vectors, corners
-// are multiples of their images, and the map is linear. If they are all the same multiples,
-// barycentric coordinates are mapped linearly too. All sums are convex combinations of images, so
+// Represents a projective map, given by the corners of a convex polygon and their images. As
+// vectors, corners are multiples of their images, and the map is linear. If all factors are equal,
+// barycentric coordinates are mapped linearly, too. All sums are convex combinations of images, so
 // rounding in nearly flat polygons is not amplified.
 template <typename FT>
 class Polygon_map
@@ -81,7 +82,7 @@ class Polygon_map
   typedef Barycentric_coordinates<FT> Coordinates;
 
 public:
-  // the corner is `scale` times its image
+  // Adds a corner, which is `scale` times its image.
   void add_corner(const Coordinates& corner, const Coordinates& image, const FT& scale)
   {
     m_corner[m_size] = corner;
@@ -103,7 +104,7 @@ public:
     return result;
   }
 
-  // returns the image of a point of the polygon, with coordinates that sum up to one
+  // Returns the image of a point of the polygon, with coordinates that sum up to one.
   Coordinates operator()(const Coordinates& p) const
   {
     Coordinates weight{}; // of corners 0, best, best + 1
@@ -128,8 +129,9 @@ public:
 
 private:
   // Returns the image of a point of a triangle, given its barycentric coordinates. If the triangle
-  // is thin, rounding spoils them. So only one is used: the coordinate across the longest side, or
-  // across a side on which the point lies. The position along that side is found by projection.
+  // is thin, they have large rounding errors, and only one is used. It is the coordinate across the
+  // longest side, or across a side on which the point lies. The position along that side is
+  // computed by projection.
   Coordinates image_in_triangle(const Coordinates& p, const std::array<std::size_t, 3>& corner,
                                 const Coordinates& weight) const
   {
@@ -137,7 +139,7 @@ private:
     const std::size_t a = corner[s], b = corner[(s + 1) % 3], c = corner[(s + 2) % 3];
     const FT t = place_along(b, c, p), foot = place_along(b, c, m_corner[a]);
     FT across = clamped(weight[s]);
-    // the other two weights must not become negative
+    // The other two weights must not become negative.
     if(across * foot > t)
       across = t / foot;
     if(across * (1 - foot) > 1 - t)
@@ -145,8 +147,8 @@ private:
     return combination({across, 1 - t - across * (1 - foot), t - across * foot}, a, b, c);
   }
 
-  // returns the corner of a triangle opposite to a side on which a point lies, or to the longest
-  // side
+  // Returns the corner of a triangle opposite to a side on which a point lies, or to the longest
+  // side.
   std::size_t apex(const std::array<std::size_t, 3>& corner, const Coordinates& weight) const
   {
     std::size_t result = 0;
@@ -164,8 +166,8 @@ private:
     return result;
   }
 
-  // returns the position of the projection of `p` on the line from corner `a` to corner `b`, from
-  // 0 to 1
+  // Returns the position of the projection of `p` on the line from corner `a` to corner `b`, from 0
+  // to 1.
   FT place_along(std::size_t a, std::size_t b, const Coordinates& p) const
   {
     return clamped(dot(m_corner[a], m_corner[b], m_corner[a], p) /
@@ -174,7 +176,8 @@ private:
 
   static FT clamped(const FT& x) { return (std::min)((std::max)(x, FT(0)), FT(1)); }
 
-  // For a polygon without area: the image of the projection to its longest diagonal or side.
+  // Returns the image in a polygon without area. The point is projected to the longest diagonal or
+  // side.
   Coordinates image_on_diagonal(const Coordinates& p) const
   {
     std::size_t from = 0, to = 0;
@@ -192,8 +195,8 @@ private:
     return combination({1 - t, t, FT(0)}, from, to, to);
   }
 
-  // returns the image of the point with barycentric coordinates `weight` with respect to three
-  // corners
+  // Returns the image of the point with barycentric coordinates `weight` with respect to three
+  // corners.
   Coordinates combination(Coordinates weight, std::size_t a, std::size_t b, std::size_t c) const
   {
     const std::array<std::size_t, 3> corner{a, b, c};
@@ -212,8 +215,8 @@ private:
   std::size_t m_size = 0;
 };
 
-// Maps points of one face to the other triangulation: finds the region between curves in which a
-// point lies, and maps that.
+// Maps points of one face to the other triangulation. The region between curves that contains a
+// point is found, and the point is mapped with this region.
 //
 // `Marks` describes the sides of the face:
 // - crossings(s): the number of crossings on side s
@@ -254,15 +257,15 @@ public:
       corner.side, corner.is_vertex() ? FT(0) : m_marks.here(corner.side, corner.mark));
   }
 
-  // returns the index of the region in which `p` lies
+  // Returns the index of the region in which `p` lies.
   std::size_t region_of(const Coordinates& p) const
   {
     return m_regions.find([&](std::size_t s, std::size_t j) { return is_at_corner(s, j, p); },
                           [&](std::size_t j) { return is_before_curve(j, p); });
   }
 
-  // returns the face of the other triangulation in which region `m` lies, and the map of the region
-  // to it
+  // Returns the face of the other triangulation in which region `m` lies, and the map of the region
+  // to it.
   std::pair<Face_index, Polygon_map<FT>> region_map(std::size_t m) const
   {
     const Region region = m_regions[m];
@@ -276,14 +279,14 @@ public:
   }
 
 private:
-  // returns whether `p` is on the side of corner `s` of curve `j` around it
+  // Returns whether `p` is on the side of corner `s` of curve `j` around it.
   bool is_at_corner(std::size_t s, std::size_t j, const Coordinates& p) const
   {
     const auto curve = m_regions.curve_around(s, j);
     return orientation(coordinates(curve[0]), coordinates(curve[1]), p) > 0;
   }
 
-  // returns whether `p` is between the side after the apex and curve `j` from the apex
+  // Returns whether `p` is between the side after the apex and curve `j` from the apex.
   bool is_before_curve(std::size_t j, const Coordinates& p) const
   {
     Coordinates apex{};
@@ -307,8 +310,8 @@ private:
     return face_location(corner.arc_follows ? reversed(outward, m_other) : outward, m_other);
   }
 
-  // A corner that is a vertex, on a halfedge of the other triangulation with the region on its
-  // left.
+  // Returns the position of a corner that is a vertex, on a halfedge of the other triangulation
+  // with the region on its left.
   Edge_point<FT> vertex_on_left_side(const Region& region, std::size_t c) const
   {
     if(region[c].arc_follows) // towards a mark

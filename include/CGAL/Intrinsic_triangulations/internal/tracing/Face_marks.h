@@ -22,8 +22,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The crossings on the sides of a face (see `Face_map`), found one by one. An object can be used
-// for many faces.
+// Computes the crossings on the sides of a face one by one, as `Face_map` needs them. An object can
+// be used for many faces.
 template <typename Traits>
 class Face_marks
 {

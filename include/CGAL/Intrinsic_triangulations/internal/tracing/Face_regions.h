@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A corner of a region of a face: corner `side` of the face if `mark` is `none`, otherwise
-// crossing number `mark` on side `side`. Side s leads from corner s to the next one.
+// Represents a corner of a region of a face. It is corner `side` of the face if `mark` is `none`,
+// otherwise crossing number `mark` on side `side`. Side s leads from corner s to the next one.
 struct Region_corner
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -27,7 +27,7 @@ struct Region_corner
   bool is_vertex() const { return mark == none; }
 };
 
-// A polygon with three to six corners in counterclockwise order.
+// Represents a polygon with three to six corners in counterclockwise order.
 class Region
 {
 public:
@@ -53,7 +53,7 @@ private:
   std::size_t m_size = 0;
 };
 
-// returns the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
+// Returns the first of 0, ..., n - 1 that satisfies a monotone condition, otherwise n.
 template <typename Size, typename Condition>
 Size first_where(const Condition& condition, Size n)
 {
@@ -68,9 +68,9 @@ Size first_where(const Condition& condition, Size n)
   return low;
 }
 
-// The regions into which curves cut a face (Figure 3.7), from the numbers of crossings on its
-// sides. Regions around corner 0 come first (outwards from it), then around corner 1 and corner 2.
-// Then comes the rest, which is one region, or is fanned by the curves that leave a corner.
+// Describes the regions into which curves cut a face (Figure 3.7), from the numbers of crossings on
+// its sides. Regions around corner 0 come first (outwards from it), then around corner 1 and corner
+// 2. The rest follows: one region, or a fan cut by the curves that leave a corner.
 class Face_regions
 {
 public:
@@ -91,23 +91,23 @@ public:
 
   std::size_t size() const { return m_around[0] + m_around[1] + m_around[2] + m_leaving + 1; }
 
-  // Returns the number of curves that cut off corner `s`, and of curves that leave corner `apex()`
+  // Returns the number of curves that cut off corner `s`, and of curves that leave corner `apex()`.
   std::size_t around(std::size_t s) const { return m_around[s]; }
   std::size_t leaving() const { return m_leaving; }
   std::size_t apex() const { return m_apex; }
 
-  // returns the numbers among all regions of region `j` around corner `s`, and of the first of the
-  // rest
+  // Returns the number of region `j` around corner `s` among all regions, or of the first remaining
+  // region.
   std::size_t around_corner(std::size_t s, std::size_t j) const
   {
     return j + (s > 0 ? m_around[0] : 0) + (s > 1 ? m_around[1] : 0);
   }
   std::size_t first_of_rest() const { return size() - 1 - m_leaving; }
 
-  // Returns the region of a point. `is_at_corner(s, j)` is whether it lies before curve `j` around
-  // corner `s`, as seen from the corner. `is_before_curve(j)` is whether it lies before curve `j`
-  // from the apex, as seen from the side after the apex. Each is asked a logarithmic number of
-  // times, also about both curves at the region.
+  // Returns the region of a point. `is_at_corner(s, j)` returns whether it lies before curve `j`
+  // around corner `s`, as seen from the corner. `is_before_curve(j)` returns whether it lies before
+  // curve `j` from the apex, as seen from the side after the apex. Each is called a logarithmic
+  // number of times, also for both curves at the region.
   template <typename At_corner, typename Before_curve>
   std::size_t find(const At_corner& is_at_corner, const Before_curve& is_before_curve) const
   {
@@ -120,14 +120,14 @@ public:
     return first_of_rest() + first_where(is_before_curve, m_leaving);
   }
 
-  // returns the two marks of curve `j` around corner `s`: on the side after and before the corner
+  // Returns the two marks of curve `j` around corner `s`: on the side after and before the corner.
   std::array<Region_corner, 2> curve_around(std::size_t s, std::size_t j) const
   {
     const std::size_t before = (s + 2) % 3;
     return {Region_corner{s, j, true}, Region_corner{before, m_crossings[before] - 1 - j, false}};
   }
 
-  // returns the mark of curve `j` from the apex on the opposite side
+  // Returns the mark of curve `j` from the apex on the opposite side.
   Region_corner end_of_curve(std::size_t j) const
   {
     const std::size_t near = (m_apex + 1) % 3;
@@ -150,9 +150,9 @@ public:
     return crossings;
   }
 
-  // The curve around corner `corner`, or, if it ends at the corner, from the apex. `number` counts
-  // from the corner, or from the side after the apex. `mark` is where it leaves, and `other` where
-  // it comes from.
+  // Describes the curve around corner `corner`, or, if it ends at the corner, from the apex.
+  // `number` counts from the corner, or from the side after the apex. The curve enters the face at
+  // `other` and leaves it at `mark`.
   struct Curve
   {
     std::size_t corner, number;
@@ -160,7 +160,7 @@ public:
     Region_corner mark, other;
   };
 
-  // returns the curve from one corner of a region to the next
+  // Returns the curve from one corner of a region to the next.
   Curve curve(const Region_corner& from, const Region_corner& to) const
   {
     if(from.is_vertex() || to.is_vertex()) {
@@ -173,7 +173,7 @@ public:
     return {mark.side, mark.mark, false, mark, other};
   }
 
-  // returns the curve that leaves the face at crossing `p` of side `s`; its other end is not set
+  // Returns the curve that leaves the face at crossing `p` of side `s`. Its other end is not set.
   Curve curve_at_side(std::size_t s, std::size_t p) const
   {
     const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - 1 - p;
@@ -185,8 +185,8 @@ public:
     return {m_apex, p - m_around[s], true, mark, {}};
   }
 
-  // Returns the number of curves between a point on `curve` and each corner of the face; -1 for the
-  // corner at which it ends.
+  // Returns the number of curves between a point on `curve` and each corner of the face. The number
+  // is -1 for a corner at which the curve ends.
   std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
   {
     std::array<std::ptrdiff_t, 3> crossings;
@@ -228,7 +228,7 @@ public:
   }
 
 private:
-  // all curves around another corner lie beyond all those around `s`
+  // All curves around another corner lie beyond the curves around `s`.
   std::array<std::size_t, 3> crossings_from_corner_region(std::size_t s, std::size_t j) const
   {
     std::array<std::size_t, 3> crossings;
@@ -262,8 +262,8 @@ private:
     return region;
   }
 
-  // Returns region `j` between curves from the apex, counted from the side after the apex to the
-  // side before it.
+  // Returns region `j` between curves from the apex, counted from the side after it to the side
+  // before it.
   Region fan_region(std::size_t j) const
   {
     Region region;
@@ -279,7 +279,7 @@ private:
     return region;
   }
 
-  // corner `s` itself, or the outermost of the curves that cut it off
+  // Adds corner `s` itself, or the outermost curve that cuts it off.
   void add_trimmed_corner(std::size_t s, Region& region) const
   {
     const std::size_t before = (s + 2) % 3;

@@ -12,11 +12,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A strip of hyperbolic triangles from the corner a to the corner b. Edges from a and b to the ends
-// of its inner edges follow from flips. `Flip` has
+// Represents a strip of hyperbolic triangles from the corner a to the corner b. Edges from a and b
+// to the ends of its inner edges follow from flips. `Flip` has
 // - `Edge`, the type of an edge with an orientation,
-// - `reversed(edge)`, the same edge with the other one,
-// - `flipped(ij, jk, ki, il, lj)`, the edge kl instead of ij.
+// - `reversed(edge)`, which returns the edge with the other orientation,
+// - `flipped(ij, jk, ki, il, lj)`, which returns the edge kl instead of ij.
 template <typename Flip>
 class Flipped_strip
 {
@@ -38,7 +38,7 @@ public:
     add_edge(ai, Flip::reversed(ja), ij);
   }
 
-  // Goes on through the triangle jil beyond the last edge ij and leaves it through il.
+  // Continues through the triangle jil beyond the last edge ij and leaves it through il.
   void turn_around_source(const Edge& ji, const Edge& lj, const Edge& il)
   {
     const Edge ai = m_edges.back().from_a_to_source, al = from_a_to_apex(ji, lj, il);
@@ -56,7 +56,7 @@ public:
     add_edge(al, aj, lj);
   }
 
-  // Ends at the corner l of the triangle jil, which is b, and goes back along the strip.
+  // Ends at the corner l of the triangle jil, which is b, and returns along the strip.
   void finish(const Edge& ji, const Edge& lj, const Edge& il)
   {
     m_line = from_a_to_apex(ji, lj, il);
@@ -69,7 +69,7 @@ public:
   std::size_t size() const { return m_edges.size(); }
   const Inner_edge& operator[](std::size_t m) const { return m_edges[m]; }
 
-  // the edge from a to b
+  // Returns the edge from a to b.
   const Edge& line() const { return m_line; }
 
 private:
@@ -85,7 +85,7 @@ private:
                          il, lj);
   }
 
-  // Finds the edges from b to the ends of the next edge, il or lj, from the edges to the ends of
+  // Computes the edges from b to the ends of the next edge, il or lj, from the edges to the ends of
   // the edge ij.
   static void set_from_b(Inner_edge& x, const Inner_edge& next)
   {

@@ -25,9 +25,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The regions into which the faces of T1 and T2 cut each other, and the ways between them in a face
-// of either. Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the
-// face straight to the point. If rounding leads to a wrong region, all regions are searched.
+// Describes the regions into which the faces of T1 and T2 cut each other, and their neighbors in a
+// face of T1 or T2. Locates points of a face of T1 with vertices of T2 inside it: walks straight
+// from a corner of the face to the point. If rounding leads to a wrong region, all regions are
+// searched.
 template <typename Traits>
 class Input_face_walk
 {
@@ -37,17 +38,17 @@ class Input_face_walk
   typedef Barycentric_coordinates<FT> Coordinates;
 
 public:
-  // a region of a face of T2
+  // Identifies a region of a face of T2.
   typedef std::pair<Face_index, std::size_t> Region_id;
 
-  // a piece of a halfedge of T2, which has a region on its left
+  // Represents a piece of a halfedge of T2, which has a region on its left.
   struct Piece
   {
     Halfedge_index halfedge;
     std::size_t number;
   };
 
-  // a region with its corners on both triangulations
+  // Stores a region with its corners on both triangulations.
   struct Mapped_region
   {
     Mapped_region(const Region_id& id, const Input_face_walk& regions)
@@ -66,7 +67,7 @@ public:
       return side == Side::input ? map.image(c) : map.corner(c);
     }
 
-    // Returns how many times the vector of a corner on the other side its vector on `side` is.
+    // Returns the quotient of the vectors of a corner on the other side and on `side`.
     FT scale(Side side, std::size_t c) const
     {
       return side == Side::input ? FT(1 / map.scale(c)) : map.scale(c);
@@ -85,14 +86,14 @@ public:
 
   Region region(const Region_id& id) const { return regions_of(id.first)[id.second]; }
 
-  // returns the region on the left of a piece
+  // Returns the region on the left of a piece.
   Region_id region_at(const Piece& piece) const
   {
     const Face_index f = m_mesh.face(piece.halfedge);
     return {f, regions_of(f).region_at_side(side_number(piece.halfedge, m_mesh), piece.number)};
   }
 
-  // returns the piece of a side after `corner`; none on the boundary of the face of T1
+  // Returns the piece of a side after `corner`, or none on the boundary of the face of T1.
   std::optional<Piece> piece_after(const Region_corner& corner, const Region_id& id) const
   {
     const Halfedge_index h = sides(id.first, m_mesh)[corner.side];
@@ -101,7 +102,7 @@ public:
     return Piece{h, number_of_piece(corner)};
   }
 
-  // returns a piece as the region on its right sees it
+  // Returns a piece as the region on its right sees it.
   Piece reversed(const Piece& piece) const
   {
     return {m_mesh.opposite(piece.halfedge),
@@ -109,7 +110,7 @@ public:
               piece.number};
   }
 
-  // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
+  // Returns the region beyond the piece of a side after `corner`, or none beyond the face of T1.
   std::optional<Region_id> beyond(const Region_corner& corner, const Region_id& id) const
   {
     const std::optional<Piece> piece = piece_after(corner, id);
@@ -117,7 +118,7 @@ public:
   }
 
   // Calls `visit(c, neighbor)` for the corners of a region with a neighbor in the face of `side`.
-  // The neighbor lies beyond the piece of an edge of the other side after the corner.
+  // The neighbor lies beyond the piece after corner `c` of an edge of the other side.
   template <typename Visit>
   void for_each_exit(Side side, const Region_id& id, const Visit& visit) const
   {
@@ -143,8 +144,8 @@ public:
              : opposite(marks.across(corners[c].side, corners[c].mark).halfedge);
   }
 
-  // Calls `visit(id)` for the regions of the face of T1 in which `start` lies, once each, until
-  // it returns true.
+  // Calls `visit(id)` once for each region of the face of T1 that contains `start`, until it
+  // returns true.
   template <typename Visit>
   void for_each_region(const Region_id& start, const Visit& visit) const
   {
@@ -162,8 +163,8 @@ public:
     }
   }
 
-  // returns the region on the left of the halfedge `h` of T1 next to its crossing `p`, after it or
-  // before it
+  // Returns the region on the left of the halfedge `h` of T1 next to its crossing `p`, after it or
+  // before it.
   Region_id region_at_crossing(Halfedge_index h, size_type p, bool is_after) const
   {
     const auto crossing = m_correspondence.crossing(Side::input, h, p);
@@ -173,14 +174,14 @@ public:
     return region_at({x, is_after ? mark : mark + 1});
   }
 
-  // returns the region of the face `f` of T2 in which `p` lies
+  // Returns the region of the face `f` of T2 in which `p` lies.
   Region_id region_in_face(Face_index f, const Coordinates& p) const
   {
     const Marks marks(Side::intrinsic, f, m_correspondence);
     return {f, Face_map<FT, Marks>(marks, m_correspondence.mesh(Side::input)).region_of(p)};
   }
 
-  // returns the region in the face of the halfedge `h` of T1 at its source, next to `h`
+  // Returns the region in the face of the halfedge `h` of T1 at its source, next to `h`.
   Region_id region_at_source(Halfedge_index h) const
   {
     const Halfedge_index outgoing = m_correspondence.outgoing_before(Side::input, h);
@@ -190,14 +191,14 @@ public:
     return region_at_crossing(h, 0, false);
   }
 
-  // returns the position on T2 of the point `p` of a face of T1
+  // Returns the position on T2 of the point `p` of a face of T1.
   Face_location<FT> operator()(const Face_location<FT>& p) const
   {
     const Region_id id = region_of(p);
     return {id.first, Mapped_region(id, *this).map_from(Side::input)(p.second)};
   }
 
-  // returns the region that has the point `p` of a face of T1, up to rounding
+  // Returns the region that has the point `p` of a face of T1, up to rounding.
   Region_id region_of(const Face_location<FT>& p) const
   {
     Region_id id = region_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));
@@ -214,8 +215,8 @@ public:
   }
 
 private:
-  // Returns the region beyond the piece through which a line leaves the region. The line leads
-  // from the first corner of the face of T1 to `p`. Returns none if `p` is not beyond the piece.
+  // Returns the region beyond the piece through which a line leaves the region. The line leads from
+  // the first corner of the face of T1 to `p`. Returns nothing if `p` is not beyond the piece.
   std::optional<Region_id> next_region(const Region_id& id, const Coordinates& p) const
   {
     const Mapped_region face(id, *this);
@@ -234,7 +235,7 @@ private:
     return result;
   }
 
-  // Returns the region in the face of T1 that is closest to `p`. Each is looked at once.
+  // Returns the region in the face of T1 that is closest to `p`. Each region is visited once.
   Region_id closest_region(const Region_id& start, const Coordinates& p) const
   {
     std::pair<FT, Region_id> best(squared_distance(start, p), start);
@@ -245,8 +246,8 @@ private:
     return best.second;
   }
 
-  // Returns the squared distance of `p` from a region, in barycentric coordinates. Pieces that are
-  // so short that rounding may turn them do not determine where the inside is.
+  // Returns the squared distance of `p` from a region, in barycentric coordinates. Pieces so short
+  // that rounding may turn them are not used to decide whether `p` is inside.
   FT squared_distance(const Region_id& id, const Coordinates& p) const
   {
     const Mapped_region face(id, *this);

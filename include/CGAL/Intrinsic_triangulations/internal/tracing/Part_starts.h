@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The positions on T2 where the parts of the edges of T1 start, along the first halfedges of the
-// edges. One is at the source, and one at each inserted vertex.
+// Stores the positions on T2 at which the parts of the edges of T1 start, along the first halfedges
+// of the edges. One part starts at the source, and one at each inserted vertex.
 template <typename Traits>
 class Part_starts
 {
@@ -35,11 +35,11 @@ public:
     m_starts.reserve(numbers.size());
   }
 
-  // to be called before find()
+  // Allocates the starts. Must be called before `find()`.
   void resize() { m_starts.resize(m_numbers.size()); }
 
-  // Notes the last outgoing halfedge at or clockwise from each halfedge of T1 in `outgoing_before`,
-  // too.
+  // Finds the starts. Also stores the last outgoing halfedge at or clockwise from each halfedge of
+  // T1 in `outgoing_before`.
   void find(std::vector<Halfedge_index>& outgoing_before, Concurrency concurrency)
   {
     for_each_in_chunks<Halfedge_index>(concurrency, m_tri.mesh(), [&](Halfedge_index h) {
@@ -56,7 +56,7 @@ public:
     });
   }
 
-  // the part of the edge `e` of T1 that starts at the vertex `v` of T2
+  // Returns the part of the edge `e` of T1 that starts at the vertex `v` of T2.
   const Curve_start<Integer>& operator()(Edge_index e, Vertex_index v) const
   {
     return m_starts[number(e, v)];

@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The straight pieces of a path, each in the face in which it runs.
+// Divides a path into straight pieces, each in one face.
 template <typename Traits>
 class Path_pieces
 {
@@ -41,7 +41,7 @@ public:
 
   std::size_t size() const { return m_path.places.empty() ? 0 : m_path.places.size() - 1; }
 
-  // Returns piece `k`: along an edge between two vertices, otherwise through a face.
+  // Returns piece `k`, which runs along an edge between two vertices or through a face.
   Segment operator[](std::size_t k) const
   {
     const Point &p = m_path.places[k], &q = m_path.places[k + 1];
@@ -76,8 +76,8 @@ private:
     return segment_end(m_correspondence, m_side, f, b).rank.is_inserted;
   }
 
-  // Returns the face of piece `k`. A path leaves a face through `along`, or through the opposite if
-  // rounding has moved it.
+  // Returns the face of piece `k`. A path leaves a face through `along`, or through the opposite
+  // halfedge if rounding has moved it.
   Face_index face(std::size_t k) const
   {
     const Point &p = m_path.places[k], &q = m_path.places[k + 1];
@@ -92,8 +92,9 @@ private:
     return beyond.is_valid() && beyond != f ? beyond : m_mesh.face(h);
   }
 
-  // Returns the points of a face that a position of a path denotes: several if the face meets
-  // itself at the position. If the path crosses a side of the face, only this side counts.
+  // Returns the points of a face that a position of a path denotes. These are several points if the
+  // face meets itself at the position. If the path crosses a side of the face, only this side
+  // counts.
   Points points(const Point& p, Face_index f, Halfedge_index crossed) const
   {
     if(const auto* inside = std::get_if<Face_location<FT>>(&p))
@@ -109,13 +110,14 @@ private:
     return result;
   }
 
-  // An edge that a path crosses may have been moved by rounding to the other side of its face.
+  // Rounding may have moved an edge that a path crosses to the other side of its face.
   bool is_possible(Halfedge_index h, Halfedge_index crossed) const
   {
     return !crossed.is_valid() || h == crossed || m_mesh.face(h) != m_mesh.face(m_mesh.opposite(h));
   }
 
-  // A path that has crossed a side ends at the corner opposite to it if it can.
+  // Returns the segment to a vertex. A path that has crossed a side ends at the corner opposite to
+  // it if possible.
   template <typename Surface>
   Segment to_vertex(const Surface& surface, Face_index f, const Points& from, const Points& to,
                     Halfedge_index entry) const

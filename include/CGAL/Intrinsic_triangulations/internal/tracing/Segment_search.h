@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The position of a point among the crossings of an edge, which are numbered from the source of its
-// first halfedge. An edge of T1 has several parts if vertices have been inserted on it.
+// Stores the position of a point among the crossings of an edge. They are numbered from the source
+// of its first halfedge. An edge of T1 has several parts if vertices have been inserted on it.
 struct Rank_on_edge
 {
   Delta_complex::size_type part, rank;
@@ -62,7 +62,7 @@ Rank_on_edge rank_on_edge(const Correspondence<Traits>& correspondence, Side sid
   return {part, before + first_where(is_after, count), false};
 }
 
-// An end of a segment in a face.
+// Represents an end of a segment in a face.
 template <typename FT>
 struct Segment_end
 {
@@ -104,8 +104,8 @@ Segment_end<typename Traits::FT> segment_end(const Correspondence<Traits>& corre
   return end;
 }
 
-// Returns the position between two positions on an edge, with weights that are not negative; the
-// middle if both are zero.
+// Returns the position between two positions on an edge, with weights that are not negative. It is
+// the middle if both weights are zero.
 template <typename FT>
 FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weight_of_b)
 {
@@ -113,7 +113,7 @@ FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weig
   return (1 - t) * a + t * b;
 }
 
-// A straight segment in a face, in barycentric coordinates, and where it crosses others before its
+// Represents a straight segment in a face, in barycentric coordinates, and its crossings before its
 // end.
 template <typename FT>
 class Crossed_segment
@@ -123,8 +123,9 @@ class Crossed_segment
 public:
   Crossed_segment(const Coordinates& from, const Coordinates& to) : m_from(from), m_to(to) {}
 
-  // Returns where it crosses the segment from `a` to `b`, from 0 to 1. Crossings are in order: if
-  // the two segments are on one line up to rounding, it is next to the crossing before.
+  // Returns the position, from 0 to 1, where the segment crosses the segment from `a` to `b`.
+  // Crossings are in order: if both segments are on one line up to rounding, the result is next to
+  // the previous crossing.
   FT next_crossing_on(const Coordinates& a, const Coordinates& b)
   {
     const FT t = place_between(FT(0), FT(1), CGAL::abs(left(b)), CGAL::abs(left(a))),
@@ -137,7 +138,7 @@ public:
     return closest_between(a, b, point_between(m_from, m_to, m_passed));
   }
 
-  // Returns whether it comes within `width` of the segment from `a` to `b`.
+  // Returns whether the segment comes within `width` of the segment from `a` to `b`.
   bool meets(const Coordinates& a, const Coordinates& b, const FT& width) const
   {
     const auto is_near = [&](const Coordinates& p, const Coordinates& from, const Coordinates& to) {
@@ -151,7 +152,7 @@ public:
   }
 
 private:
-  // Returns twice the signed area of the triangle with its ends and `p`, which is positive on its
+  // Returns twice the signed area of the triangle of the segment and `p`, positive if `p` is on its
   // left. Points near to its start lose no digits.
   FT left(const Coordinates& p) const
   {
@@ -172,10 +173,10 @@ private:
   FT m_passed = FT(0); // the place of the last crossing along the segment
 };
 
-// Finds segments in a face of one triangulation on the other. Ways between the regions of both
-// ends lead over pieces of edges that the segment meets up to rounding. It takes a way that
-// crosses the fewest. So the regions are connected, for any rounding of vertices. In a face
-// without inserted vertices only one way exists.
+// Finds segments in a face of one triangulation on the other. Paths between the regions of both
+// ends lead over pieces of edges that the segment meets up to rounding. A path with the fewest
+// crossings is used, so the regions are connected, however vertices are rounded. In a face without
+// inserted vertices, only one path exists.
 template <typename Traits>
 class Segment_search
 {
@@ -218,7 +219,7 @@ private:
     bool is_vertex; // of T2
   };
 
-  // a region and the corner after which a segment leaves it
+  // Stores a region and the corner after which a segment leaves it.
   struct Step
   {
     Region_id region;
@@ -277,7 +278,7 @@ private:
     return find_curve(h, v, m_correspondence.triangulation()).outgoing;
   }
 
-  // Returns the corner of a region that is the vertex at `p`, if there is one.
+  // Returns the corner of a region that is the vertex at `p`, if one exists.
   std::optional<std::size_t> corner_at(const Coordinates& p, const Mapped_region& face) const
   {
     for(std::size_t c = 0; c < face.region.size(); ++c)
@@ -311,8 +312,8 @@ private:
     return is_inside ? Surface_point<FT>(p) : surface_point(p, m_other);
   }
 
-  // Returns the halfedge of the other triangulation that lies along the side of the face at a
-  // point; null if there is none.
+  // Returns the halfedge of the other triangulation along the side of the face at a point. Returns
+  // null if none exists.
   Halfedge_index shared_halfedge(const Segment_end<FT>& p) const
   {
     const Halfedge_index h = m_side[p.side];
@@ -327,8 +328,8 @@ private:
 
   // ---- From region to region ----
 
-  // Returns the regions from one end to the other. Where rounding displaces crossings by more, the
-  // segment is as wide as it takes; in the end all regions of the face are allowed.
+  // Returns the regions from one end to the other. If rounding displaces crossings by more than the
+  // tolerance, the segment is widened. Finally all regions of the face are allowed.
   std::vector<Step> way(const End& from, const End& to, const Crossed_segment<FT>& segment) const
   {
     FT width = region_tolerance<FT>();
@@ -370,8 +371,7 @@ private:
     return steps;
   }
 
-  // Returns where the segment leaves a region, on the edge of the other triangulation at this
-  // point.
+  // Returns the point at which the segment leaves a region, on an edge of the other triangulation.
   Surface_point<FT> crossing(const Step& step, Crossed_segment<FT>& segment) const
   {
     const Mapped_region face = this->face(step.region);

@@ -12,7 +12,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// whether the crossings of this geometry have scales (see the concept `GeodesicStrip`)
+// Determines whether the crossings of this geometry have scales (see the concept `GeodesicStrip`).
 template <typename Traits, typename = void>
 struct Has_scale : std::false_type
 {};
@@ -23,7 +23,7 @@ struct Has_scale<
   : std::true_type
 {};
 
-// returns the scale of a crossing, 1 where crossings have none
+// Returns the scale of a crossing, or 1 if crossings have no scales.
 template <typename Traits>
 typename Traits::FT scale_of(const typename Traits::Geodesic_strip::Crossing& crossing)
 {

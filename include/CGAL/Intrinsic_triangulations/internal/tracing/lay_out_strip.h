@@ -15,11 +15,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Lays out the triangles of `mesh` that a line passes which leaves a face through each of the
-// halfedges `exits`, at least one. `length` returns the argument of `strip` for a halfedge. The
-// line starts at the corner opposite to the first exit and ends at the corner beyond the last. If
-// `ends` is a pair of barycentric coordinates, it starts and ends at points with these coordinates
-// in the same triangles. They begin with the corner.
+// Lays out the triangles of `mesh` along a line that leaves a face through each of the halfedges
+// `exits`, at least one. `length` returns the argument of `strip` for a halfedge. The line starts
+// at the corner opposite to the first exit and ends at the corner beyond the last. If `ends` is a
+// pair of barycentric coordinates, it starts and ends at points with these coordinates in the same
+// triangles. They begin with the corner.
 template <typename Strip, typename Length, typename Exits, typename... Ends>
 void lay_out_strip_with(Strip& strip, const Delta_complex& mesh, const Length& length,
                         const Exits& exits, const Ends&... ends)
@@ -37,7 +37,7 @@ void lay_out_strip_with(Strip& strip, const Delta_complex& mesh, const Length& l
   strip.finish(length(ji), length(mesh.prev(ji)), length(mesh.next(ji)), ends.second...);
 }
 
-// As `lay_out_strip_with()`, for the lengths of `surface`.
+// Lays out the triangles along a line like `lay_out_strip_with()`, for the lengths of `surface`.
 template <typename Strip, typename Surface, typename Exits, typename... Ends>
 void lay_out_strip(Strip& strip, const Surface& surface, const Exits& exits, const Ends&... ends)
 {
@@ -48,7 +48,8 @@ void lay_out_strip(Strip& strip, const Surface& surface, const Exits& exits, con
     exits, ends...);
 }
 
-// As `lay_out_strip()`, with the radii of `traits` if there are any.
+// Lays out the triangles along a line like `lay_out_strip()`, with the radii of `traits` if they
+// exist.
 template <typename Traits, typename Strip, typename Surface, typename Exits>
 void lay_out_strip_of(const Traits& traits, Strip& strip, const Surface& surface,
                       const Exits& exits)
