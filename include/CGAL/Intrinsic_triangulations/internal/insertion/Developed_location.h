@@ -23,9 +23,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point of a face ijk of T2 in the plane, with i at the origin. The edges of T1 that cross ij
-// and ik are laid out along these. So the relative error of a position is the relative error of
-// its vector from i, for any thin face and regions. Errors are not tracked.
+// Lays out a point of a face ijk of T2 in the plane, with i at the origin. The edges of T1 that
+// cross ij and ik are laid out along these edges. So the relative error of a position is the
+// relative error of its vector from i, for any thin face and regions. Errors are not tracked.
 template <typename Traits>
 class Developed_location
 {
@@ -57,9 +57,9 @@ public:
     set_position(p, triangle(m_region), to_double(corners.length(m_ij.first.halfedge).x));
   }
 
-  // the side from which regions are counted
+  // Returns the side from which regions are counted.
   Halfedge_index first_side() const { return m_side[0]; }
-  // the halfedge of T1 that leaves the face at a mark
+  // Returns the halfedge of T1 that leaves the face at a mark.
   Halfedge_index outward(const Region_corner& mark) const
   {
     return opposite(m_courses(m_side[mark.side])[mark.mark]);
@@ -73,7 +73,7 @@ public:
     return m_distance[side_along(from, to)];
   }
 
-  // Returns the point in its region; nothing if rounding has moved it out.
+  // Returns the point in its region, or nothing if rounding has moved it out.
   std::optional<Point> inside() const
   {
     if(!(m_weight[0] > 0 && m_weight[1] > 0 && m_weight[2] > 0))
@@ -85,7 +85,8 @@ public:
     return Point{Face_location<double>(m_input.face(m_triangle), b), {}};
   }
 
-  // Returns the foot of the height over this curve; nothing if it is beyond its ends.
+  // Returns the foot of the height over the curve, or nothing if it is beyond the ends of the
+  // curve.
   std::optional<Point> on_curve(const Region_corner& from, const Region_corner& to) const
   {
     const std::size_t s = side_along(from, to);
@@ -109,7 +110,7 @@ private:
   static Complex number(double x) { return {N(x), N(0), 0}; }
   static N cross(const Complex& a, const Complex& b) { return a.x * b.y - a.y * b.x; }
 
-  // whether `p` and the origin are on one side of an edge of T1
+  // Returns whether `p` and the origin are on one side of an edge of T1.
   static bool is_before(const Complex& p, const Placed_side& side)
   {
     return cross(side.vector, p - side.source) > 0;
@@ -142,7 +143,7 @@ private:
       });
   }
 
-  // Returns the outgoing halfedge of T1 after `s` others from ij on.
+  // Returns the outgoing halfedge of T1 with number `s`, counted from ij.
   Placed_side outgoing(std::size_t s) const
   {
     Placed_side side = m_ij.first;
@@ -168,7 +169,7 @@ private:
       w /= sum;
   }
 
-  // the triangle of T1 in which a region lies
+  // Returns the triangle of T1 in which a region lies.
   Placed_side triangle(std::size_t region) const
   {
     const std::size_t around_i = m_regions.around(0), around_j = m_regions.around(1);

@@ -28,8 +28,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Changes of T2 with exact decisions, and with lengths that stay within `certified_length_error()`.
-// All of them read stored courses. None is inlined where decisions are rarely exact.
+// Changes T2 with exact decisions, and with lengths that have errors of at most
+// `certified_length_error()`. All functions read stored courses. None is inlined, because exact
+// decisions are rare.
 template <typename Traits>
 class Exact_insertion
 {
@@ -52,8 +53,8 @@ public:
     return !m_tri.can_be_turned(h) || m_decisions.is_Delaunay(h);
   }
 
-  // returns whether the union of the faces of `h` is strictly convex at its ends, or flat at the
-  // source if this is allowed
+  // Returns whether the union of the faces of `h` is strictly convex at its ends, or flat at the
+  // source if this is allowed.
   BOOST_NOINLINE bool can_be_flipped(Halfedge_index h, bool is_flat_allowed)
   {
     return m_decisions.convexity_at_source(h) >= (is_flat_allowed ? ZERO : POSITIVE) &&
@@ -81,8 +82,8 @@ public:
     return m_tri.measured(m, m_decisions, undo);
   }
 
-  // The rounded position of a vertex is not on an edge that is not shared. So the vertex is
-  // inserted into the face beside it, and the edge is flipped if this is possible.
+  // Splits an edge that is not shared. The rounded position of a vertex is not on such an edge. So
+  // the vertex is inserted into the face beside it, and the edge is flipped if this is possible.
   template <typename Insert>
   BOOST_NOINLINE Vertex_index split_crossed_edge(Halfedge_index h, double t, double closeness,
                                                  const Insert& insert)
@@ -97,10 +98,10 @@ public:
     return m;
   }
 
-  // Returns the vertex that `insert(location, closeness)` inserts at the point `p` of a face of
-  // T2. Rounded to coordinates on T1, the point may lie outside of its region; then points farther
+  // Returns the vertex that `insert(location, closeness)` inserts at the point `p` of a face of T2.
+  // Rounded to coordinates on T1, the point may lie outside of its region. Then points farther
   // inside the face are tried.
-  // \throws Numerical_error if the face is so small that this does not help; nothing has changed
+  // \throws Numerical_error if the face is so small that this does not help; T2 is unchanged
   template <typename Insert>
   BOOST_NOINLINE Vertex_index insert_near(const Face_location<double>& p, double closeness,
                                           const Insert& insert)
@@ -109,7 +110,7 @@ public:
       std::array<double, 3> b = p.second;
       for(double& x : b)
         x += inwards * (1. / 3 - x);
-      // the layout starts at the corner with the largest coordinate
+      // The face is laid out from the corner with the largest coordinate.
       const Halfedge_index h =
         sides(p.first,
               m_mesh)[static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin())];
@@ -124,9 +125,9 @@ public:
                           std::to_string(p.first.idx()));
   }
 
-  // Returns null, and nothing has changed, if the new edges would not be straight, or a face not
-  // positive.
-  // \throws Numerical_error if this, or a length, cannot be decided; nothing has changed
+  // Splits a face. Returns null and changes nothing if the new edges would not be straight, or a
+  // face would not be positive.
+  // \throws Numerical_error if this, or a length, cannot be decided; T2 is unchanged
   BOOST_NOINLINE Vertex_index split_face(Face_index f, const Face_split<Integer>& at,
                                          const Point_to_insert<double>& p)
   {
@@ -151,7 +152,7 @@ public:
   }
 
 private:
-  // whether the edges at `m` are straight and its faces have positive area
+  // Returns whether the edges at `m` are straight and its faces have positive area.
   bool is_geodesic(Vertex_index m)
   {
     bool result = true;
@@ -167,9 +168,9 @@ private:
                                                          : m_decisions.is_straight(h);
   }
 
-  // Checks that both parts of an edge are not too short, nor new edges beside them. These are
-  // measured here if only their faces are small, since rounding could hide needles elsewhere.
-  // \throws Numerical_error if they are
+  // Checks that neither part of an edge is too short, and no new edge beside it. New edges are
+  // measured only if their faces are small, because rounding could hide needles elsewhere.
+  // \throws Numerical_error if an edge is too short
   void check_lengths_of_parts(Halfedge_index h, double t) const
   {
     constexpr double small = 0x1p-100; // the least length is 2^-127
@@ -193,7 +194,8 @@ private:
   Decisions m_decisions;
 };
 
-// The changes with exact decisions; if decisions cannot be exact, the changes with rounded ones.
+// Names the changes with exact decisions, or the changes with rounded decisions if decisions cannot
+// be exact.
 template <typename Traits>
 using Exact_insertion_of = std::conditional_t<has_exact_decisions<Traits>(),
                                               Exact_insertion<Traits>, Rounded_insertion<Traits>>;

@@ -23,8 +23,8 @@ inline double difference_of_products(double a, double d, double b, double c)
   return std::fma(a, d, -bc) + std::fma(-b, c, bc);
 }
 
-// A part of an edge of T1 between two points on it. Each point is given by its weights at the
-// source and at the target of a halfedge. A part near an end of the edge loses no digits.
+// Represents a part of an edge of T1 between two points on it. Each point is given by its weights
+// at the source and at the target of a halfedge. A part near an end of the edge loses no digits.
 struct Part_of_input_edge
 {
   typedef std::array<double, 2> Weights;
@@ -32,7 +32,7 @@ struct Part_of_input_edge
   Halfedge_index along;
   Weights start, end;
 
-  // returns its length; the result is bitwise equal from both sides
+  // Returns the length of the part. The result is bitwise equal from both sides.
   template <typename LengthMap>
   double length(const LengthMap& length_map) const
   {
@@ -43,7 +43,7 @@ struct Part_of_input_edge
                                     : part({end[1], end[0]}, {start[1], start[0]}) * whole;
   }
 
-  // Returns the point between the ends at a part `t` of the way.
+  // Returns the point at the fraction `t` of the part.
   Edge_location<double> point(double t, const Delta_complex& input) const
   {
     const double at_start = (1 - t) / (start[0] + start[1]), at_end = t / (end[0] + end[1]);

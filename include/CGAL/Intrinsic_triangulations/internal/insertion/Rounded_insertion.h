@@ -26,7 +26,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point of a face of T2 among the edges of T1 that cross it, by their rounded marks.
+// Locates a point of a face of T2 among the edges of T1 that cross it, by their rounded marks.
 template <typename Traits>
 class Rounded_location
 {
@@ -46,9 +46,9 @@ public:
       m_region(m_map.region_of(p.second))
   {}
 
-  // the side from which regions are counted
+  // Returns the side from which regions are counted.
   Halfedge_index first_side() const { return m_marks.side(0); }
-  // the halfedge of T1 that leaves the face at a mark
+  // Returns the halfedge of T1 that leaves the face at a mark.
   Halfedge_index outward(const Region_corner& mark) const
   {
     return m_marks.across(mark.side, mark.mark).halfedge;
@@ -72,8 +72,8 @@ public:
     return Point{Face_location<FT>(f, map(m_p.second)), m_p};
   }
 
-  // Returns the nearest point of this curve. The distance is the distance on the surface. In a
-  // thin face, any other distance would move rounding errors across the curve to errors along it.
+  // Returns the nearest point of the curve, for the distance on the surface. In a thin face, any
+  // other distance would turn rounding errors across the curve into errors along it.
   std::optional<Point> on_curve(const Region_corner& from, const Region_corner& to) const
   {
     const Curve curve = regions().curve(from, to);
@@ -92,7 +92,8 @@ public:
   }
 
 private:
-  // Returns where a curve starts on the halfedge of T1 along which it leaves the face.
+  // Returns the position at which a curve starts on the halfedge of T1 along which it leaves the
+  // face.
   FT other_end(const Curve& curve, Halfedge_index input) const
   {
     return curve.from_apex
@@ -116,7 +117,7 @@ typename Traits::FT angle_excess(Halfedge_index h, const Intrinsic_triangulation
          pi<typename Traits::FT>();
 }
 
-// Changes of T2 with rounded decisions.
+// Changes T2 with rounded decisions.
 template <typename Traits>
 class Rounded_insertion
 {
@@ -167,7 +168,7 @@ public:
     return split_edge(h, t, n, r, m_tri.point_on_shared(h, t));
   }
 
-  // Inserts a vertex into an edge that is not shared, or at a crossing not farther away than
+  // Inserts a vertex into an edge that is not shared, or at a crossing within the distance
   // `closeness`.
   template <typename Insert>
   Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness, const Insert&)

@@ -16,7 +16,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point at which a vertex is inserted. Where lengths follow from T1, that on T2 is not set.
+// Stores a point at which a vertex is inserted. If lengths follow from T1, the location on T2 is
+// not set.
 template <typename FT>
 struct Point_to_insert
 {
@@ -25,8 +26,8 @@ struct Point_to_insert
 };
 
 // Returns the coordinates of the edges from a new vertex on `curve` to the corners of the face. Its
-// outgoing halfedge number `forward` leads to the mark where the curve leaves the face, and the
-// other one back.
+// outgoing halfedge number `forward` leads to the mark where the curve leaves the face. The other
+// one leads back.
 template <typename Integer>
 Face_split<Integer> split_on_curve(const Face_regions::Curve& curve,
                                    Outgoing_halfedges::size_type forward,
@@ -37,7 +38,7 @@ Face_split<Integer> split_on_curve(const Face_regions::Curve& curve,
   const auto back = 1 - forward;
   const auto n = regions.crossings_to_corners(curve);
   Face_split<Integer> split{{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {back, back, back}};
-  // the outgoing halfedge that leads forward lies between this corner and the next one
+  // The outgoing halfedge that leads forward lies between this corner and the next.
   split.r[curve.from_apex ? (curve.corner + 1) % 3 : curve.corner] = forward;
   return split;
 }

@@ -27,8 +27,8 @@ typename Traits::FT checked_length(const Triangulation_pair<Traits>& pair,
   return length;
 }
 
-// The length of an edge from a new vertex at `m` to the vertex `v` that lies along outgoing
-// halfedge `r` of the new one.
+// Returns the length of an edge from a new vertex at `m` to the vertex `v`. The edge lies along
+// outgoing halfedge `r` of the new vertex.
 template <typename Traits>
 typename Traits::FT shared_outgoing_length(const Triangulation_pair<Traits>& pair,
                                            const Edge_location<typename Traits::FT>& m,
@@ -42,8 +42,8 @@ typename Traits::FT shared_outgoing_length(const Triangulation_pair<Traits>& pai
                                                {back, pair.place_along(back, v)}));
 }
 
-// The distance of the point `p` in the face of `h` in T2, whose corner 0 is the source of `h`, to a
-// corner.
+// Returns the distance of the point `p` in the face of `h` in T2 to a corner. Corner 0 is the
+// source of `h`.
 template <typename Traits>
 typename Traits::FT distance_to_corner(const Triangulation_pair<Traits>& pair, Halfedge_index h,
                                        const std::array<typename Traits::FT, 3>& p,
@@ -54,7 +54,7 @@ typename Traits::FT distance_to_corner(const Triangulation_pair<Traits>& pair, H
                                 barycentric_coordinates(corner, typename Traits::FT(0))));
 }
 
-// The distance of the point at `t` on `h` to the opposite corner, 0 beyond the boundary.
+// Returns the distance of the point at `t` on `h` to the opposite corner, or 0 beyond the boundary.
 template <typename Traits>
 typename Traits::FT distance_to_apex(const Triangulation_pair<Traits>& pair, Halfedge_index h,
                                      const typename Traits::FT& t)
@@ -63,7 +63,8 @@ typename Traits::FT distance_to_apex(const Triangulation_pair<Traits>& pair, Hal
                                   : distance_to_corner(pair, h, barycentric_coordinates(0, t), 2);
 }
 
-// The edge that replaces two at an inserted vertex which lie along one edge of T1.
+// Describes the edge that replaces two edges at an inserted vertex. Both edges lie along one edge
+// of T1.
 struct Merged_edge
 {
   Halfedge_index side; // null if there are no such two
@@ -71,6 +72,7 @@ struct Merged_edge
   bool is_constrained;
 };
 
+// Returns the edge that replaces two edges at `v`.
 // \pre `v` has three outgoing halfedges
 template <typename Traits>
 Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
@@ -78,7 +80,7 @@ Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
   const Delta_complex& mesh = pair.mesh();
   const auto& coordinates = pair.coordinates();
   // `side` will lead from the target of the outgoing halfedge `x` to the target of the outgoing
-  // halfedge `y`
+  // halfedge `y`.
   const auto merge = [&](Halfedge_index x, Halfedge_index y, Halfedge_index side) -> Merged_edge {
     return {side, coordinates.roundabout(opposite(x)), coordinates.roundabout(opposite(y)),
             pair.is_constrained(Edge_index(x)) && pair.is_constrained(Edge_index(y))};

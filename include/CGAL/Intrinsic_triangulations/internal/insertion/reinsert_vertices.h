@@ -27,7 +27,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Inserts vertices into T2, exactly at their positions. T2 is T1 with such vertices and without
+// Inserts vertices into T2, exactly at their positions. T2 is T1 with inserted vertices and without
 // flips: every edge of T2 lies in one triangle of T1.
 template <typename Traits>
 class Vertex_reinserter
@@ -39,7 +39,8 @@ class Vertex_reinserter
 public:
   explicit Vertex_reinserter(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
 
-  // \throws Numerical_error if there is a vertex already
+  // Inserts a vertex at `p`.
+  // \throws Numerical_error if `p` is the position of a vertex
   void insert(const Surface_point<double>& p)
   {
     const auto* inside = std::get_if<Face_location<double>>(&p);
@@ -57,16 +58,16 @@ private:
     return CGAL::sign(R(R(a[0]) * minor(1, 2) + R(a[1]) * minor(2, 0) + R(a[2]) * minor(0, 1)));
   }
 
-  // Returns on which side of `h`, a side of a face of T2, the point lies.
+  // Returns on which side of the side `h` of a face of T2 the point lies.
   Sign side_of(const Weights& point, Halfedge_index h) const
   {
     return orientation(point, m_tri.input_location(h).second,
                        m_tri.input_location(m_mesh.next(h)).second);
   }
 
-  // Returns a side of the face in which the point lies; if it lies on a side, this side. The walk
-  // begins in the face with the number `f`, which lies in the same face of T1. Turns at random
-  // keep it from going in circles.
+  // Returns a side of the face that contains the point. If the point lies on a side, returns this
+  // side. The walk begins in the face with the number `f`, which lies in the same face of T1.
+  // Random turns prevent cycles.
   Halfedge_index locate(const Weights& point, Face_index f)
   {
     Halfedge_index h = m_mesh.halfedge(f);
@@ -91,15 +92,15 @@ private:
     return m_tri.insert_into_edge(h, {}, {}, p, {});
   }
 
-  // compares the ratios of two pairs of weights
+  // Compares the ratios of two pairs of weights.
   static Comparison_result compare(const std::array<double, 2>& v, const std::array<double, 2>& w)
   {
     typedef Exact_ring R;
     return CGAL::compare(R(R(v[1]) * R(w[0])), R(R(w[1]) * R(v[0])));
   }
 
-  // the parts of an edge of T1, in the direction of its first halfedge, with the weights of their
-  // ends
+  // Stores a part of an edge of T1, in the direction of its first halfedge, with the weights of its
+  // ends.
   struct Part
   {
     Halfedge_index halfedge;
@@ -131,8 +132,8 @@ private:
   std::minstd_rand m_random;
 };
 
-// Makes T2 the triangulation T1 with the first of its inserted vertices, which keep their indices.
-// Whatever it was, its edges are straight then.
+// Resets T2 to T1 with its first `number` inserted vertices, which keep their indices. All edges
+// are straight afterwards, whatever T2 was.
 template <typename Traits>
 void reset_with_vertices(Intrinsic_triangulation<Traits>& tri, std::size_t number)
 {
