@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Faces in the plane, laid out by their side lengths.
+// Lays out faces in the plane by their side lengths.
 template <typename EdgeLengthMap>
 class Layout_by_lengths
 {
@@ -30,18 +30,18 @@ class Layout_by_lengths
 public:
   explicit Layout_by_lengths(const Surface_view<EdgeLengthMap>& surface) : m_surface(surface) {}
 
-  // the side from which a face is laid out
+  // Returns the side from which a face is laid out.
   Halfedge_index first_side(Face_index f) const { return m_surface.mesh().halfedge(f); }
 
   FT circumradius(Face_index f) const { return Face_metric<FT>(f, m_surface).circumradius(); }
 
-  // returns the third corner of the face of `h` if its side lies between the others
+  // Returns the third corner of the face of `h` if its side lies between the others.
   Vector apex(Halfedge_index h, const Vector& source, const Vector& target) const
   {
     return source - normalized(target - source) * Flat_face<FT>(h, m_surface).side(2);
   }
 
-  // returns the circumcenter if `h` lies on the x-axis from the origin on
+  // Returns the circumcenter if `h` lies on the x-axis and starts at the origin.
   Vector circumcenter(Halfedge_index h) const
   {
     const auto [base, left, right] = side_lengths(h, m_surface);
@@ -50,15 +50,15 @@ public:
            FT(2);
   }
 
-  // returns the foot of the height over `h`, as a part of this side
+  // Returns the foot of the height over `h`, as a fraction of this side.
   FT foot(Halfedge_index h) const
   {
     const auto [base, left, right] = side_lengths(h, m_surface);
     return doubled_corner_product(left, base, right) / (2 * base * base);
   }
 
-  // Returns the barycentric coordinates of `p` in the face of `h`. All are zero if they are not
-  // known.
+  // Returns the barycentric coordinates of `p` in the face of `h`. All are zero if they are
+  // unknown.
   std::array<FT, 3> coordinates(Halfedge_index, const std::array<Vector, 3>& corner,
                                 const Vector& p) const
   {
@@ -79,7 +79,7 @@ private:
   Surface_view<EdgeLengthMap> m_surface;
 };
 
-// Faces in the plane, laid out by corners that are accurate in the thinnest faces.
+// Lays out faces in the plane by corners that are accurate in the thinnest faces.
 template <typename Decisions, typename Surface>
 class Layout_by_decisions
 {
@@ -94,7 +94,7 @@ public:
 
   double circumradius(Face_index f) const { return m_decisions.rounded_circumradius(f); }
 
-  // from the nearer end
+  // Returns the third corner of the face of `h`, computed from the nearer end.
   Vector apex(Halfedge_index h, const Vector& source, const Vector& target) const
   {
     const auto [base, left, right] = side_lengths(h, m_surface);
@@ -111,7 +111,8 @@ public:
 
   double foot(Halfedge_index h) const { return m_decisions.rounded_corner(h).real(); }
 
-  // from the nearest corner
+  // Returns the barycentric coordinates of `p` in the face of `h`, computed from the nearest
+  // corner.
   std::array<double, 3> coordinates(Halfedge_index h, const std::array<Vector, 3>& corner,
                                     const Vector& p) const
   {
@@ -163,9 +164,9 @@ public:
     : m_surface(surface), m_mesh(surface.mesh())
   {}
 
-  // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as the number
-  // of faces. A circumcenter that is farther away belongs to a face that is not Delaunay, since no
-  // empty circle is that large.
+  // Walks until an edge satisfies `is_fixed(h)`, or the number of steps reaches the number of
+  // faces. A circumcenter farther away belongs to a face that is not Delaunay, because no empty
+  // circle is that large.
   template <typename Is_fixed, typename Layout>
   End walk(Face_index f, const Is_fixed& is_fixed, const Layout& layout)
   {
@@ -188,7 +189,7 @@ public:
 
   Halfedge_index halfedge() const { return m_halfedge; }
 
-  // Returns the point in the face of halfedge(), with its barycentric coordinates in their order.
+  // Returns the location in the face of `halfedge()`, as its barycentric coordinates are ordered.
   Face_location<FT> location() const
   {
     const std::size_t first = side_number(m_halfedge, m_mesh);
@@ -200,11 +201,11 @@ public:
 
   const FT& along() const { return m_along; }
 
-  // returns the distance by which the circumcenter may be moved onto an edge
+  // Returns the distance by which the circumcenter may be moved onto an edge.
   FT closeness() const { return m_radius * circumcenter_tolerance<FT>(); }
 
 private:
-  // Corner 0 is at the origin, corner 1 on the real axis.
+  // Places corner 0 at the origin and corner 1 on the real axis.
   template <typename Layout>
   void set_first_face(Halfedge_index h, const Layout& layout)
   {
@@ -220,8 +221,8 @@ private:
     return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
   }
 
-  // returns the side with its source to the right of the line from `start` to the center, its
-  // target to the left
+  // Returns the side whose source is to the right of the line from `start` to the center, and its
+  // target to the left.
   std::size_t first_exit(const Vector& start) const
   {
     std::array<FT, 3> left;
@@ -241,7 +242,7 @@ private:
 
   bool is_left_of_side(std::size_t s) const { return area_at_side(s) >= 0; }
 
-  // continues in the face beyond side `s`, which becomes its side 0
+  // Continues in the face beyond side `s`, which becomes its side 0.
   template <typename Layout>
   void cross_side(std::size_t s, const Layout& layout)
   {
@@ -250,8 +251,8 @@ private:
     m_corner = {source, target, layout.apex(m_halfedge, source, target)};
   }
 
-  // A circumcenter close to an edge snaps to it. Otherwise it would leave a face without area and,
-  // on an edge of T1, a piece without length.
+  // Snaps a circumcenter close to an edge to this edge. Otherwise it would leave a face without
+  // area and, on an edge of T1, a piece without length.
   template <typename Is_fixed, typename Layout>
   End place(const Is_fixed& is_fixed, const Layout& layout)
   {
@@ -276,8 +277,8 @@ private:
     return result;
   }
 
-  // The center is moved along the height, not towards the opposite corner. In a face thinner than
-  // its distance from the side, that corner can be anywhere along the side.
+  // Moves the center along the height, not towards the opposite corner. In a face thinner than its
+  // distance from the side, that corner can be anywhere along the side.
   End move_to_side(std::size_t s, const FT& foot)
   {
     const FT along = m_weight[(s + 1) % 3] + m_weight[(s + 2) % 3] * foot;

@@ -31,12 +31,12 @@ struct Refinement_limits
   std::size_t flips; // before the first insertion, and after each
 };
 
-// Chew's second algorithm on a surface (Algorithm 5). It inserts the circumcenter of a bad face.
-// If a boundary or constrained edge hides the circumcenter, it splits the edge and removes
-// circumcenters near by.
+// Implements Chew's second algorithm on a surface (Algorithm 5). It inserts the circumcenter of a
+// bad face. If a boundary or constrained edge hides the circumcenter, it splits the edge and
+// removes circumcenters near by.
 //
-// `Bounds` has is_too_thin(f), is_too_large(f) and is_not_simplicial(f); only faces that are too
-// thin can be excused. The visitor is notified of every change.
+// `Bounds` has the members is_too_thin(f), is_too_large(f) and is_not_simplicial(f). Only faces
+// that are too thin can be excused. The visitor is notified of every change.
 template <typename Traits, typename Bounds, typename Visitor>
 class Delaunay_refinement
 {
@@ -61,9 +61,9 @@ public:
       m_stack(m_mesh.num_edges())
   {}
 
-  // It ends: every candidate from the queue leads to an insertion, whose number is limited, or
-  // changes nothing and is dropped. Returns whether all decisions are certain. With
-  // `stops_if_filter_fails` it ends at the first uncertain decision.
+  // Refines until the queue is empty. Every candidate leads to an insertion, whose number is
+  // limited, or changes nothing and is dropped. Returns whether all decisions are certain. With
+  // `stops_if_filter_fails`, it ends at the first uncertain decision.
   bool run(bool stops_if_filter_fails, Refinement_result& result)
   {
     m_result = &result;
@@ -116,7 +116,7 @@ private:
       m_queue.push_other(f, version(f));
   }
 
-  // the number of changes of a face
+  // Returns the number of changes of a face.
   std::size_t& version(Face_index f)
   {
     if(f.idx() >= m_version.size())
@@ -133,8 +133,8 @@ private:
   void fail() { m_has_filter_failed = true; }
   bool is_stopped() const { return m_has_filter_failed && m_stops_if_filter_fails; }
 
-  // A face stays as it is if rounded numbers leave no room for the new vertex. Exceptions of the
-  // visitor go on to the caller.
+  // Inserts a vertex to improve a face. The face is unchanged if rounded numbers leave no room for
+  // the new vertex. Exceptions of the visitor are passed to the caller.
   void refine(const Candidate& c)
   {
     try {
@@ -171,7 +171,7 @@ private:
     m_is_free[m.idx()] = false;
   }
 
-  // returns whether the edge of `h` is a loop, or longer than another with its ends
+  // Returns whether the edge of `h` is a loop, or longer than another edge with the same ends.
   bool is_superfluous(Halfedge_index h) const
   {
     const auto rank = [this](Halfedge_index x) {
@@ -184,10 +184,9 @@ private:
     return result;
   }
 
-  // Returns a loop among the sides of `f`, or else the shortest superfluous side, which runs
-  // around a thin part of the surface. If such sides are split, long ones along the part are
-  // simplicial. If no side is superfluous, returns any side of a face whose corners are the
-  // corners of another face, or null.
+  // Returns a loop among the sides of `f`, or else the shortest superfluous side, which runs around
+  // a thin part of the surface. If such sides are split, long sides along this part are simplicial.
+  // Without superfluous sides, returns a side if another face has the same corners, or null.
   Halfedge_index side_to_split(Face_index f) const
   {
     if(!m_bounds.is_not_simplicial(f))
@@ -210,8 +209,8 @@ private:
     return Vertex_surroundings<Edge_length_map>(v, m_tri.intrinsic());
   }
 
-  // Inserts three vertices around `v`, a third of its angle from each other and nearer than all
-  // others. So they are its neighbors, and remain so.
+  // Inserts three vertices around `v`, at angles of a third of its angle sum, nearer than all other
+  // vertices. So they are and remain its neighbors.
   void surround(Vertex_index v)
   {
     const FT distance = surroundings(v).shortest_outgoing() / 2;
@@ -247,8 +246,8 @@ private:
     add_center(m_inserter.insert(m_walk.location(), m_walk.closeness()), f);
   }
 
-  // A face does not outlive a vertex in its circumcircle, unless rounding has misplaced the
-  // vertex, or makes a face appear Delaunay that is not.
+  // Handles a face that outlives a vertex in its circumcircle. This happens if rounding has
+  // misplaced the vertex, or makes a face appear Delaunay that is not.
   void add_center(Vertex_index m, Face_index f)
   {
     const std::size_t before = version(f);
@@ -265,9 +264,9 @@ private:
                f);
   }
 
-  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but it will be
-  // processed again. The circle is empty. So a short edge beyond other faces can be no chord of it
-  // that hides the center. Rounded lengths would split this edge and its neighbors without end.
+  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but `f` will be
+  // processed again. The circle is empty, so a short edge beyond other faces is no chord that hides
+  // the center. Rounded lengths would split this edge and its neighbors endlessly.
   void split_fixed(Halfedge_index h, Face_index f)
   {
     const FT radius = m_tri.length(m_mesh.edge(h));
@@ -296,8 +295,8 @@ private:
     restore_Delaunay();
   }
 
-  // Rounding can move a circumcenter to a vertex of the input, or to a fixed edge. Such vertices
-  // stay.
+  // Returns whether `v` may be removed. Rounding can move a circumcenter to a vertex of the input,
+  // or to a fixed edge. Such vertices are kept.
   bool can_be_free(Vertex_index v) const
   {
     bool result = m_tri.is_inserted(v);
@@ -324,8 +323,8 @@ private:
     return result;
   }
 
-  // Vertices within the ball of half the length are within the ball along edges of the whole
-  // length.
+  // Removes free vertices. Vertices within the ball of half the length are within the ball along
+  // edges of the whole length.
   void remove_free_vertices(Vertex_index m, const FT& radius)
   {
     const auto after_flip = [this](Halfedge_index h) { note_flip(h); };
@@ -357,8 +356,9 @@ private:
     note_change(m_mesh.face(m_mesh.opposite(h)));
   }
 
-  // Rounded lengths could lead in circles, hence the limit: a thousand flips for each edge are more
-  // than some vertices make necessary.
+  // Flips edges until all are Delaunay. Rounded lengths could lead to endless flips, so their
+  // number is limited to a thousand flips per edge. This exceeds the flips that some vertices make
+  // necessary.
   void restore_Delaunay()
   {
     const std::size_t before = m_result->flips;
@@ -382,7 +382,7 @@ private:
     push_changed();
   }
 
-  // Most faces have been changed more than once.
+  // Pushes each changed face once, because most faces have been changed more than once.
   void push_changed()
   {
     std::sort(m_changed.begin(), m_changed.end());

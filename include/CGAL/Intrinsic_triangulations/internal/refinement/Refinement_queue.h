@@ -21,15 +21,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Bad faces in the order of their refinement. Faces of bad shape come first: at large angles, the
-// midpoint of an edge is not near to a vertex. Among them the order is by decreasing circumradius,
-// in classes of 10 %, newest first. So consecutive insertions are near each other in memory. Wider
-// classes would be faster, but take up to a tenth more vertices. Sides are split in the order of
-// arrival, lest one of them waits for ever.
+// Stores bad faces in the order of their refinement. Faces of bad shape come first, because the
+// midpoint of an edge is not near to a vertex at large angles. Among them the order is by
+// decreasing circumradius, in classes of 10 %, newest first. So consecutive insertions are near
+// each other in memory. Wider classes would be faster, but take up to 10 % more vertices. Sides are
+// split in the order of arrival, so that none waits forever.
 class Refinement_queue
 {
 public:
-  // A bad face, as it was when it was found.
+  // Stores a bad face with its version when it was found.
   struct Candidate
   {
     Face_index face;
@@ -48,6 +48,7 @@ public:
 
   void push_other(Face_index f, std::size_t version) { m_others.push({f, version, false}); }
 
+  // Removes and returns the first candidate.
   // \pre !empty()
   Candidate pop()
   {

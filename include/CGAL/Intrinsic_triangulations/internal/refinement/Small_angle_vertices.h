@@ -25,8 +25,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The vertices at which no triangulation can have large angles. Either two boundary or constrained
-// edges enclose less than 60 degrees (Section 3.6), or the angle sum is less than `least_sum`.
+// Determines the vertices at which no triangulation can have large angles. Either two boundary or
+// constrained edges enclose less than 60 degrees (Section 3.6), or the angle sum is less than
+// `least_sum`.
 template <typename Traits>
 class Small_angle_vertices
 {
@@ -43,9 +44,9 @@ public:
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which small-angle
-  // vertex. Either exactly one of its corners is one, or it lies in faces of T1 at a small-angle
-  // vertex. In the second case all edges that cross it must be edges at this vertex.
-  // `courses()` has the courses of all edges and is called only if they are needed.
+  // vertex. Either exactly one of its corners is a small-angle vertex, or it lies in faces of T1 at
+  // a small-angle vertex. In the second case all edges that cross it must be edges at this vertex.
+  // `courses()` returns the courses of all edges and is called only if they are needed.
   template <typename Courses>
   std::optional<Remaining_face> excuse(Face_index f, const Courses& courses) const
   {
@@ -71,7 +72,7 @@ private:
 
   static Answer answer(bool is_small) { return is_small ? Answer::yes : Answer::no; }
 
-  // Few vertices have thin faces, and few are asked about.
+  // Computes angles on demand, because few vertices have thin faces.
   bool has_small_angle(Vertex_index v) const
   {
     if(v.idx() >= m_answer.size())
@@ -92,8 +93,8 @@ private:
   }
 
   // A face that is crossed only by edges at one vertex lies in faces at this vertex. It need not
-  // lie in one of them. Otherwise the wedge at a small-angle vertex would be filled with ever
-  // smaller faces if several faces of T1 share it.
+  // lie in one face only. Otherwise, several faces of T1 that share the wedge at a small-angle
+  // vertex would be filled with ever smaller faces.
   std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
                                                       const Edge_courses<Traits>& courses) const
   {
@@ -103,8 +104,8 @@ private:
     return {};
   }
 
-  // Returns the ends of an edge of T1 that crosses `f`, or if there is none, the corners of the
-  // face that contains it.
+  // Returns the ends of an edge of T1 that crosses `f`. If none crosses it, returns the corners of
+  // the face that contains it.
   std::array<Vertex_index, 3> first_candidates(Face_index f,
                                                const Edge_courses<Traits>& courses) const
   {
@@ -150,7 +151,7 @@ private:
       m_answer[v] = answer(has_small_sector(v, input, is_fixed, angle));
   }
 
-  // whether `v` is a small-angle vertex of T1 or T2
+  // Returns whether `v` is a small-angle vertex of T1 or T2.
   template <typename Is_fixed, typename Angle>
   bool has_small_sector(Vertex_index v, const Delta_complex& mesh, const Is_fixed& is_fixed,
                         const Angle& angle) const

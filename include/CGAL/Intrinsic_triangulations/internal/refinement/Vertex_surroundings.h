@@ -21,7 +21,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The neighbors and corners of an interior vertex.
+// Describes the neighbors and corners of an interior vertex.
 template <typename EdgeLengthMap>
 class Vertex_surroundings
 {
@@ -35,9 +35,9 @@ public:
                                [&](Halfedge_index h) { m_outgoing_halfedges.push_back(h); });
   }
 
-  // Returns whether fewer than three vertices are its neighbors, and the circumcenters of its
-  // faces would not help. They would hide all neighbors and leave it with fewer than three again,
-  // as on a pointed cone.
+  // Returns whether the vertex has fewer than three neighbors, and the circumcenters of its faces
+  // would not help. They would hide all neighbors and leave fewer than three again, as on a pointed
+  // cone.
   bool is_pointed_without_neighbors() const
   {
     FT sum(0);
@@ -54,8 +54,8 @@ public:
     return least;
   }
 
-  // returns the point at this distance whose direction is a part of the angle around the vertex
-  // counterclockwise from `outgoing`
+  // Returns the point at this distance in a direction given by `part`. The direction is this
+  // fraction of the angle around the vertex, counterclockwise from `outgoing`.
   Face_location<FT> place(Halfedge_index outgoing, const FT& part, const FT& distance) const
   {
     const FT angle = Vertex_angles<FT>(outgoing, m_surface).normalized(FT(0)) + 2 * pi<FT>() * part;
@@ -63,7 +63,7 @@ public:
       .end;
   }
 
-  // null if `v` is not a neighbor
+  // Returns the outgoing halfedge to `v`, or null if `v` is not a neighbor.
   Halfedge_index outgoing_to(Vertex_index v) const
   {
     for(Halfedge_index h : m_outgoing_halfedges)
