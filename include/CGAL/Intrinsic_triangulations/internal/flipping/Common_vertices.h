@@ -31,16 +31,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// whether vertices can be inserted in this geometry
+// Returns whether vertices can be inserted in this geometry.
 template <typename Traits>
 constexpr bool can_have_inserted_vertices()
 {
   return Has_distance<Traits>::value && std::is_floating_point_v<typename Traits::FT>;
 }
 
-// Makes two triangulations over one T1 have the same vertices, by inserting vertices that only the
-// other one has. A vertex inserted into the first one, T2, is also inserted into T2 over itself.
-// So one triangulation has the vertices of both over the original T2.
+// Inserts vertices into two triangulations over one T1, so that both have the same vertices. A
+// vertex inserted into the first one, T2, is also inserted into T2 over itself. So one
+// triangulation has the vertices of both over the original T2.
 template <typename Traits>
 class Common_vertices
 {
@@ -67,10 +67,10 @@ public:
   const Triangulation& base() const { return m_base; }
   Triangulation& tri() { return m_tri; }
   const Triangulation& tri() const { return m_tri; }
-  // T2 with the vertices that only T3 has, over T2
+  // Returns T2 with the vertices that only T3 has, over T2.
   Triangulation& over() { return m_over; }
 
-  // the vertex of base() that is the vertex `v` of tri()
+  // Returns the vertex of base() that is the vertex `v` of tri().
   Vertex_index vertex(Vertex_index v) const { return m_vertex[v]; }
 
 private:
@@ -90,7 +90,8 @@ private:
                          parameters::edge_length_map(tri.length_map()).geom_traits(tri.traits()));
   }
 
-  // Equal for equal points, whichever side of an edge they have been inserted from.
+  // Returns a key that is equal for equal points, whichever side of an edge they have been inserted
+  // from.
   static Key key(Vertex_index v, const Triangulation& tri)
   {
     const Surface_point<FT>& m = tri.inserted_vertex(v);
@@ -119,7 +120,7 @@ private:
     return result;
   }
 
-  // Returns the vertex at `p` up to rounding, null if there is none.
+  // Returns the vertex at `p` up to rounding, or null if none is near.
   static Vertex_index vertex_at(const Key& p, const Keys& keys)
   {
     const FT tolerance = region_tolerance<FT>();
@@ -136,8 +137,8 @@ private:
     return Vertex_index();
   }
 
-  // Returns the vertices that have been inserted into `from` and not into `to`. Vertices of both
-  // are noted.
+  // Returns the vertices that have been inserted into `from` and not into `to`. Records the
+  // vertices of both.
   Vertices missing(const Triangulation& from, const Triangulation& to, bool from_base)
   {
     const Keys there = keys_of_inserted(to);
@@ -150,7 +151,7 @@ private:
     return result;
   }
 
-  // In every round at most one vertex is inserted into a face, for keys are found all at once.
+  // Inserts at most one vertex per face in every round, because all keys are computed at once.
   void insert_all(Vertices vertices, const Triangulation& from, Triangulation& to,
                   Triangulation* follower)
   {

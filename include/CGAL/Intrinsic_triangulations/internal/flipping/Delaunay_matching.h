@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips that make a triangulation Delaunay, and the connectivity that they lead to.
+// Records flips that make a triangulation Delaunay, and the resulting connectivity.
 template <typename Traits>
 class Recorded_flips
 {
@@ -56,10 +56,11 @@ private:
   std::size_t more_flips = 0;
 };
 
-// The flips from T3 to T2, two triangulations over T1 with the same vertices, over the Delaunay
-// triangulation of these. Its edges are straight. So two edges are equal if they start in the same
-// corner of T1, cross the same edges, and end at the same vertex. Because of ties, edges may be in
-// one of the two only. They lie in polygons without vertices inside, which are flipped to fans.
+// Computes the flips from T3 to T2, two triangulations over T1 with the same vertices, over the
+// Delaunay triangulation of these vertices. Its edges are straight. So two edges are equal if they
+// start in the same corner of T1, cross the same edges, and end at the same vertex. Because of
+// ties, an edge may be in only one of both triangulations. Such edges lie in polygons without
+// vertices inside, which are flipped to fans.
 template <typename Traits>
 class Delaunay_matching
 {
@@ -78,10 +79,10 @@ public:
     check();
   }
 
-  // the halfedge of T2 that replaces the halfedge `h` of T3
+  // Returns the halfedge of T2 that replaces the halfedge `h` of T3.
   Halfedge_index image(Halfedge_index h) const { return m_image[h]; }
 
-  // Calls `flip(h)` for the halfedges of T2 that are turned to reach T3.
+  // Calls `flip(h)` for the halfedges of T2 that are flipped to reach T3.
   template <typename Flip>
   void flip_to_tri(const Flip& flip) const
   {
@@ -137,7 +138,7 @@ private:
     m_preimage[opposite(image)] = opposite(h);
   }
 
-  // whether `h` is a side of a polygon that is left to be matched
+  // Returns whether `h` is a side of a polygon that is still to be matched.
   bool is_open(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh;
@@ -145,7 +146,7 @@ private:
            !(m_image[mesh.next(h)].is_valid() && m_image[mesh.prev(h)].is_valid());
   }
 
-  // Makes a fan of the polygon, around the source of its side `h`.
+  // Turns the polygon into a fan around the source of its side `h`.
   void match_fan(Halfedge_index h)
   {
     const Delta_complex &mesh = m_tri.mesh, &other = m_base.mesh;
@@ -175,7 +176,7 @@ private:
   std::vector<Halfedge_index> m_image, m_preimage;
 };
 
-// Returns the halfedges of `whole` that lie on constrained edges of `tri`, whose parts they are.
+// Returns the halfedges of `whole` on constrained edges of `tri`. They are parts of these edges.
 template <typename Traits>
 std::vector<Halfedge_index> on_constrained_edges(const Intrinsic_triangulation<Traits>& whole,
                                                  const Intrinsic_triangulation<Traits>& tri)
@@ -192,8 +193,8 @@ std::vector<Halfedge_index> on_constrained_edges(const Intrinsic_triangulation<T
   return result;
 }
 
-// Returns T3, the second triangulation of `tri`, with all vertices of T2, the second one of
-// `base`, over T2.
+// Returns T3, the second triangulation of `tri`, with all vertices of T2, the second triangulation
+// of `base`. The result lies over T2.
 template <typename Traits>
 Intrinsic_triangulation<Traits> inserted_over(const Intrinsic_triangulation<Traits>& base,
                                               const Intrinsic_triangulation<Traits>& tri)

@@ -33,10 +33,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Flips with decisions about the surface of T1. Each length has an error bound. The bound of a
-// flipped edge comes from its diamond as long as bounds allow, otherwise from its strip. If the
-// bounds around an edge are known, it is decided exactly whether it is Delaunay. An edge that is
-// flipped then is straight, if all edges were. If strips get too long, a length is unknown up to
-// an error, and the stored lengths decide, until `find_lengths()` makes sure of them.
+// flipped edge follows from its diamond as long as bounds suffice, otherwise from its strip. If the
+// bounds around an edge are known, its Delaunay test is exact. If all edges were straight, an edge
+// flipped after this test is straight. If strips get too long, a length is known without error
+// bound. Then the stored lengths decide, until `find_lengths()` verifies them.
 template <typename Traits>
 class Exact_flipping
 {
@@ -44,8 +44,8 @@ class Exact_flipping
   typedef Exact_decisions<Traits> Decisions;
 
 public:
-  // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`
-  // is the number of steps that may be spent on strips; without a limit no length gets unknown.
+  // Marks lengths of edges that are not in T1 as unknown, unless `Traits` is exact. `effort` limits
+  // the number of steps in strips. Without a limit no length becomes unknown.
   explicit Exact_flipping(Triangulation& tri,
                           double effort = std::numeric_limits<double>::infinity())
     : m_tri(tri),
@@ -87,7 +87,7 @@ public:
 
   Decisions& decisions() { return m_decisions; }
 
-  // Flips the edge of `h`. Returns whether that was possible; it is always possible if no length is
+  // Flips the edge of `h`. Returns whether this was possible, as it always is if no length is
   // unknown.
   bool flip(Halfedge_index h)
   {
@@ -110,7 +110,7 @@ public:
     return true;
   }
 
-  // The data that a flip of an edge changes.
+  // Stores the data that a flip of an edge changes.
   struct Record
   {
     Flip_record<Traits> flip;
@@ -119,14 +119,14 @@ public:
     std::size_t number_of_doubtful;
   };
 
-  // returns what a flip of the edge of `h` will change
+  // Returns the data that a flip of the edge of `h` will change.
   Record record(Halfedge_index h) const
   {
     const Edge_index e(h);
     return {Flip_record<Traits>(h, m_tri), m_courses.storage(e), m_error[e], m_doubtful.size()};
   }
 
-  // takes the last flip back
+  // Undoes the last flip.
   void undo(const Record& record)
   {
     const Edge_index e(record.flip.halfedge());
@@ -136,7 +136,7 @@ public:
     m_doubtful.resize(record.number_of_doubtful);
   }
 
-  // whether edges cross more than `find_lengths()` may lay out
+  // Returns whether edges have more crossings than `find_lengths()` may lay out.
   bool has_too_many_crossings() const
   {
     double crossings = 0;
@@ -146,8 +146,8 @@ public:
     return crossings > greatest_number_of_crossings(m_mesh.number_of_edges());
   }
 
-  // Computes the lengths that are unknown, and returns whether their edges are straight. If not,
-  // nothing has changed.
+  // Computes the unknown lengths, and returns whether their edges are straight. Nothing changes if
+  // some edge is not.
   BOOST_NOINLINE bool find_lengths()
   {
     std::vector<std::pair<Edge_index, double>> found;
@@ -164,8 +164,8 @@ public:
     return true;
   }
 
-  // Recomputes the lengths that make an edge seem not to be Delaunay: stored lengths do not deny
-  // exact decisions. Each is computed once, so that this ends.
+  // Recomputes the lengths that make an edge seem not to be Delaunay, so that stored lengths agree
+  // with exact decisions. Each length is recomputed once, which bounds the time.
   void sharpen_lengths()
   {
     m_is_sharp.assign(m_mesh.num_edges(), false);
@@ -204,13 +204,13 @@ private:
 
   typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
 
-  // The greatest relative error of lengths that decide.
+  // Returns the greatest relative error of lengths that decide.
   double tolerance() const
   {
     return Is_exact<Traits>::value ? certified_length_error() : flipping_length_error(is_limited());
   }
 
-  // the error of lengths that are kept
+  // Returns the error of lengths that are kept.
   double kept_error() const { return is_limited() ? tolerance() : certified_length_error(); }
 
   // An edge with the least error is an edge of T1 or a straight line in space.
@@ -254,15 +254,15 @@ private:
     return static_cast<double>(m_tri.coordinates().crossings(m_mesh.halfedge(e)));
   }
 
-  // As long as courses are not stored, each crossing is found by following an edge of T1 over
-  // others.
+  // Returns whether the strip of `e` can be laid out. As long as courses are not stored, each
+  // crossing is found by following an edge of T1 over others.
   bool can_afford(Edge_index e)
   {
     m_effort -= count(e) * count(e);
     return m_effort >= 0;
   }
 
-  // Whether the diamond of `h` can be laid out. If not, what follows from that is not certain.
+  // Returns whether the diamond of `h` can be laid out. If not, its decisions are not certain.
   bool can_afford(Halfedge_index h)
   {
     bool result = can_afford(m_mesh.edge(h));
@@ -282,8 +282,8 @@ private:
   }
 
   // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are
-  // straight in space, lie in one plane. Returns 0 otherwise. In a plane its ends are as far apart
-  // as on the surface. Products that could underflow are left out.
+  // straight in space, are coplanar. Returns 0 otherwise. In a plane its ends have the same
+  // distance in space as on the surface. Products that could underflow are not used.
   double length_in_plane(Halfedge_index h, double flipped_length)
   {
     const auto& points = m_tri.input_metric().points;
@@ -298,7 +298,7 @@ private:
     return is_in_plane && distance > 1e-100 ? distance : 0;
   }
 
-  // Sets the lengths of edges, and returns whether these are straight.
+  // Sets the lengths of edges, and returns whether these edges are straight.
   bool are_straight(std::vector<std::pair<Edge_index, double>>& edges)
   {
     Lengths_in_strips<Traits> lengths(m_tri);

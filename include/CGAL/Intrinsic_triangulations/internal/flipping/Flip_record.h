@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The data of T2 that a flip of the edge of `h` changes, recorded before the flip. Flips are taken
-// back in reverse order, which restores every index and every number to the bit.
+// Stores the part of T2 that a flip of the edge of `h` changes, as it is before the flip. Later
+// flips are undone in reverse order. Then every index and every number is bitwise restored.
 template <typename Traits>
 class Flip_record
 {
@@ -35,7 +35,7 @@ public:
 
   Halfedge_index halfedge() const { return m_h; }
 
-  // Takes the flip back. Complexity: constant.
+  // Undoes the flip. Complexity: constant.
   void undo(Triangulation& tri) const
   {
     Delta_complex& mesh = tri.m_mesh;

@@ -27,7 +27,7 @@ inline bool has_same_faces(const Delta_complex& a, const Delta_complex& b)
   return std::all_of(a.halfedges_begin(), a.halfedges_end(), agree);
 }
 
-// T2 after the flips that turn it into T1.
+// Stores T2 after the flips that turn it into T1.
 template <typename Traits>
 struct Flipped_to_input
 {
@@ -40,7 +40,7 @@ struct Flipped_to_input
       flips(flip_to_shared(coordinates, mesh, outgoing_halfedges))
   {}
 
-  // the halfedge of T1 that `h` has become
+  // Returns the halfedge of T1 that `h` has become.
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
     return coordinates.shared_halfedge(h, mesh, outgoing_halfedges);
@@ -64,9 +64,9 @@ void copy_coordinates(const Delta_complex& mesh, const std::vector<Halfedge_inde
 }
 
 // Returns the connectivity of T3, the second triangulation of `pair`, with the integer coordinates
-// of T2, the second one of `base`. T2 is the input of the result. T2, which is shared with itself
-// in the beginning, is flipped to T1. Then T1 is flipped to T3, in the reverse order of the flips
-// from T3.
+// of T2, the second triangulation of `base`. T2 is the input of the result. T2 is shared with
+// itself in the beginning, and is flipped to T1. Then T1 is flipped to T3, in the reverse order of
+// the flips from T3.
 template <typename Traits>
 Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
                                const Triangulation_pair<Traits>& pair)
