@@ -13,8 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Values ordered by keys up to the width of a bucket, for searches that need the order for speed
-// alone. They lie in memory in the order in which they are read.
+// Stores values ordered by keys up to the width of a bucket, for searches that need the order only
+// for speed. They lie in memory in the order in which they are read.
 template <typename FT, typename Value>
 class Bucket_queue
 {
@@ -34,7 +34,7 @@ public:
     ++m_size;
   }
 
-  // Returns whether the queue is empty. Moves on to the first bucket that contains a value.
+  // Returns whether the queue is empty, and moves to the first bucket that contains a value.
   bool is_empty()
   {
     while(m_first < m_bucket.size() && m_next == m_bucket[m_first].size()) {
@@ -47,13 +47,13 @@ public:
     return m_size == 0;
   }
 
-  // Returns a lower bound of all keys; infinity if the queue is empty.
+  // Returns a lower bound of all keys, or infinity if the queue is empty.
   FT least_key()
   {
     return is_empty() ? std::numeric_limits<FT>::infinity() : FT(FT(m_first) / m_per_key);
   }
 
-  // Removes and returns a value of the first bucket, the one that was added first.
+  // Removes and returns a value of the first bucket, in the order of arrival.
   // \pre !is_empty()
   Value pop()
   {

@@ -28,9 +28,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The points at which segments of a curve end. Segments that share an end lie side by side in this
-// list. A shortest path leaves the end of a segment with no less than a right angle to it. So all
-// of them determine the directions in which paths from this point can start.
+// Stores the points at which segments of a curve end. Segments that share an end lie side by side
+// in this list. A shortest path leaves the end of a segment at no less than a right angle to it. So
+// all segments at a point determine the directions in which paths from this point can start.
 template <typename Surface>
 class Curve_ends
 {
@@ -39,7 +39,7 @@ public:
   typedef std::complex<FT> Vector;
   typedef std::vector<Sector_in_face<FT>> Sectors;
 
-  // Complexity: O(n log n).
+  // Collects and sorts the ends. Complexity: O(n log n).
   Curve_ends(const Surface& surface, const Surface_curve<FT>& curve)
     : m_surface(surface), m_mesh(surface.mesh())
   {
@@ -52,7 +52,7 @@ public:
   }
 
   // Calls `visit(p, sectors)` for each point, a location in one of its faces, with the directions
-  // of paths in all of them.
+  // of paths in all of its faces.
   template <typename Visit>
   void for_each_point(const Visit& visit) const
   {
@@ -99,7 +99,8 @@ private:
     return {p, along, direction, kind, p.first.idx(), p.second[1], p.second[2]};
   }
 
-  // A point on an edge has been seen from either side, with rounding.
+  // Returns whether two ends are one point. A point on an edge is rounded differently in both faces
+  // of the edge.
   static bool is_same_point(const End& a, const End& b)
   {
     const FT tolerance = rounding_unit<FT>();
@@ -107,7 +108,7 @@ private:
            CGAL::abs(a.y - b.y) <= tolerance;
   }
 
-  // All directions around a point, and the halfedge along which each sector starts.
+  // Stores all directions around a point, and the halfedge along which each sector starts.
   struct Surrounding
   {
     Sectors sectors;

@@ -20,17 +20,17 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The number of windows that exact distances are expected to take. Four scanned and modelled
-// surfaces took from a quarter of it to a little more. It grows as the number of edges that a
-// straight line crosses, and each of several sources has its share of the surface.
+// Returns the number of windows that exact distances are expected to need. Four scanned and
+// modelled surfaces needed from a quarter of it to a little more. It grows as the number of edges
+// that a straight line crosses. Each of several sources has its share of the surface.
 inline double expected_windows(std::size_t vertices, std::size_t sources)
 {
   const auto n = static_cast<double>(vertices);
   return n / 2 * std::sqrt(n / static_cast<double>((std::max)(sources, std::size_t(1))));
 }
 
-// Lengths of shortest paths to all vertices, in linear memory, and up to which length they are
-// known.
+// Computes the lengths of shortest paths to all vertices, in linear memory, and the length up to
+// which they are known.
 template <typename Surface>
 class Exact_distances
 {
@@ -53,7 +53,7 @@ public:
     return internal::expected_windows(m_size, m_number_of_sources);
   }
 
-  // Returns whether all distances are known then.
+  // Returns whether all distances are known after at most `most_windows` windows.
   template <typename Visitor>
   bool run(std::size_t most_windows, Visitor& visitor)
   {

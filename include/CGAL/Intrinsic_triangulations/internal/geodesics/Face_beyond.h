@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The face behind a side through which views look, in the frame of this side. Views continue to its
-// two other sides, left and right of the corner `apex()`.
+// Unfolds the face behind a side through which views look, in the frame of this side. Views
+// continue to its two other sides, left and right of the corner `apex()`.
 template <typename FT>
 class Face_beyond
 {
@@ -29,6 +29,7 @@ public:
   typedef typename Charts::Vector Vector;
   typedef internal::View<FT> View;
 
+  // Unfolds the face behind the side `c`.
   // \pre the side `c` is not on the boundary
   Face_beyond(Index c, const Charts& charts)
     : m_charts(charts),
@@ -44,18 +45,19 @@ public:
   const Vector& apex() const { return m_apex; }
   Index vertex_at_apex() const { return m_charts.source(right()); }
 
-  // Returns the length up to which errors of lengths are rounding.
+  // Returns the greatest error of lengths that rounding explains.
   FT tolerance(const View& view) const { return m_rounding + rounding_unit<FT>() * view.scale(); }
 
   // Compares the directions from which rays come. The result is negative if rays of `a` come from
-  // the left of all rays of `b`, and positive if from the right. It is zero if they overlap.
+  // the left of all rays of `b`, and positive if they come from the right. It is zero if they
+  // overlap.
   int order(const View& a, const View& b) const
   {
     return a.end <= b.begin + m_rounding ? -1 : b.end <= a.begin + m_rounding ? 1 : 0;
   }
 
-  // Returns the view through the side on the left or right. Its part is empty if this side is seen
-  // on no more than a length of rounding.
+  // Returns the view through the side on the left or right. Its part is empty if the visible part
+  // of this side is not longer than rounding errors.
   View next(const View& view, bool is_left) const
   {
     View result = view;
@@ -75,7 +77,7 @@ public:
   }
 
 private:
-  // Returns the part of a side that is seen, as fractions of its length.
+  // Returns the visible part of a side, as fractions of its length.
   std::pair<FT, FT> part_on_left(const View& view) const
   {
     const FT middle = view.crossing(m_apex);

@@ -22,8 +22,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// All data that unfolding a face needs, side by side in memory. Side 3f + s is side s of the face
-// f, numbered as its barycentric coordinates; border halfedges are not sides.
+// Stores all data needed to unfold faces, side by side in memory. Side 3f + s is side s of the face
+// f, numbered as its barycentric coordinates. Border halfedges are not sides.
 template <typename FT>
 class Face_charts
 {
@@ -32,7 +32,7 @@ public:
   typedef std::complex<FT> Vector;
   static constexpr Index null = (std::numeric_limits<Index>::max)();
 
-  // Complexity: linear.
+  // Computes the charts of all faces. Complexity: linear.
   template <typename Surface>
   explicit Face_charts(const Surface& surface) : m_chart(surface.mesh().num_faces())
   {
@@ -54,7 +54,7 @@ public:
 
   std::size_t number_of_sides() const { return 3 * m_chart.size(); }
 
-  // returns the side that the halfedge `h` is, which is not on the border
+  // Returns the number of the side of the halfedge `h`, which is not a border halfedge.
   static Index side_of(Halfedge_index h, const Delta_complex& mesh)
   {
     return Index(3 * mesh.face(h).idx() + side_number(h, mesh));
@@ -68,17 +68,17 @@ public:
   static Index next(Index c) { return c % 3 == 2 ? c - 2 : c + 1; }
   static Index previous(Index c) { return c % 3 == 0 ? c + 2 : c - 1; }
 
-  // null on the boundary
+  // Returns the side on the other side of the edge, or null on the boundary.
   Index across(Index c) const { return m_chart[c / 3].across[c % 3]; }
 
   const FT& length(Index c) const { return m_chart[c / 3].length[c % 3]; }
   Index source(Index c) const { return m_chart[c / 3].vertex[c % 3]; }
   Index target(Index c) const { return source(next(c)); }
 
-  // returns the rotation by the angle at the source of the side
+  // Returns the rotation by the angle at the source of the side.
   const Vector& turn(Index c) const { return m_chart[c / 3].turn[c % 3]; }
 
-  // Returns the mean of one side of each face, one if there is none.
+  // Returns the mean of one side length of each face, or one if no face exists.
   FT mean_length() const
   {
     FT sum(0);
@@ -88,7 +88,7 @@ public:
   }
 
   // Returns the position of the corner opposite to `o` in the frame of the side across. This side
-  // leads from the target of `o`, the origin, along the x-axis.
+  // starts at the target of `o`, the origin, and leads along the x-axis.
   Vector apex_beyond(Index o) const
   {
     const FT &after = length(next(o)), &before = length(previous(o));

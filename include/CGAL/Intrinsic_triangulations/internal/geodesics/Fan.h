@@ -22,11 +22,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// outgoing halfedges of a vertex, counterclockwise
+// Stores outgoing halfedges of a vertex, counterclockwise.
 typedef boost::container::small_vector<Halfedge_index, 16> Fan;
 
-// Sets `result` to the outgoing halfedges from `out` counterclockwise to the opposite of `in`.
-// They are on the left of a path from `in` to `out`. It is empty if the boundary is between them.
+// Sets `result` to the outgoing halfedges from `out` counterclockwise to the opposite of `in`. They
+// are on the left of a path from `in` to `out`. The fan is empty if the boundary is between them.
 template <typename P>
 void find_fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh, Fan& result)
 {
@@ -40,7 +40,7 @@ void find_fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh
   }
 }
 
-// returns this fan
+// Returns the fan from `out` to the opposite of `in`.
 template <typename P>
 Fan fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh)
 {
@@ -49,15 +49,15 @@ Fan fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh)
   return result;
 }
 
-// an angle and how far it can be off
+// Stores an angle and a bound for its error.
 template <typename FT>
 struct Bounded_angle
 {
   FT angle, error;
 };
 
-// The corner of a triangle between the sides `b` and `c`. Each length has the relative error
-// `error`.
+// Represents the corner of a triangle between the sides `b` and `c`. Each length has the relative
+// error `error`.
 template <typename FT>
 struct Uncertain_corner
 {
@@ -72,8 +72,8 @@ struct Uncertain_corner
   {}
 
   // Returns a bound for the error of the angle. A change of the opposite side changes the angle by
-  // this change over the height at that side times its foot. A change of another side changes it
-  // by less. The bound is twice that, since the area may change, too; it is infinite if the
+  // this change over the height at that side times its foot. A change of another side changes it by
+  // less. The bound is twice as large, because the area may change, too. It is infinite if the
   // triangle may be flat.
   FT angle_error(const FT& quadrupled_area) const
   {
@@ -89,7 +89,7 @@ struct Uncertain_corner
   }
 };
 
-// The sum of the angles of corners as a complex number of about length one.
+// Stores the sum of the angles of corners as a complex number of about length one.
 template <typename FT>
 class Corner_sum
 {
@@ -105,8 +105,8 @@ public:
     m_x = x;
   }
 
-  // Returns whether the sum is less than pi, as far as its sine leaves no doubt. \pre all corners
-  // but the last one have a sum that certainly is
+  // Returns whether the sum is less than pi, if the error of its sine permits a decision.
+  // \pre the sum of all corners except for the last one is certainly less than pi
   Uncertain<bool> is_less_than_pi() const
   {
     const FT bound = m_error + m_error / 4; // with the rounding of products
@@ -115,7 +115,7 @@ public:
                           : Uncertain<bool>::indeterminate();
   }
 
-  // Returns the sum. \pre it is less than pi
+  // Returns the sum, if it is less than pi.
   FT angle() const
   {
     using std::atan2;
@@ -126,9 +126,9 @@ private:
   FT m_x = 1, m_y = 0, m_error = 0;
 };
 
-// Returns the sum of the angles of a fan, as far as it certainly is less than pi without the last
-// corner. Its sine decides whether it is less than pi. That needs no inverse tangents, which would
-// dominate the time of paths.
+// Returns the sum of the angles of a fan. It stops at the first corner after which the sum is not
+// certainly less than pi. The sine of the sum decides whether it is less than pi. This needs no
+// inverse tangents, which would dominate the time of paths.
 template <typename Surface>
 Corner_sum<Length_of<Surface>> corner_sum(const Fan& outgoing_halfedges, const Surface& surface,
                                           const Length_of<Surface>& error)
@@ -143,7 +143,7 @@ Corner_sum<Length_of<Surface>> corner_sum(const Fan& outgoing_halfedges, const S
   return sum;
 }
 
-// the sum of its angles
+// Returns the sum of the angles of a fan.
 template <typename Surface>
 Bounded_angle<Length_of<Surface>> fan_angle(const Fan& outgoing_halfedges, const Surface& surface,
                                             const Length_of<Surface>& error)
@@ -158,7 +158,7 @@ Bounded_angle<Length_of<Surface>> fan_angle(const Fan& outgoing_halfedges, const
   return sum;
 }
 
-// Returns whether the angle is less than pi; indeterminate if its error leaves this open.
+// Returns whether the sum is less than pi.
 template <typename FT>
 Uncertain<bool> is_less_than_pi(const Bounded_angle<FT>& sum)
 {

@@ -18,7 +18,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips edges out of the fans beside paths, and remembers the flips, so that it can take them back.
+// Flips edges out of the fans beside paths, and records the flips, so that it can undo them.
 template <typename Traits>
 class Fan_flattener
 {
@@ -30,14 +30,14 @@ public:
 
   bool is_less_than_pi(const Fan& outgoing) { return m_flipping.is_less_than_pi(outgoing); }
 
-  // the number of flips since the last `rewind()`
+  // Returns the number of flips since the last `rewind()`.
   std::size_t number_of_flips() const { return m_flips.size(); }
 
   // Flips the edges inside the fan as long as one can be flipped. The face of a loop of one edge is
-  // at both ends of the fan, and its apex at both ends of the arc. This face stays unless the whole
-  // angle at its apex is less than pi. To flip its other sides one by one could wind them around
-  // the loop without end. Returns whether the angles between sides opposite to the apex are known
-  // to be at least pi.
+  // at both ends of the fan, and its apex at both ends of the arc. This face is kept unless the
+  // whole angle at its apex is less than pi. Flips of its other sides could wind them around the
+  // loop endlessly. Returns whether the angles between sides opposite to the apex are known to be
+  // at least pi.
   bool flip_out(Fan& outgoing, bool is_one_edge)
   {
     const std::size_t limit = m_flips.size() + 16 * outgoing.size();
@@ -55,7 +55,7 @@ public:
            });
   }
 
-  // takes all flips back
+  // Undoes all flips.
   void rewind()
   {
     for(; !m_flips.empty(); m_flips.pop_back())
@@ -63,8 +63,9 @@ public:
   }
 
 private:
-  // Leaves as many outgoing halfedges as `margin` at both ends. Each flip takes one away, and adds
-  // one only where a face has two corners at the apex: then the fan is collected again.
+  // Flips edges, and keeps `margin` outgoing halfedges at both ends. Each flip removes one outgoing
+  // halfedge. A flip adds one only if a face has two corners at the apex. Then the fan is collected
+  // again.
   void flip_between(Fan& outgoing, std::size_t margin, std::size_t limit)
   {
     const Vertex_index apex = m_mesh.source(outgoing.front());

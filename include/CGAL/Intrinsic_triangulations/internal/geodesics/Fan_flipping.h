@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Decisions about fans, and flips, by the stored lengths. An angle that rounding does not decide
-// is not less than pi.
+// Decides about fans and flips by the stored lengths. An angle counts as at least pi if rounding
+// errors prevent a decision.
 template <typename Traits>
 class Fan_flipping_by_lengths
 {
@@ -46,7 +46,7 @@ public:
     return certainly(
       internal::is_less_than_pi(fan_angle(outgoing, m_tri.intrinsic(), length_error())));
   }
-  // whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped
+  // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
   void flip(Halfedge_index h) { m_tri.flip(h); }
   Record record(Halfedge_index h) const { return Record(h, m_tri); }
@@ -56,9 +56,9 @@ private:
   Triangulation& m_tri;
 };
 
-// Decisions about fans on the surface of T1, and flips that keep the lengths within
-// `certified_length_error()`. Where the lengths leave no doubt, they decide; for lengths of type
-// `double`, an angle that is pi to some 24 digits is pi.
+// Decides about fans on the surface of T1. Flips keep the errors of lengths within
+// `certified_length_error()`. Lengths decide if their errors permit it. For lengths of type
+// `double`, an angle that is pi to some 24 digits counts as pi.
 template <typename Traits>
 class Exact_fan_flipping
 {
@@ -90,7 +90,7 @@ public:
     return decide(outgoing, [&](auto& decisions) { return decisions.fan_sign(outgoing); });
   }
 
-  // whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped
+  // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
   bool is_flippable(Halfedge_index h)
   {
     return m_flipping.can_be_turned(h) && is_convex_at_source(m_tri.mesh().opposite(h));
@@ -140,7 +140,7 @@ private:
     });
   }
 
-  // Returns what `decide()` returns. The edges on both sides of a fan determine its angle, so that
+  // Returns the result of `decide()`. The edges on both sides of a fan determine its angle. So
   // ties, as on flat parts of a surface, are decided once.
   template <typename Decide>
   bool remembered(const Fan& outgoing, const Decide& decide)
@@ -155,12 +155,13 @@ private:
     return m_decided(static_cast<std::size_t>(first << 32 | last), decide);
   }
 
-  // Edges with this name are any.
+  // This name stands for any edge without a name.
   static constexpr std::uint32_t nameless = std::uint32_t(1) << 31;
 
   Triangulation& m_tri;
   Exact_flipping<Traits> m_flipping;
-  // A name for each edge, which identifies one geodesic: a flip gives the edge another name.
+  // Stores a name for each edge. It belongs to one geodesic: after a flip, the edge has another
+  // name.
   std::vector<std::uint32_t> m_name;
   std::uint32_t m_next_name;
   Direct_mapped_cache<bool> m_decided;

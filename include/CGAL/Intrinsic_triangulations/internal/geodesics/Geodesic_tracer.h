@@ -31,7 +31,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Walks from face to face along a straight line. The state is a point and a direction in the frame
-// of the halfedge `m_h`. Nothing in it grows with the length of the line.
+// of the halfedge `m_h`. It needs constant memory for lines of any length.
 template <typename EdgeLengthMap, typename OutputIterator>
 class Geodesic_tracer
 {
@@ -77,7 +77,8 @@ private:
     m_start = m_direction = m_total > 0 ? vector / m_total : Vector(1);
   }
 
-  // Ends: every step takes a part of the remaining length, or is counted as idle by use_up().
+  // Traces the line. The loop ends, because every step uses a part of the remaining length, or
+  // `use_up()` counts it as idle.
   Geodesic<FT> trace()
   {
     while(m_remaining > 0 && m_status != Geodesic_status::stopped_at_boundary)
@@ -89,7 +90,7 @@ private:
       m_status, {f, m_place}, m_direction, m_direction * std::conj(m_start), m_total - m_remaining};
   }
 
-  // Takes side `s` of the face as the new x-axis.
+  // Makes side `s` of the face the new x-axis.
   void turn_frame(std::size_t s) { turn_frame(Face(m_h, m_surface), s); }
   void turn_frame(const Face& face, std::size_t s)
   {
@@ -129,8 +130,9 @@ private:
     m_remaining = 0;
   }
 
-  // Steps around a vertex that is almost hit may have no length, but are fewer than the halfedges.
-  // Where the remaining length is so great that steps vanish in its rounding, there is no end.
+  // Subtracts `distance` from the remaining length. Steps around a vertex that is almost hit may
+  // have no length, but are fewer than the halfedges. If steps vanish in the rounding of the
+  // remaining length, the loop would not end.
   void use_up(const FT& distance)
   {
     const FT before = m_remaining;
@@ -158,8 +160,8 @@ private:
 
   // ---- Vertices ----
 
-  // Turns `phi` by whole turns to [-pi/2, 3 pi/2). On the boundary, directions that point out of
-  // the surface are below 0 if they are nearer to the first outgoing halfedge. They are above pi
+  // Turns `phi` by multiples of 2 pi to [-pi/2, 3 pi/2). On the boundary, directions that point out
+  // of the surface are below 0 if they are nearer to the first outgoing halfedge. They are above pi
   // if they are nearer to the last.
   static FT wrapped(const FT& phi)
   {
@@ -168,7 +170,7 @@ private:
                                     : phi - 2 * pi<FT>();
   }
 
-  // From corner 0, where the direction may point out of the face.
+  // Leaves corner 0, where the direction may point out of the face.
   void leave_corner()
   {
     const FT angle = std::arg(m_direction);
@@ -178,7 +180,7 @@ private:
     leave_vertex(angles, angles.normalized(angle));
   }
 
-  // Goes straight on: normalized, that is the direction opposite to the one back.
+  // Continues straight: the normalized direction is opposite to the direction back.
   void pass_vertex()
   {
     const Angles angles(m_h, m_surface);
@@ -190,8 +192,8 @@ private:
     angles.is_border() ? meet_border_vertex(phi) : leave_vertex(angles, phi);
   }
 
-  // Goes on if the surface has the direction with the angle pi to the direction back on one side.
-  // With this angle on both sides, no direction is straighter than the other.
+  // Continues if only one side of the direction back has a direction at the angle pi. If both sides
+  // have one, neither direction is straighter than the other.
   void pass_border_vertex(const Angles& angles, const FT& back)
   {
     const FT tolerance = 2 * pi<FT>() * rounding_unit<FT>();
@@ -221,7 +223,7 @@ private:
     turn_to(angles.on_surface(phi), rounding_unit<FT>() * angles.sum());
   }
 
-  // Finds the face in the direction `angle` counterclockwise from the first outgoing halfedge
+  // Turns to the face in the direction `angle` counterclockwise from the first outgoing halfedge
   // `m_h`. A direction within the tolerance of an outgoing halfedge is along it.
   void turn_to(const FT& angle, const FT& tolerance)
   {
@@ -246,7 +248,8 @@ private:
 
   // ---- The boundary ----
 
-  // Takes one of the two directions along `m_h`; `old` is the direction so far in the same frame.
+  // Chooses one of the two directions along `m_h`. `old` is the previous direction in the same
+  // frame.
   void start_to_slide(bool forward, Vector old)
   {
     m_status = Geodesic_status::slid_along_boundary;
@@ -264,7 +267,7 @@ private:
     start_to_slide(m_direction.real() >= 0, m_direction);
   }
 
-  // `phi` is the normalized direction out of the surface.
+  // Handles a vertex on the boundary; `phi` is the normalized direction out of the surface.
   void meet_border_vertex(const FT& phi)
   {
     if(m_at_boundary == At_boundary::stop) {
@@ -281,7 +284,7 @@ private:
 
   static Place end_of_side(bool target) { return {FT(target ? 0 : 1), FT(target ? 1 : 0), FT(0)}; }
 
-  // To the end of the border edge of `m_h`, and on to the next one.
+  // Continues to the end of the border edge of `m_h`, and to the next border edge.
   void slide()
   {
     const bool forward = m_direction.real() > 0;

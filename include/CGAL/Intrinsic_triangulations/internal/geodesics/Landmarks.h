@@ -19,7 +19,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Distances along edges from a few vertices, the landmarks, to all others. By the triangle
+// Stores distances along edges from a few vertices, the landmarks, to all others. By the triangle
 // inequality they bound distances between other vertices from below (Goldberg and Harrelson 2005).
 template <typename Surface>
 class Landmarks
@@ -32,7 +32,7 @@ public:
 
   std::size_t size() const { return m_size; }
 
-  // the greatest distance from a landmark
+  // Returns the greatest distance from a landmark.
   const FT& greatest_distance() const { return m_greatest; }
 
   // Adds the vertex that is farthest from all landmarks; the first one is far from `v`. Complexity:
@@ -68,7 +68,7 @@ public:
 private:
   typedef std::array<FT, greatest_number> Distances; // 0 on other components than the landmark
 
-  // Returns the last vertex that is reached.
+  // Computes the distances from `source`, and returns the last vertex that is reached.
   static Vertex_index find_distances(Vertex_index source, const Surface& surface, Search& search)
   {
     const Delta_complex& mesh = surface.mesh();
@@ -84,7 +84,8 @@ private:
     return last;
   }
 
-  // Vertices of a component without a landmark come first.
+  // Returns the vertex farthest from all landmarks. Vertices of a component without a landmark come
+  // first.
   Vertex_index farthest(const Delta_complex& mesh) const
   {
     Vertex_index result;

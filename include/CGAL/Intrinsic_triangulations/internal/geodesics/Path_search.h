@@ -28,7 +28,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sources of shortest paths, the views from them, and the shortest paths back to them.
+// Stores the sources of shortest paths, the views from them, and the shortest paths back to them.
 template <typename EdgeLengthMap>
 class Path_search
 {
@@ -44,8 +44,8 @@ public:
   typedef Face_location<FT> Location;
   typedef Surface_point<FT> Place;
 
-  // The straight part at the end of a path to the point `location`, or to a vertex. It leads
-  // through a view, in whose frame `end` is this point. Otherwise it leads along the halfedge
+  // Describes the straight part at the end of a path to the point `location`, or to a vertex. It
+  // leads through a view, in whose frame `end` is this point. Otherwise it leads along the halfedge
   // `last`, or through its face.
   struct Last_part
   {
@@ -57,7 +57,7 @@ public:
     bool is_straight = true; // the whole path
   };
 
-  // Without paths, only distances of vertices are known, and memory is linear.
+  // Without paths, only distances of vertices are stored, and memory is linear.
   explicit Path_search(const Surface_view<EdgeLengthMap>& surface, bool are_paths_wanted = true)
     : m_mesh(surface.mesh()),
       m_views(surface, are_paths_wanted),
@@ -77,7 +77,7 @@ public:
     return m_number_of_sources++;
   }
 
-  // Segments no longer than rounding are points. Ends come first: they open fewer views.
+  // Segments not longer than rounding errors are points. Ends come first: they open fewer views.
   std::size_t add_source(const Surface_curve<FT>& curve)
   {
     Surface_curve<FT> segments;
@@ -95,8 +95,8 @@ public:
 
   static constexpr std::size_t unlimited_steps = (std::numeric_limits<std::size_t>::max)();
 
-  // Makes distances up to `limit()` final and returns true, unless more than so many views have to
-  // be looked through.
+  // Makes distances up to `limit()` final and returns true. Returns false if this needs more than
+  // `most_steps` views.
   template <typename Limit, typename Visitor>
   bool run(const Limit& limit, std::size_t most_steps, Visitor& visitor)
   {
@@ -127,11 +127,12 @@ public:
     run([&] { return by_corners(q, face).length; }, unlimited_steps, visitor);
   }
 
-  // Returns the length up to which distances are final; infinite at the end.
+  // Returns the length up to which distances are final, or infinity at the end.
   FT final_length() { return m_views.final_length(); }
 
   const FT& distance(Vertex_index v) const { return m_views.distance(v.idx()); }
 
+  // Returns the last part of the path to `v`.
   // \pre run()
   Last_part to(Vertex_index v) const
   {
@@ -159,7 +160,7 @@ public:
     return result;
   }
 
-  // Returns the number of the source of a path that ends with `part`, at `v` if that is a vertex.
+  // Returns the number of the source of a path that ends with `part`, which is at `v` or in a face.
   std::size_t source_of(Last_part part, Vertex_index v) const
   {
     for(; part.origin != Views::null && m_views.is_vertex(part.origin); part = to(v))
@@ -188,7 +189,7 @@ public:
     }
   }
 
-  // the position of a vertex with a halfedge that starts at it
+  // Returns the position of a vertex with a halfedge that starts at it.
   Location at_vertex(Vertex_index v) const { return at_source(first_outgoing_halfedge(v, m_mesh)); }
 
   const Delta_complex& mesh() const { return m_mesh; }
@@ -212,7 +213,7 @@ protected:
     m_vertex.emplace(v.idx(), m_number_of_sources);
   }
 
-  // A point on an edge is added in both faces.
+  // Adds a source at a point. A point on an edge is added in both faces.
   void add_point(const Location& p)
   {
     const Place place = surface_point(p, m_mesh);
@@ -282,7 +283,7 @@ protected:
       part = other;
   }
 
-  // straight from a corner
+  // Returns the last part of the path to `q` that leads straight from a corner.
   Last_part by_corners(const Location& q, const Flat_face<FT>& face) const
   {
     Last_part result;
@@ -295,7 +296,7 @@ protected:
     return result;
   }
 
-  // Looks for shorter paths that reach `q` through side `c` of its face.
+  // Replaces `part` by a shorter last part through side `c` of the face of `q`.
   void look_through(Index c, const Location& q, const Flat_face<FT>& face, Last_part& part) const
   {
     const Index edge = m_views.charts().across(c);
@@ -320,8 +321,8 @@ protected:
 
   Face_beyond<FT> face_beyond(const View& view) const { return {view.edge, m_views.charts()}; }
 
-  // Calls `visit(view, z)` for the view `i` and the views from which it was passed on; `z` is the
-  // end of the line in its frame. Returns the first of them, and `z` in its frame.
+  // Calls `visit(view, z)` for the view `i` and its predecessors. `z` is the end of the line in the
+  // frame of `view`. Returns the first view, and `z` in its frame.
   template <typename Visit>
   std::pair<View, Vector> root_of(Index i, Vector z, const Visit& visit) const
   {
@@ -337,12 +338,12 @@ protected:
     }
   }
 
-  // Adds where the path crosses edges, and returns the view opened at its origin, and the end of
-  // the line in its frame.
+  // Adds the positions where the path crosses edges. Returns the view opened at its origin, and the
+  // end of the line in its frame.
   std::pair<View, Vector> add_crossings(const Last_part& part, std::vector<Place>& places) const
   {
     const Index o = m_views.charts().across(m_views.views()[part.view].edge);
-    // the end of the path is no crossing if it lies on the last edge
+    // The end may lie on the last edge; vertices do not.
     bool is_crossing = places.size() > 1 || !on_edge(places.back()) ||
                        halfedge_of(places.back()) != Charts::halfedge(o, m_mesh);
     return root_of(part.view, part.end, [&](const View& view, const Vector& end) {
@@ -378,7 +379,7 @@ protected:
                          m_mesh);
   }
 
-  // Returns where a path starts that ends at `q` in the same face, or at a vertex.
+  // Returns the start of a path that ends at `q` in the same face, or at a vertex.
   Place start_in_face_of(const Last_part& part, const Location& q) const
   {
     const Location end = vertex_at(q, m_mesh) == Delta_complex::null_vertex()
@@ -388,7 +389,8 @@ protected:
     return surface_point(m_views.origin(part.origin).nearest(face, end.second), m_mesh);
   }
 
-  // Vertices within rounding of the path count as hit.
+  // Returns the position at which the line crosses the edge of a view. Vertices within rounding of
+  // the path count as hit.
   Place crossing(const View& view, const Vector& end) const
   {
     const Index o = m_views.charts().across(view.edge);
@@ -407,7 +409,7 @@ protected:
 
   Location point(Index origin) const { return m_views.origin(origin).source(); }
 
-  // Adds a position, a vertex only once. Between two vertices the path follows an edge, the
+  // Adds a position, but each vertex only once. Between two vertices the path follows an edge, the
   // shortest from one to the other.
   void add(const Place& place, std::vector<Place>& places) const
   {

@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Directions around a point that are in one face, from `begin` to `end`. They are angles on the
-// surface, counterclockwise, with `start`, a direction in the face, at `first`.
+// Stores directions around a point that are in one face, from `begin` to `end`. They are angles on
+// the surface, counterclockwise, with `start`, a direction in the face, at `first`.
 template <typename FT>
 struct Sector_in_face
 {
@@ -30,7 +30,7 @@ struct Sector_in_face
   Vector start;
   FT first, begin, end;
 
-  // Takes away the directions that make less than a right angle with the one at `middle`.
+  // Removes the directions that make less than a right angle with the direction at `middle`.
   void exclude(const FT& middle)
   {
     const FT right = pi<FT>() / 2;
@@ -40,8 +40,8 @@ struct Sector_in_face
       end = (std::min)(end, FT(middle - right));
   }
 
-  // This leaves no gap between the rays from a point and the parallel ones beside them. A gap no
-  // wider than rounding is left empty: the segments on both sides are one line.
+  // Widens the sector, so that no gap is between the rays from a point and the parallel rays beside
+  // them. A gap not wider than rounding errors is kept: the segments on both sides are one line.
   void widen()
   {
     const bool is_empty = end - begin <= rounding_unit<FT>();
@@ -49,8 +49,9 @@ struct Sector_in_face
     end += is_empty ? FT(begin - end) : path_tolerance<FT>();
   }
 
-  // Returns the part of side `s` that is seen, from 0 to 1; the second is no greater than the first
-  // if there is none. \pre the point is not on this side
+  // Returns the visible part of side `s`, from 0 to 1. The second number is not greater than the
+  // first if nothing is visible.
+  // \pre the point is not on this side
   std::pair<FT, FT> part_of_side(const Flat_face<FT>& face, std::size_t s) const
   {
     const Vector a = face.to_corner(s, at.second), b = face.to_corner((s + 1) % 3, at.second);
@@ -65,7 +66,8 @@ struct Sector_in_face
   }
 
 private:
-  // Returns where the ray in the direction at `angle` meets the side from `a` to `b`.
+  // Returns the position at which the ray in the direction at `angle` meets the side from `a` to
+  // `b`.
   FT hit(const Vector& a, const Vector& b, const FT& angle) const
   {
     const Vector d = start * std::polar(FT(1), FT(angle - first));

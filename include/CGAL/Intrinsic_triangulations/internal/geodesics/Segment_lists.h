@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Pieces of paths along edges. The order of pieces side by side on an edge is kept: from the left
-// of its first halfedge to the right.
+// Stores pieces of paths along edges. The order of pieces side by side on an edge is kept: from the
+// left of its first halfedge to the right.
 class Segment_lists
 {
 public:
@@ -32,8 +32,8 @@ public:
     Halfedge_index halfedge;
     Index path, previous, next; // null at the ends of a path
     bool is_removed;
-    // whether the angle to the next segment is not less than pi, as far as known; flips do not
-    // change this angle
+    // Stores whether the angle to the next segment is known to be at least pi, before and after
+    // flips.
     bool is_straight_on_left, is_straight_on_right;
 
     bool is_straight(bool on_left) const
@@ -42,10 +42,10 @@ public:
     }
   };
 
-  // prepares for segments on edges with indices less than `edges`
+  // Allocates lists for segments on edges with indices less than `edges`.
   explicit Segment_lists(std::size_t edges) : m_on_edge(edges) {}
 
-  // the number of segments that have been added
+  // Returns the number of segments that have been added.
   std::size_t size() const { return m_segment.size(); }
 
   void clear()
@@ -59,14 +59,14 @@ public:
 
   bool is_free(Edge_index e) const { return m_on_edge[e.idx()].empty(); }
 
-  // returns the segment that is next to the face of `h`, on the edge of `h`
+  // Returns the segment that is next to the face of `h`, on the edge of `h`.
   Index outermost(Halfedge_index h) const
   {
     const auto& list = m_on_edge[Edge_index(h).idx()];
     return is_first_halfedge(h) ? list.front() : list.back();
   }
 
-  // whether no other segment is between two on one edge
+  // Returns whether no other segment is between two segments on one edge.
   bool are_neighbors(Index s, Index t) const
   {
     const auto& list = m_on_edge[Edge_index(m_segment[s].halfedge).idx()];
@@ -91,9 +91,8 @@ public:
     return s;
   }
 
-  // Puts the segment, whose path is linked, on its edge, beside the others so that paths that come
-  // together and part do not cross. As far as that allows, it is on the right of paths that never
-  // part.
+  // Inserts the segment, whose path is linked, into the list of its edge. Paths that meet and part
+  // again do not cross. Otherwise, the segment is on the right of paths that never part from it.
   template <typename P>
   void insert(Index s, const Surface_mesh<P>& mesh)
   {
@@ -117,7 +116,7 @@ public:
     m_segment[s].is_removed = true;
   }
 
-  // either may be null
+  // Links two segments, which may be null.
   void link(Index s, Index t)
   {
     if(s != null) {
@@ -134,7 +133,7 @@ public:
   }
 
 private:
-  // the halfedge that the path of `s` takes after `h`, and its segment; null at its end
+  // Stores the halfedge that the path of `s` follows after `h`, and its segment; null at its end.
   struct Step
   {
     Index segment;
@@ -151,8 +150,8 @@ private:
     return {t, is_forward ? m_segment[t].halfedge : opposite(m_segment[t].halfedge)};
   }
 
-  // Returns 1 if, after the halfedge `h` of both, `s` turns left of `t`, -1 if right, 0 if one
-  // ends.
+  // Returns 1 if `s` turns left of `t` after the halfedge `h` of both, -1 if it turns right, and 0
+  // if one ends.
   template <typename P>
   int compare_ahead(Index s, Index t, Halfedge_index h, const Surface_mesh<P>& mesh) const
   {
@@ -176,7 +175,8 @@ private:
     return ahead != 0 ? ahead : -compare_ahead(s, t, opposite(h), mesh);
   }
 
-  // the number of outgoing halfedges from `back` to `h`, counterclockwise around their source
+  // Returns the number of outgoing halfedges from `back` to `h`, counterclockwise around their
+  // source.
   template <typename P>
   static std::size_t rank(Halfedge_index h, Halfedge_index back, const Surface_mesh<P>& mesh)
   {
@@ -190,7 +190,7 @@ private:
   }
 
   std::vector<Segment> m_segment;
-  // the segments on each edge, from the side of its first halfedge to the other
+  // Stores the segments on each edge, from the side of its first halfedge to the other.
   std::vector<boost::container::small_vector<Index, 2>> m_on_edge;
 };
 

@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A segment, or a point with two equal ends, as it lies in one face.
+// Represents a segment, or a point with two equal ends, in one face.
 template <typename FT>
 struct Segment_origin
 {
@@ -41,13 +41,13 @@ struct Segment_origin
     return at(face.between(segment.source, q), face);
   }
 
-  // Returns the point from which a parallel ray comes to `z`, in the frame of side `s`.
+  // Returns the point from which a parallel ray reaches `z`, in the frame of side `s`.
   Face_location<FT> foot(const Flat_face<FT>& face, std::size_t s, const Vector& z) const
   {
     return at(z * face.direction(s) + face.to_corner(s, segment.source), face);
   }
 
-  // Returns the view through side `s`, whose length is `l`, by the parallel rays: they leave the
+  // Returns the view through side `s`, whose length is `l`, by the parallel rays that leave the
   // face through this side. It may be empty.
   View<FT> view(const Flat_face<FT>& face, std::size_t s, const FT& l, Index edge,
                 Index origin) const
@@ -74,7 +74,7 @@ struct Segment_origin
   }
 
 private:
-  // Returns the point that is nearest to the one at `v` from the start.
+  // Returns the point of the segment that is nearest to the point at `v` from the start.
   Face_location<FT> at(const Vector& v, const Flat_face<FT>& face) const
   {
     const Vector d = along(face);

@@ -25,16 +25,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Bounds for distances in space from sources: no path on the surface is shorter. Faces need not be
-// flat in space, since only vertices have positions. A segment counts as a ball that contains it,
-// around a corner of its face.
+// Bounds distances in space from sources, which are lower bounds for paths on the surface. Faces
+// need not be flat in space, because only vertices have positions. A segment counts as a ball that
+// contains it, around a corner of its face.
 template <typename FT>
 class Straight_distances
 {
 public:
   typedef std::array<FT, 3> Position;
 
-  // `positions` are the positions of the vertices.
+  // Uses the positions `positions` of the vertices.
   template <typename Surface>
   Straight_distances(const Surface& surface, const Distance_sources<Surface>& sources,
                      const std::vector<Position>& positions)
@@ -49,8 +49,8 @@ public:
       m_greatest_radius = (std::max)(m_greatest_radius, ball.radius);
   }
 
-  // Returns a bound for the distance of the nearest source. Complexity: linear in the sources, less
-  // as a rule.
+  // Returns a bound for the distance of the nearest source. Complexity: linear in the sources,
+  // usually less.
   FT operator()(const Position& p) const
   {
     FT least = std::numeric_limits<FT>::infinity();
@@ -102,7 +102,7 @@ private:
   FT m_greatest_radius = FT(0);
 };
 
-// The position of a point with the coordinates of any kernel.
+// Returns the position of a point with the coordinates of any kernel.
 template <typename FT, typename Point>
 std::array<FT, 3> position_of(const Point& p)
 {

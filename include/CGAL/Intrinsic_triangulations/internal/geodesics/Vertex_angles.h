@@ -23,13 +23,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The angles at one vertex: on the surface, counterclockwise from a given outgoing halfedge, and
-// normalized, from its first outgoing halfedge (Section 2.3.2).
+// Computes the angles at one vertex: on the surface, counterclockwise from a given outgoing
+// halfedge, and normalized, from its first outgoing halfedge (Section 2.3.2).
 template <typename FT>
 class Vertex_angles
 {
 public:
-  // Complexity: linear in the degree.
+  // Sums up the angles at the source of `outgoing`. Complexity: linear in the degree.
   template <typename Surface>
   Vertex_angles(Halfedge_index outgoing, const Surface& surface)
     : m_vertex(surface.mesh().source(outgoing)), m_before(0), m_sum(0)
@@ -49,7 +49,7 @@ public:
   }
 
   bool is_border() const { return m_is_border; }
-  // zero at a vertex where all faces are needles without an area
+  // Returns the angle sum, which is zero if all faces at the vertex are needles without area.
   const FT& sum() const { return m_sum; }
 
   // Returns the normalized angle of the direction at this angle from the outgoing halfedge.
@@ -82,9 +82,9 @@ private:
   bool m_is_border;
 };
 
-// Returns the error of the direction in which a path arrives at `v`, whose last straight part has
-// the length `way`. It is zero if it is no greater than the error of angles. Directions are unknown
-// if another vertex is as near as rounding: the path may pass it on either side.
+// Returns the error of the direction in which a path arrives at `v`. Its last straight part has the
+// length `way`. The error is zero if it does not exceed the error of angles. Directions are unknown
+// if another vertex is within rounding of `v`: the path may pass it on either side.
 template <typename Surface>
 Length_of<Surface> direction_error(Vertex_index v, const Length_of<Surface>& way,
                                    const Surface& surface)
@@ -100,26 +100,26 @@ Length_of<Surface> direction_error(Vertex_index v, const Length_of<Surface>& way
   return 1024 * way < longest ? rounding_unit<FT>() * longest / way : FT(0);
 }
 
-// Returns whether paths that arrive at a vertex can continue in no direction, up to rounding. Their
-// direction has the given error.
+// Returns whether paths that arrive at a vertex cannot continue in any direction, up to rounding.
+// Their direction has the given error.
 template <typename FT>
 bool is_shadow_empty(const Vertex_angles<FT>& angles, const FT& error)
 {
   return angles.sum() - (angles.is_border() ? 1 : 2) * pi<FT>() <= rounding_unit<FT>() - error;
 }
 
-// The directions in which paths can continue at a vertex whose shadow is not empty. They are at
-// least half a turn away from the direction from which paths come, on either side with surface.
+// Stores the directions in which paths can continue at a vertex whose shadow is not empty. They
+// differ by at least pi from the direction from which paths come, on either side of the surface.
 template <typename FT>
 class Outgoing_sector
 {
 public:
-  // all of them if `is_whole`
+  // Allows all directions if `is_whole`.
   Outgoing_sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back)
     : m_sum(angles.sum()), m_back(back), m_is_border(angles.is_border()), m_is_whole(is_whole)
   {}
 
-  // Returns whether there are such directions between two angles.
+  // Returns whether the sector has directions between two angles.
   bool meets(const FT& first, const FT& last) const
   {
     const FT half = pi<FT>() - flat_angle_tolerance<FT>(), a = first - m_back, b = last - m_back;

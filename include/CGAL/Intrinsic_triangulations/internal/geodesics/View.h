@@ -19,9 +19,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where a view enters the face on the side of the origin. It enters through the side before its
-// `edge`, at the corner opposite to it, through the side after it, or inside of the face. Views of
-// the first three kinds lie side by side on `edge` in this order.
+// Describes where a view enters the face on the side of the origin. It enters through the side
+// before its `edge`, at the opposite corner, through the side after it, or inside of the face.
+// Views of the first three kinds lie side by side on `edge` in this order.
 enum class Entry : std::uint8_t
 {
   before,
@@ -30,9 +30,9 @@ enum class Entry : std::uint8_t
   inside
 };
 
-// The view of an origin through a part of an edge. The face of the side `edge`, whose frame this
-// is, is on the side of the origin. The rays from a vertex or a point start at its position. Rays
-// from the interior of a segment are parallel (Bommes and Kobbelt 2007).
+// Represents the view of an origin through a part of an edge. The face of the side `edge`, which
+// defines the frame, is on the side of the origin. The rays from a vertex or a point start at its
+// position. Rays from the interior of a segment are parallel (Bommes and Kobbelt 2007).
 template <typename FT>
 struct View
 {
@@ -72,8 +72,8 @@ struct View
                                  : std::clamp(position.real(), begin, end));
   }
 
-  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge; rays
-  // along the edge cross it at infinity.
+  // Returns the position at which the line from the origin to the point `z` beyond the edge crosses
+  // the edge. Rays along the edge cross it at infinity.
   FT crossing(const Vector& z) const
   {
     const Vector& p = position;
@@ -83,19 +83,19 @@ struct View
     return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
   }
 
-  // Returns whether `z`, beyond the edge or on it, is seen.
+  // Returns whether `z`, beyond the edge or on it, is visible.
   bool sees(const Vector& z, const FT& tolerance) const
   {
     const FT x = crossing(z);
     return begin - tolerance <= x && x <= end + tolerance;
   }
 
-  // Returns a distance up to which errors in the frame are rounding.
+  // Returns the size of the frame, to which its rounding errors are proportional.
   FT scale() const { return is_parallel ? CGAL::abs(before) : extent(); }
 
-  // Returns where the ray through the point of the edge at `x` meets the side from 0 to `apex`.
-  // The result is from 0 to 1. Products that are nearly equal are not subtracted. If all points
-  // are on one line, the ray meets it in that point.
+  // Returns the position at which the ray through the point of the edge at `x` meets the side from
+  // 0 to `apex`. It is from 0 to 1. Nearly equal products are not subtracted. If all points are on
+  // one line, the ray meets it in that point.
   FT hit(const FT& x, const Vector& apex) const { return hit(position, x, apex); }
 
   // Returns the position on the side from `apex` to the end of the edge, whose length is `l`.
@@ -106,7 +106,7 @@ struct View
   }
 
   // Cuts off the part in which all paths are longer than paths by one of the ends of the edge,
-  // whose length is `l`. Returns whether something is left.
+  // whose length is `l`. Returns whether a part remains.
   bool cut_off(const FT& to_source, const FT& to_target, const FT& l)
   {
     return is_parallel ? cut_off_parallel(to_source, to_target, l)
@@ -140,9 +140,9 @@ private:
     return begin <= end;
   }
 
-  // Compares paths from `p` with paths that have the length `before` at 0 and follow the edge.
-  // Returns up to which position, from `begin` to `end`, paths from `p` are longer by more than
-  // `slack`: the difference decreases. A position beyond `end` stands for all.
+  // Compares paths from `p` with paths that have the length `before` at 0 and follow the edge. The
+  // difference of lengths decreases. Returns the position, from `begin` to `end`, up to which paths
+  // from `p` are longer by more than `slack`. A position beyond `end` stands for all.
   static FT cut_off(const Vector& p, const FT& before, const FT& begin, const FT& end)
   {
     const auto is_longer = [&](const FT& x) {
@@ -158,7 +158,8 @@ private:
     return begin < safe && safe < end && is_longer(safe) ? safe : begin;
   }
 
-  // The lengths of parallel paths are linear along the edge. Of 0 / 0 nothing is cut off.
+  // Cuts off a part for parallel paths, whose lengths are linear along the edge. A quotient 0 / 0
+  // cuts off nothing.
   bool cut_off_parallel(const FT& to_source, const FT& to_target, const FT& length)
   {
     const FT slack = path_tolerance<FT>() * (CGAL::abs(before) + length);

@@ -34,10 +34,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Shortest paths from some points to everywhere. Faces are unfolded along the views from the
-// sources, nearest first. Parts of views that cannot contain a shortest path are cut off (after
-// Xin and Wang). Shortest paths bend at vertices only, if the surface has more than half a turn on
-// either side: behind a bend new views start.
+// Computes shortest paths from some points to all others. Faces are unfolded along the views from
+// the sources, nearest first. Parts of views that cannot contain a shortest path are cut off (after
+// Xin and Wang). Shortest paths bend only at vertices, if the surface has more than pi on either
+// side. New views start behind a bend.
 template <typename EdgeLengthMap>
 class View_propagation
 {
@@ -53,8 +53,8 @@ public:
   typedef internal::View<FT> View;
   typedef Segment_origin<FT> Origin;
 
-  // How the shortest path known so far reaches a vertex. It comes through a view, or from the
-  // origin along the halfedge `last`, which ends at the vertex. It may also come through a face
+  // Describes how the shortest path known so far reaches a vertex. It comes through a view, or from
+  // the origin along the halfedge `last`, which ends at the vertex. It may also come through a face
   // whose side `last` ends at the vertex.
   struct Arrival
   {
@@ -64,8 +64,7 @@ public:
     bool is_straight = true;
   };
 
-  // Views that have been looked through are kept only for paths. Distances need the last one of
-  // each vertex.
+  // Processed views are kept only for paths. Distances need the last view of each vertex.
   explicit View_propagation(const Surface_view<EdgeLengthMap>& surface, bool are_views_kept = true)
     : m_surface(surface),
       m_mesh(surface.mesh()),
@@ -104,7 +103,7 @@ public:
     return origin;
   }
 
-  // Adds a point where segments end, in one of its faces; paths start in these directions.
+  // Adds a point where segments end, in one of its faces. Paths start within `sector`.
   Index add_source(const Origin& source, const Sector_in_face<FT>& sector)
   {
     const Index origin = add_origin(source);
@@ -112,7 +111,7 @@ public:
     return origin;
   }
 
-  // Adds a vertex where segments end; paths start in these directions.
+  // Adds a vertex where segments end. Paths start in the directions of `sectors`.
   void add_source(Vertex_index v, const std::vector<Sector_in_face<FT>>& sectors)
   {
     m_distance[v.idx()] = m_opened[v.idx()] = FT(0);
@@ -124,8 +123,8 @@ public:
       open_views(sector, v.idx());
   }
 
-  // Goes on until no path that is shorter than `limit()` can be missing, and returns true, or until
-  // so many views have been looked through. If the visitor throws, `run()` can be called again.
+  // Continues until no path shorter than `limit()` can be missing, and returns true, or until
+  // `most_steps` views are processed. If the visitor throws, `run()` can be called again.
   template <typename Limit, typename Visitor>
   bool run(const Limit& limit, std::size_t most_steps, Visitor& visitor)
   {
@@ -146,7 +145,7 @@ public:
     }
   }
 
-  // Returns the length up to which distances are final; infinite at the end.
+  // Returns the length up to which distances are final, or infinity at the end.
   FT final_length() { return (std::min)(m_next.least_key(), FT(m_bends.least_key() - m_delay)); }
 
   const Surface_view<EdgeLengthMap>& surface() const { return m_surface; }
@@ -163,8 +162,8 @@ public:
   }
 
 private:
-  // Surfaces take up to a hundred views for each halfedge. Few faces with edges of lengths in the
-  // proportion of 1 to ten million take twenty million. Rounding could increase this.
+  // Surfaces need up to a hundred views for each halfedge. Few faces with edge lengths in the ratio
+  // 1 to ten million need twenty million. Rounding could increase this.
   std::size_t greatest_number_of_views() const
   {
     const std::size_t bound = (std::size_t(1) << 25) + 1024 * m_charts.number_of_sides();
@@ -201,8 +200,8 @@ private:
 
   // ---- Vertices ----
 
-  // Takes the path if it is better than the path known so far, and returns whether it is. Of two
-  // paths that are equal up to rounding the straight one is better.
+  // Stores the path if it is better than the path known so far, and returns whether it is. A
+  // straight path is better than another one that is equal up to rounding.
   bool reach(Index v, const FT& length, const Arrival& arrival)
   {
     const FT tolerance = rounding_unit<FT>() * length;
@@ -252,7 +251,7 @@ private:
                     std::conj(face.direction(s)));
   }
 
-  // Paths may have become shorter since the bend was noted.
+  // Opens the views at a bend. Paths may have become shorter since the bend was recorded.
   void open_bend(Index v)
   {
     if(m_opened[v] != m_distance[v])
@@ -268,7 +267,8 @@ private:
     return direction_error(v, (std::max)(FT(0), FT(m_distance[v.idx()] - before)), m_surface);
   }
 
-  // Ways along edges are bounds for others, and stand in for views that rounding has closed.
+  // Opens the views at `v`. Paths along edges bound other paths, and replace views that rounding
+  // has closed.
   void open_views(Vertex_index v)
   {
     const bool is_source = m_arrival[v.idx()].origin == null;
@@ -317,7 +317,7 @@ private:
     return -face.to_corner(s, p) * std::conj(face.direction(s));
   }
 
-  // Opens the views through the sides that are seen in some directions.
+  // Opens the views through the sides that are visible in some directions.
   void open_views(const Sector_in_face<FT>& sector, Index origin)
   {
     const Flat_face<FT> face = flat_face(sector.at.first);
@@ -331,7 +331,7 @@ private:
         }
   }
 
-  // Lets a view wait at its side, unless it is empty.
+  // Adds a view to the waiting views of its side, unless it is empty.
   void push(View view)
   {
     view.position.imag((std::max)(view.position.imag(), FT(0)));
@@ -347,7 +347,7 @@ private:
                         m_distance[m_charts.target(view.edge)], m_charts.length(view.edge));
   }
 
-  // Lets the views that have been handed on wait at the side `c`.
+  // Adds the propagated views to the waiting views of the side `c`.
   void wait(Index c)
   {
     if(m_handed_on.empty())
@@ -359,7 +359,7 @@ private:
     m_next.push(least, c);
   }
 
-  // Views whose origin has been reached on a shorter path since are left out.
+  // Takes the waiting views of `c` whose origin has not been reached on a shorter path.
   void take_waiting(Index c)
   {
     m_waiting.take(c, m_present);
@@ -370,7 +370,7 @@ private:
                     m_present.end());
   }
 
-  // Looks through the side `c` by all waiting views, and returns their number.
+  // Propagates all waiting views through the side `c`, and returns their number.
   std::size_t look_through(Index c)
   {
     take_waiting(c);
@@ -386,7 +386,7 @@ private:
     return m_present.size();
   }
 
-  // Returns the number of the first present view; numbers are not used if none are kept.
+  // Returns the number of the first present view. Numbers are not used if no views are kept.
   Index keep_present()
   {
     const auto number = static_cast<Index>(m_views.size());
@@ -403,7 +403,7 @@ private:
       m_last_view[v] = view;
   }
 
-  // Hands the present views on to one side of the face beyond.
+  // Propagates the present views to a side beyond.
   void hand_on(const Face_beyond<FT>& face, bool is_left, Index first)
   {
     const Index edge = is_left ? face.left() : face.right();

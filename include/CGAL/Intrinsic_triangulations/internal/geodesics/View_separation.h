@@ -16,8 +16,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Cuts off parts of two views through one side in which all paths of one are longer than paths by
-// the other. An empty part has an end before its begin.
+// Cuts off parts of two views through one side in which all paths of one view are longer than paths
+// of the other. An empty part has an end before its begin.
 template <typename FT>
 class View_separation
 {
@@ -29,8 +29,8 @@ public:
   {}
 
   // Separates views whose rays cross before the edge, if `b` begins before the end of `a`. Suppose
-  // that a ray of `a` reaches a point on a path that is no longer than by `b`. Then all rays of `b`
-  // that cross this ray are on longer paths.
+  // that a ray of `a` reaches a point on a path that is not longer than a path by `b`. Then all
+  // rays of `b` that cross this ray are on longer paths.
   void in_order()
   {
     if(m_a.end <= m_b.begin)
@@ -49,7 +49,7 @@ public:
       cut_begin(m_b, x);
   }
 
-  // Separates views of other origins: where both are seen, an end of the longer one is cut off.
+  // Separates other views. If both see an end of a part, one of them is cut off.
   void by_points()
   {
     const FT first = (std::max)(m_a.begin, m_b.begin), last = (std::min)(m_a.end, m_b.end);
@@ -72,7 +72,7 @@ public:
 
 private:
   FT difference(const FT& x) const { return m_a.length_to(x) - m_b.length_to(x); }
-  // The difference has at most one extremum along the edge.
+  // Returns the derivative of the difference, which has at most one extremum along the edge.
   FT slope(const FT& x) const { return m_a.slope(x) - m_b.slope(x); }
 
   static void cut_begin(View& v, const FT& x)
@@ -99,8 +99,9 @@ private:
       cut_end(v, from);
   }
 
-  // Returns where both lengths are equal up to rounding, by Newton's method, which does not leave
-  // the interval. \pre the differences at its ends have different signs
+  // Returns the position at which both lengths are equal up to rounding, by Newton's method
+  // restricted to the interval.
+  // \pre the differences at its ends have different signs
   FT crossing(FT first, FT last, const FT& at_first, const FT& at_last) const
   {
     FT x = first + (last - first) * (at_first / (at_first - at_last));
@@ -120,7 +121,7 @@ private:
 };
 
 // Separates two views through one side. If `order` is negative, the rays of `a` come from the left
-// of all rays of `b`. If it is positive, they come from the right; zero means unknown.
+// of all rays of `b`. If it is positive, they come from the right. Zero means unknown.
 template <typename FT>
 void separate(View<FT>& a, View<FT>& b, int order)
 {

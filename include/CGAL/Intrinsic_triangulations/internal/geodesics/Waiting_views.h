@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Adds a view to a list, which is in the order of begins along an edge, and separates it from the
-// last views. The result of `order(a, b)` is as for `separate()`.
+// Adds a view to a list, which is sorted by begins along an edge, and separates it from the last
+// views. The result of `order(a, b)` is the argument `order` of `separate()`.
 template <typename FT, typename Order>
 void append(View<FT> view, const Order& order, std::vector<View<FT>>& list)
 {
@@ -41,8 +41,8 @@ void append(View<FT> view, const Order& order, std::vector<View<FT>>& list)
     list.push_back(view);
 }
 
-// Views that wait at the sides through which they look, in the order along each side. Memory is
-// reused, and linear in the number of sides and of waiting views.
+// Stores views that wait at the sides through which they look, in the order along each side. Memory
+// is reused, and linear in the number of sides and of waiting views.
 template <typename FT>
 class Waiting_views
 {

@@ -24,9 +24,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The position of the source of a halfedge of T2 in the face of T1 into which it leads. This face
-// is laid out with the outgoing halfedge before the halfedge on the x-axis. If the source lies
-// inside the face f, halfedge(f) is on the x-axis.
+// Stores the position of the source of a halfedge of T2 in the face of T1 into which it leads. In
+// the layout of this face, the outgoing halfedge before the halfedge is on the x-axis. If the
+// source lies inside the face f, halfedge(f) is on the x-axis.
 template <typename Traits>
 struct Start_in_input_face
 {
@@ -40,7 +40,7 @@ struct Start_in_input_face
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
 
-  // returns the coordinates of the point, beginning with the corner opposite to side `s`
+  // Returns the coordinates of the point, beginning with the corner opposite to side `s`.
   typename Flat_face<FT>::Place place_beyond(std::size_t s) const
   {
     return {place[(s + 2) % 3], place[s], place[(s + 1) % 3]};
