@@ -39,7 +39,7 @@ FT checked_time_step_factor(const NamedParameters& np)
   return factor;
 }
 
-// The time for which heat flows on each component.
+// Returns the time for which heat flows on each component.
 template <typename Surface, typename FT>
 std::vector<FT> time_steps(const Surface& surface, const FT& factor,
                            const Mesh_components& components)
@@ -57,7 +57,7 @@ std::vector<FT> time_steps(const Surface& surface, const FT& factor,
   return result;
 }
 
-// A / t, where a third of the area around a vertex is its capacity for heat.
+// Returns A / t, where a third of the area around a vertex is its capacity for heat.
 template <typename Surface, typename FT>
 Eigen::Matrix<FT, Eigen::Dynamic, 1> decay_rates(const Surface& surface, const FT& factor,
                                                  const Mesh_components& components)
@@ -81,8 +81,8 @@ Eigen::SparseMatrix<Scalar> plus_diagonal(const Eigen::SparseMatrix<Scalar>& mat
   return result + matrix;
 }
 
-// Lets heat flow for one backward Euler step: (A / t + L) u = sources, in which no unit of length
-// is left.
+// Computes one backward Euler step of the heat flow: (A / t + L) u = sources. The equation is free
+// of units of length.
 template <typename FT>
 class Heat_flow
 {
@@ -98,20 +98,21 @@ public:
   {}
 
   const Mesh_components& components() const { return m_components; }
-  // A / t
+  // Returns A / t.
   const Vector& rates() const { return m_rate; }
-  // the order of the vertices, which serves other matrices of the surface too
+  // Returns the elimination order of the vertices, which other matrices of the surface can use,
+  // too.
   const Elimination_order& order() const { return m_factorization.order(); }
 
-  // The heat at the sources. Heat falls exponentially with distance, and must not fall below the
-  // range of its number type.
+  // Returns the heat at the sources. Heat falls exponentially with distance, and must not fall
+  // below the range of its number type.
   static FT unit()
   {
     typedef std::numeric_limits<FT> Limits;
     return (Limits::max)() * Limits::epsilon() * Limits::epsilon();
   }
 
-  // one at the sources
+  // Returns a vector that is one at the sources, and zero at the other vertices.
   template <typename VertexRange>
   Vector indicator(const VertexRange& sources) const
   {
@@ -121,7 +122,7 @@ public:
     return result;
   }
 
-  // on each component
+  // Returns the number of sources on each component.
   std::vector<std::size_t> number_of_sources(const Vector& sources) const
   {
     std::vector<std::size_t> result(m_components.size(), 0);
@@ -131,11 +132,11 @@ public:
     return result;
   }
 
-  // the heat from `sources`, times unit()
+  // Returns the heat from `sources`, times unit().
   Vector spread(const Vector& sources) const { return m_factorization.solve(unit() * sources); }
 
-  // returns the heat from `sources`, times unit(), which reaches all vertices of components with a
-  // source
+  // Returns the heat from `sources`, times unit(), which reaches all vertices of components with a
+  // source.
   Vector spread_everywhere(const Vector& sources) const
   {
     Vector heat = spread(sources);
@@ -143,7 +144,7 @@ public:
     return heat;
   }
 
-  // Returns the same for all columns.
+  // Returns the heat from the sources of each column, times unit(), on components with a source.
   Columns spread_columns_everywhere(const Columns& sources) const
   {
     Columns heat = m_factorization.solve_columns(unit() * sources);

@@ -31,7 +31,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The steps of the heat method before, between and after its two systems of equations.
+// Implements the steps of the heat method before, between and after its two systems of equations.
 template <typename FT>
 class Heat_method
 {
@@ -40,7 +40,7 @@ class Heat_method
 public:
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  // what the sources determine directly
+  // Stores the values that the sources determine directly.
   struct Source_values
   {
     Vector moments;           // of the heat
@@ -49,7 +49,8 @@ public:
 
     bool is_known(Eigen::Index v) const { return distance[v] < infinity(); }
 
-    // Where distances are prescribed. With one source on each component, constants are subtracted.
+    // Returns the map of vertices with prescribed distances. With one source on each component,
+    // constants are subtracted.
     auto prescribed() const
     {
       return boost::make_function_property_map<Vertex_index>(
@@ -71,7 +72,7 @@ public:
                              share_of_operators(surface));
   }
 
-  // of vertices
+  // Returns the values of sources that are vertices.
   template <typename VertexRange>
   Source_values values_of(const VertexRange& sources) const
   {
@@ -91,7 +92,7 @@ public:
 
   Eigen::Index number_of_vertices() const { return m_number_of_vertices; }
 
-  // The divergence of the unit vectors against the gradient of the heat, integrated.
+  // Returns the integrated divergence of the unit vectors opposite to the gradient of the heat.
   Vector moments(const Vector& heat) const
   {
     Vector result = Vector::Zero(m_number_of_vertices);
@@ -103,7 +104,8 @@ public:
     return result;
   }
 
-  // Where there are several sources on a component, the values there are known already.
+  // Subtracts the error at the sources. If a component has several sources, their values are known
+  // already.
   Vector without_error_at_sources(Vector distance, const Source_values& sources) const
   {
     std::vector<FT> error(m_components.size(), FT(0)), weight = error;
@@ -112,7 +114,7 @@ public:
         error[component(v)] += sources.moments[v] * (distance[v] - sources.distance[v]);
         weight[component(v)] += sources.moments[v];
       }
-    // without a source, all distances become infinite
+    // Without a source, all distances become infinite.
     for(Eigen::Index v = 0; v < distance.size(); ++v)
       if(const std::size_t c = component(v); weight[c] > 0)
         distance[v] -= Digits<FT>::few(error[c] / weight[c]);
@@ -121,7 +123,7 @@ public:
     return distance;
   }
 
-  // For a surface whose order of elimination is known already.
+  // Returns a solver for a surface whose elimination order is known.
   template <typename Surface, typename VertexIsFixedMap>
   static Poisson_solver<FT> poisson_solver(const Surface& surface, const Elimination_order& order,
                                            const VertexIsFixedMap& is_fixed)
@@ -134,7 +136,7 @@ private:
 
   std::size_t component(Eigen::Index v) const { return m_components[static_cast<std::size_t>(v)]; }
 
-  // On a curve, there is as much heat as with a vertex for each mean edge length.
+  // A curve gets as much heat as one vertex for each mean edge length.
   Source_values values_of_parts(const std::vector<Part>& parts) const
   {
     const Eigen::Index n = m_number_of_vertices;
@@ -155,9 +157,9 @@ private:
     return result;
   }
 
-  // A face with an area. `side[k]` is the gradient of the hat function of `corner[k]`, times the
-  // doubled area, over the longest side. `weight` is half the longest side, times the factor of the
-  // operators.
+  // Represents a face with an area. `side[k]` is the gradient of the hat function of `corner[k]`,
+  // times the doubled area, over the longest side. `weight` is half the longest side, times the
+  // factor of the operators.
   struct Face
   {
     std::array<Eigen::Index, 3> corner;
@@ -174,8 +176,9 @@ private:
       weight *= share / 2;
     }
 
-    // The direction of the gradient of the heat; zero if the gradient is. Numbers are scaled, since
-    // heat and its squares take all of the range of `FT`. Precondition: heat is zero or normal.
+    // Returns the direction of the gradient of the heat, or zero if the gradient is zero. Numbers
+    // are scaled, because heat and its squares use the whole range of `FT`. Precondition: heat is
+    // zero or normal.
     std::array<FT, 2> unit_gradient(const Vector& heat) const
     {
       const FT a = heat[corner[0]], b = heat[corner[1]], c = heat[corner[2]];

@@ -25,7 +25,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Conversions between numbers with many digits and `double`, real or complex.
+// The following functions convert between numbers with many digits and `double`, real or complex.
 template <typename Real>
 Real real_part(const Real& x)
 {
@@ -56,10 +56,10 @@ std::complex<double> rounded(const std::complex<Real>& x)
 {
   return {CGAL::to_double(x.real()), CGAL::to_double(x.imag())};
 }
-// The Cholesky factorization of a Hermitian matrix of numbers with many digits, given by its upper
-// triangle. Rows with large diagonal entries would lose significant digits in `double`, and are
-// eliminated with all digits. The rest is factorized in `double`. Such rows belong to vertices
-// that nearly coincide, or that lie almost on a border edge.
+// Computes the Cholesky factorization of a Hermitian matrix of numbers with many digits, given by
+// its upper triangle. Rows with large diagonal entries would lose significant digits in `double`,
+// and are eliminated with all digits. The rest is factorized in `double`. Such rows belong to
+// vertices that nearly coincide, or that lie almost on a border edge.
 template <typename Scalar, typename Rounded>
 class Mixed_Cholesky
 {
@@ -69,7 +69,7 @@ public:
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> Columns;
   typedef typename Eigen::NumTraits<Scalar>::Real Real;
 
-  // The pattern alone matters.
+  // Returns an order that depends only on the sparsity pattern.
   static Eigen::VectorXi fill_reducing_order(const Matrix& matrix)
   {
     const Rounded_matrix pattern = matrix.unaryExpr([](const Scalar&) { return Rounded(1); });
@@ -153,8 +153,8 @@ private:
   // Returns which of two rows is eliminated first.
   bool is_before(int i, int j) const { return is_first(i) != is_first(j) ? is_first(i) : i < j; }
 
-  // Copies what elimination with all digits begins with. An entry stands with the row that is
-  // eliminated first, as the one in the column of this row.
+  // Copies the matrix for the elimination with all digits. An entry is stored with the row that is
+  // eliminated first, in the column of the other row.
   void distribute(const Matrix& upper, std::vector<Row>& row) const
   {
     std::vector<int> place(m_number.size(), -1);

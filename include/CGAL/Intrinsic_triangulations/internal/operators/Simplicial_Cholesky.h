@@ -13,8 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Eigen's Cholesky factorization of Hermitian matrices given by their upper triangles, in the order
-// they have.
+// Adapts Eigen's Cholesky factorization of Hermitian matrices given by their upper triangles. Rows
+// are not permuted.
 template <typename Scalar>
 class Simplicial_Cholesky
   : Eigen::SimplicialLLT<Eigen::SparseMatrix<Scalar>, Eigen::Upper, Eigen::NaturalOrdering<int>>
@@ -28,7 +28,8 @@ public:
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
-  // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
+  // Returns the elimination order that keeps the factor sparse. Its k-th entry is the row that is
+  // eliminated in step k.
   static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
   {
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
@@ -48,7 +49,8 @@ public:
   Vector solve(const Vector& right_side) const { return Base::solve(right_side); }
   Columns solve_columns(const Columns& right_sides) const { return Base::solve(right_sides); }
 
-  // The number of entries of the factor; it is known after the analysis, but not to Eigen's users.
+  // Returns the number of entries of the factor. Eigen knows it after the analysis, but has no
+  // public function for it.
   double size() const { return static_cast<double>(Base::m_matrix.nonZeros()); }
 };
 

@@ -27,7 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// As long as it lives, regions of OpenMP that are begun by this thread have one thread.
+// Limits regions of OpenMP that this thread begins to one thread, during the lifetime of the
+// object.
 class One_thread_of_OpenMP
 {
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_GOMP
@@ -42,8 +43,8 @@ private:
 #endif
 };
 
-// As long as it lives, this thread takes subnormal numbers for zero. Where entries of a factor
-// decay with distance, as with heat, many are subnormal, which slows processors down.
+// Makes this thread treat subnormal numbers as zero, during the lifetime of the object. If entries
+// of a factor decay with distance, as with heat, many are subnormal, which slows processors down.
 class Subnormals_as_zero
 {
 #ifdef CGAL_HAS_SSE2
@@ -59,8 +60,8 @@ private:
 };
 
 // Solves equations with a supernodal factor of CHOLMOD, for several right-hand sides at once.
-// CHOLMOD itself calls BLAS for each block, which takes longer than the block if right-hand sides
-// are few. A row has the values of all right-hand sides.
+// CHOLMOD itself calls BLAS for each block, and the call dominates if right-hand sides are few. A
+// row stores the values of all right-hand sides.
 template <typename Scalar, int number_of_sides = 1>
 class Supernodal_solution
 {
@@ -76,7 +77,7 @@ public:
     : m_factor(factor), m_below(static_cast<Eigen::Index>(factor.maxesize), number_of_sides)
   {}
 
-  // Replaces the columns, which are no more than the number of right-hand sides, by solutions.
+  // Replaces the columns by solutions. Their number is at most the number of right-hand sides.
   template <typename Columns>
   void operator()(Columns&& columns)
   {
@@ -96,7 +97,7 @@ public:
   }
 
 private:
-  // Columns of the factor with the same rows below their triangle.
+  // Represents columns of the factor with the same rows below their triangle.
   struct Block
   {
     Eigen::Index first, columns, rows;
@@ -104,9 +105,9 @@ private:
     const int* row; // below the triangle
 
     Scalar diagonal(Eigen::Index j) const { return entries[j * rows + j]; }
-    // the entries of column `j` below the diagonal in the triangle
+    // Returns the entries of column `j` below the diagonal in the triangle.
     Column inside(Eigen::Index j) const { return {entries + j * rows + j + 1, columns - j - 1}; }
-    // entries below the triangle
+    // Returns the entries of column `j` below the triangle.
     Column below(Eigen::Index j) const { return {entries + j * rows + columns, rows - columns}; }
   };
 
@@ -135,7 +136,7 @@ private:
       m_x.row(block.row[i]) -= below.row(i);
   }
 
-  // Substitutes in the upper triangle, from the last column back.
+  // Solves for the unknowns of a block in the equations of the upper triangle.
   void substitute(const Block& block)
   {
     auto below = m_below.topRows(block.rows - block.columns);
@@ -148,7 +149,7 @@ private:
     }
   }
 
-  // The scalar products of a column of the factor with all columns of `rows`.
+  // Returns the scalar products of a column of the factor with all columns of `rows`.
   template <typename Block_of_rows>
   static Row product(const Column& column, const Block_of_rows& rows)
   {
@@ -164,9 +165,9 @@ private:
   Rows m_x, m_below;
 };
 
-// Eigen's interface to CHOLMOD, supernodal if that pays. Hermitian matrices are given by their
-// upper triangles (entries below are ignored), in their order. It adds settings, an order of
-// elimination of its own, errors, and solutions in many threads with one factor.
+// Adapts Eigen's interface to CHOLMOD, supernodal if this is faster. Hermitian matrices are given
+// by their upper triangles (entries below are ignored), in their order. The class adds settings,
+// its own elimination order, errors, and solutions in many threads with one factor.
 template <typename Scalar>
 class Supernodal_Cholesky
   : Eigen::CholmodBase<Eigen::SparseMatrix<Scalar>, Eigen::Upper, Supernodal_Cholesky<Scalar>>
@@ -180,9 +181,9 @@ public:
 
   Supernodal_Cholesky() : Supernodal_Cholesky(CHOLMOD_NATURAL) {}
 
-  // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
-  // Nested dissection costs more than minimum degree; the factorizations repay it from about this
-  // size on.
+  // Returns the elimination order that keeps the factor sparse. Its k-th entry is the row that is
+  // eliminated in step k. Nested dissection costs more than minimum degree. The faster
+  // factorization outweighs this cost from about this size on.
   static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
   {
     Supernodal_Cholesky factor(upper.rows() > 100000 ? CHOLMOD_NESDIS : CHOLMOD_AMD);
@@ -197,8 +198,8 @@ public:
     check(this->m_cholmod.status);
   }
 
-  // Returns false if the matrix is not positive definite. CHOLMOD would wake four threads for each
-  // supernode, whatever the machine has; with surfaces they cost more time than they save.
+  // Returns false if the matrix is not positive definite. By default, CHOLMOD uses four threads for
+  // each supernode on any machine. For matrices of surfaces, they cost more time than they save.
   bool factorize(const Matrix& upper)
   {
     [[maybe_unused]] const One_thread_of_OpenMP one_thread;
@@ -208,7 +209,7 @@ public:
     return Base::info() == Eigen::Success;
   }
 
-  // Eigen's `solve()` has one workspace, which threads cannot share.
+  // Solves without Eigen's `solve()`, whose single workspace cannot be shared by threads.
   Vector solve(Vector right_side) const
   {
     if(!this->m_cholmodFactor->is_super)
@@ -217,7 +218,7 @@ public:
     return right_side;
   }
 
-  // Solves for all columns, some of them at once.
+  // Solves for all columns, several at once.
   Columns solve_columns(Columns right_sides) const
   {
     constexpr int at_once = 8;
@@ -232,7 +233,7 @@ public:
     return right_sides;
   }
 
-  // The number of entries of the factor.
+  // Returns the number of entries of the factor.
   double size() const { return this->m_cholmod.lnz; }
 
 private:
@@ -255,7 +256,7 @@ private:
   explicit Supernodal_Cholesky(int ordering)
   {
     cholmod_common& settings = this->m_cholmod;
-    // the number of operations per entry at which both kinds take equally long, with OpenBLAS
+    // At this number of operations per entry, both kinds take equally long with OpenBLAS.
     settings.supernodal_switch = 80;
     settings.final_ll = 1; // the other form does not find out whether a matrix is positive
     settings.quick_return_if_not_posdef = 1;

@@ -29,8 +29,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Frames at the vertices, as `Tangent_frames`, but on the boundary angles are angles of the
-// surface. So no curvature is spread around a boundary vertex, and a field that is parallel inside
+// Computes frames at the vertices like `Tangent_frames`, but angles on the boundary are angles of
+// the surface. So no curvature is spread around a boundary vertex. A field that is parallel inside
 // is parallel along the boundary.
 template <typename Surface>
 class Vertex_frames
@@ -52,14 +52,14 @@ public:
     }
   }
 
-  // the parallel transport from the source of `h` to its target
+  // Returns the parallel transport from the source of `h` to its target.
   Complex transport(Halfedge_index h) const
   {
     return -std::polar(FT(1), m_angle[opposite(h).idx()] - m_angle[h.idx()]);
   }
 
-  // the rotations that take vectors from the corners of a face to its frame, and keep the
-  // directions of bisectors
+  // Returns the rotations that map vectors from the corners of a face to its frame, and keep the
+  // directions of bisectors.
   std::array<Complex, 3> to_face(Face_index f) const
   {
     const auto h = sides(f, m_surface.mesh());
@@ -78,7 +78,8 @@ private:
   std::vector<FT> m_angle, m_scale; // of each halfedge, at its source
 };
 
-// Heat flow of tangent vectors at vertices, from and to faces, for a time and for four times that.
+// Computes the heat flow of tangent vectors at vertices, from and to faces, for a time and for four
+// times this time.
 template <typename Surface>
 class Vertex_vector_heat
 {
@@ -87,7 +88,7 @@ public:
   typedef std::complex<FT> Complex;
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  // `factor` is the shorter time in squared mean edge lengths
+  // `factor` is the shorter time in squared mean edge lengths.
   Vertex_vector_heat(const Surface& surface, const Mesh_components& components, const FT& factor)
     : m_surface(surface),
       m_frames(surface),
@@ -95,7 +96,8 @@ public:
       m_long(matrix(components, FT(4) * factor), m_short.order(), "heat flow of vectors")
   {}
 
-  // the order of the vertices, which serves other matrices of the surface too
+  // Returns the elimination order of the vertices, which other matrices of the surface can use,
+  // too.
   const Elimination_order& order() const { return m_short.order(); }
 
   // Returns the heat from the unit normals on the right of the segments of a curve, after the
@@ -118,11 +120,10 @@ private:
                          decay_rates(m_surface, factor, components));
   }
 
-  // Returns cotan weights less the entries of the mass matrix over the time. The mass matrix is
-  // halfway between the consistent and the lumped one. On uniform meshes, its errors are then of
-  // the fourth order instead of the second. A face of area A adds A / 24 to entries off the
-  // diagonal. So the flow depends less on the directions and sizes of edges. Negative weights are
-  // left out.
+  // Returns cotan weights minus the entries of the mass matrix divided by the time. The mass matrix
+  // is the mean of the consistent and the lumped one. On uniform meshes, its errors are then of
+  // fourth order instead of second order. A face of area A adds A / 24 to off-diagonal entries. So
+  // the flow depends less on the directions and sizes of edges. Negative weights are dropped.
   std::vector<FT> weights(const Mesh_components& components, const FT& factor) const
   {
     const std::vector<FT> time = time_steps(m_surface, factor, components);
@@ -153,8 +154,8 @@ private:
     return result;
   }
 
-  // The integrals of the normals of a curve against hat functions; zero where they cancel up to
-  // rounding.
+  // Returns the integrals of the normals of a curve against hat functions. They are zero if they
+  // cancel up to rounding.
   Field moments(const Surface_curve<FT>& curve) const
   {
     Field result = Field::Zero(Eigen::Index(mesh().num_vertices()));
