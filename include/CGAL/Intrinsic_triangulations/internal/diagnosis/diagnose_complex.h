@@ -26,16 +26,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A corner names its vertex and the side of its face that leaves it.
-// `forward` states whether that side runs from the first to the second end of its edge.
+// Represents a side of a face by a corner: its vertex and the side that leaves it. `forward` states
+// whether that side runs from the first to the second end of its edge.
 struct Edge_side
 {
   std::uint32_t corner;
   bool forward;
 };
 
-// Faces glued along edges in any way whatever: any number of faces at an edge, any orientation.
-// Faces that cannot take part in it have no corner. Indices have 32 bits, as in `Surface_mesh`.
+// Represents faces glued arbitrarily along edges: any number of faces at an edge, any orientation.
+// Faces that cannot be part of it have no corner. Indices have 32 bits, as in `Surface_mesh`.
 struct Diagnosis_complex
 {
   typedef std::uint32_t Index;
@@ -83,7 +83,8 @@ struct Diagnosis_complex
             has_face ? corner_face[sides[first_side[e]].corner] : Input_diagnosis::none};
   }
 
-  // Throws std::length_error if there are more than indices.
+  // Checks that indices suffice for `n` elements.
+  // \throws std::length_error if they do not
   static void check_number(std::size_t n)
   {
     if(n >= (std::numeric_limits<Index>::max)())
@@ -124,7 +125,7 @@ struct Diagnosis_complex
   }
 };
 
-// Faces given by vertex indices become a complex whose edges are pairs of vertices.
+// Turns faces given by vertex indices into a complex whose edges are pairs of vertices.
 class Soup_complex_builder
 {
   typedef Diagnosis_complex::Index Index;
@@ -148,7 +149,7 @@ public:
   }
 
 private:
-  // An edge of a face, named by the larger end and the corner that it leaves.
+  // Represents an edge of a face by its larger end and the corner that it leaves.
   struct Side
   {
     Index larger_end, corner;
@@ -200,7 +201,7 @@ private:
     return in_range && distinct;
   }
 
-  // `function(smaller, larger, corner)` with the ends of the side that leaves each corner.
+  // Calls `function(smaller, larger, corner)` with the ends of the side that leaves each corner.
   template <class Function>
   void for_each_side(const Function& function) const
   {
@@ -214,7 +215,7 @@ private:
     }
   }
 
-  // By the smaller end, in linear time, then by the larger one.
+  // Sorts the sides by the smaller end, in linear time, then by the larger one.
   void sort_sides()
   {
     m_first_side.assign(m_complex.number_of_vertices + 2, 0);
@@ -267,7 +268,7 @@ private:
   std::vector<Side> m_sides;
 };
 
-// Edges come from the halfedges, so that loops and parallel edges keep their identity.
+// Takes edges from the halfedges, so that loops and parallel edges keep their identity.
 template <class Graph>
 class Graph_complex_builder
 {

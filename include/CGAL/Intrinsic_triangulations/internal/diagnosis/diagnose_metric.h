@@ -27,14 +27,14 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-// By how much the longest side exceeds the other two together, relatively to the perimeter.
+// Returns the excess of the longest side over the sum of the other two, relative to the perimeter.
 inline double triangle_inequality_excess(std::array<double, 3> sides)
 {
   std::sort(sides.begin(), sides.end());
   return ((sides[2] - sides[1]) - sides[0]) / (sides[0] + sides[1] + sides[2]);
 }
 
-// The embedding, rounded to double.
+// Measures an embedding, rounded to `double`.
 template <class Points>
 class Embedded_metric
 {
@@ -44,7 +44,7 @@ public:
     : m_complex(complex), m_points(points), m_diagnosis(diagnosis)
   {}
 
-  // Differences are taken before rounding: distinct points have a positive distance.
+  // Differences are computed before they are rounded, so distinct points have a positive distance.
   double length(std::size_t e) const
   {
     const auto& [u, v] = m_complex.edge_ends[e];
@@ -64,14 +64,14 @@ public:
     }
   }
 
-  // An edge at a broken vertex is not reported once more.
+  // An edge at a broken vertex is not reported again.
   bool is_measurable(std::size_t e) const
   {
     const auto& [u, v] = m_complex.edge_ends[e];
     return m_is_finite[u] && m_is_finite[v];
   }
 
-  // Lengths of collinear points may miss equality by rounding; the points themselves do not.
+  // Lengths of collinear points may miss equality by rounding, but the points do not.
   void check_shape(std::size_t f, const std::array<double, 3>& sides, double angle)
   {
     const std::size_t c = m_complex.first_corner[f];
@@ -103,8 +103,9 @@ private:
                     {{m_complex.corner_vertex[apex], Input_diagnosis::none}, f});
   }
 
-  // Whether the least height is at most a unit in the last place of the greatest coordinate.
-  // Lengths decide unless it is of the order of their rounding, or of its root.
+  // Returns whether the least height is at most a unit in the last place of the greatest
+  // coordinate. Lengths decide, unless the height is of the order of their rounding error or of its
+  // root.
   static bool is_within_rounding(const Corners& p, const std::array<double, 3>& sides,
                                  double longest)
   {
@@ -146,7 +147,7 @@ private:
   std::vector<bool> m_is_finite;
 };
 
-// Given lengths, rounded to double.
+// Measures given lengths, rounded to `double`.
 class Abstract_metric
 {
 public:
@@ -179,7 +180,7 @@ private:
   Input_diagnosis& m_diagnosis;
 };
 
-// Finds defects of lengths and angles, from positions or given lengths.
+// Diagnoses lengths and angles, whatever their source is.
 template <class Metric>
 class Metric_diagnoser
 {
@@ -228,7 +229,7 @@ private:
     s.max_edge_length = (std::max)(s.max_edge_length, length);
   }
 
-  // A triangle with a side of no length has no angles; the side was reported.
+  // A triangle with a side of zero length has no angles. The side has been reported.
   void check_triangle(std::size_t f)
   {
     const std::size_t c = m_complex.first_corner[f];

@@ -30,7 +30,7 @@ struct Disjoint_sets_storage
   std::vector<unsigned char> m_rank;
 };
 
-// Disjoint sets of the numbers below `n`, in a third of the memory that Boost's storage takes.
+// Stores disjoint sets of the numbers below `n`, in a third of the memory of Boost's storage.
 class Disjoint_sets : Disjoint_sets_storage,
                       public boost::disjoint_sets<unsigned char*, Diagnosis_complex::Index*>
 {
@@ -40,7 +40,7 @@ public:
   {}
 };
 
-// Finds defects that do not depend on lengths.
+// Diagnoses a complex without lengths.
 class Topology_diagnoser
 {
   using Index = Diagnosis_complex::Index;
@@ -74,7 +74,7 @@ private:
     return m_complex.sides[m_complex.first_side[e] + i];
   }
 
-  // Faces that have no corner were reported when they were left out.
+  // Faces without corners have been reported already.
   void check_face_degrees()
   {
     for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
@@ -143,7 +143,7 @@ private:
       static_cast<long>(s.edges) + static_cast<long>(s.faces);
   }
 
-  // Two boundary edges follow one another where they bound the same vertex fan.
+  // A boundary edge follows another one if both bound the same vertex fan.
   std::size_t count_boundary_loops()
   {
     std::vector<Index> boundary_corner(m_complex.corner_vertex.size(), no_edge);
