@@ -65,8 +65,8 @@ void check_inserted(const Triangulation_pair<Traits>& pair)
     throw Invalid_input("the numbers of vertices and of positions differ");
 }
 
-// Whether the shared edge `e` has its length in T1. A whole edge must have it to the bit, a part
-// of one up to the rounding of the positions of its ends.
+// Returns whether the shared edge `e` has its length in T1. A whole edge must have this length
+// bitwise. A part of an edge must have it up to the rounding of the positions of its ends.
 template <typename Traits>
 bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
 {
@@ -79,7 +79,7 @@ bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
   return CGAL::abs(FT(pair.length(e) - length)) <= rounding_unit<FT>() * pair.input_length(whole);
 }
 
-// A defect between the two valid complexes, empty if they have none.
+// Returns a defect between the two valid complexes, or an empty string if they have none.
 template <typename Traits>
 std::string correspondence_defect(const Triangulation_pair<Traits>& pair)
 {
