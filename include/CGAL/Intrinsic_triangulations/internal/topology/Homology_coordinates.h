@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The homology class of a closed curve over the integers: how often it crosses the curve of each
-// generator, from one side to the other.
+// Stores the homology class of a closed curve over the integers. It counts how often the curve
+// crosses the curve of each generator, from one side to the other.
 class Homology_coordinates
 {
 public:
@@ -63,9 +63,9 @@ private:
   std::vector<Entry> m_entries;
 };
 
-// Integer vectors that are part of a basis of all integer vectors, one after the other. Linear
-// functions that vanish on all of them complete them. Each new vector is reduced by the algorithm
-// of Euclid until all functions but one vanish on it, too.
+// Stores integer vectors that are part of a basis of all integer vectors. Linear functions that
+// vanish on all of them complete them. Each new vector is reduced by the algorithm of Euclid until
+// all functions but one vanish on it, too.
 class Partial_basis
 {
   typedef Homology_coordinates::Vector Vector;
@@ -79,7 +79,8 @@ public:
 
   bool is_complete() const { return m_functions.empty(); }
 
-  // Adds a vector if the vectors remain part of a basis, and numbers small. Returns whether it has.
+  // Adds a vector if the vectors remain part of a basis, and numbers remain small. Returns whether
+  // it was added.
   bool add(const Vector& v)
   {
     std::vector<Function> functions = m_functions;
@@ -121,7 +122,8 @@ private:
     return sum;
   }
 
-  // the index of the least absolute value that is not zero; their number if all are
+  // Returns the index of the least absolute value that is not zero, or the number of values if all
+  // are zero.
   static std::size_t least(const Vector& values)
   {
     std::size_t result = values.size();
