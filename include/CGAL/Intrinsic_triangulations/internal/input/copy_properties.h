@@ -60,7 +60,7 @@ double rounded_length(Edge_index e, const Input_metric<K>& metric, const Surface
   return std::sqrt(dot(d, d));
 }
 
-// The lengths of a file, which its metric determines.
+// Checks the lengths of a file, which its metric determines.
 template <typename Surface, typename Metric, typename Traits>
 void check_lengths(const Surface& surface, [[maybe_unused]] const Metric& metric,
                    const Traits& traits)
@@ -102,7 +102,7 @@ void set_lengths(const Graph& g, const Numbering& numbering, const Surface& copy
     put(copy.length_map(), copy.mesh().edge(numbering.halfedge_of(halfedge(e, g))), length(e));
 }
 
-// the positions of vertices of `g`: from the named parameter, or its own
+// Returns the positions of vertices of `g`, from the named parameter or from `g` itself.
 template <typename Graph, typename NamedParameters>
 auto vertex_points(const Graph& g, const NamedParameters& np)
 {
@@ -117,8 +117,8 @@ constexpr bool has_parameter()
   return !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 }
 
-// Gives `copy` the lengths of `g`: lengths of the named parameter, roots of squared ones, or
-// distances of its vertices.
+// Sets the lengths of `copy`. They are the lengths of the named parameter, the roots of squared
+// lengths, or the distances of vertices.
 template <typename Graph, typename NamedParameters, typename Numbering, typename Surface>
 void copy_lengths(const Graph& g, const NamedParameters& np, const Numbering& numbering,
                   const Surface& copy)
@@ -139,7 +139,7 @@ void copy_lengths(const Graph& g, const NamedParameters& np, const Numbering& nu
   }
 }
 
-// The distances of positions are lengths of triangles.
+// Distances of positions need no check, because they are lengths of triangles.
 template <typename NamedParameters, typename Surface, typename Traits>
 void check_copied_lengths(const NamedParameters&, const Surface& copy, const Traits& traits)
 {
@@ -150,7 +150,7 @@ void check_copied_lengths(const NamedParameters&, const Surface& copy, const Tra
     check_triangles(copy, traits);
 }
 
-// returns the exact value of a number of a kernel
+// Returns the exact value of a number of a kernel.
 template <typename K, typename Number>
 auto to_exact(const Number& x) -> decltype(K(x.exact()))
 {
@@ -162,14 +162,14 @@ K to_exact(const K& x)
   return x;
 }
 
-// Without an exact metric nothing is kept.
+// Copies nothing without an exact metric.
 template <typename Graph, typename NamedParameters, typename Numbering>
 void copy_metric(const Graph&, const NamedParameters&, const Numbering&, const Delta_complex&,
                  No_metric&)
 {}
 
-// Keeps what determines the lengths of `g` exactly: positions in floating point, or squared
-// lengths.
+// Copies the data that determine the lengths of `g` exactly: positions in floating point, or
+// squared lengths.
 template <typename Graph, typename NamedParameters, typename Numbering, typename K>
 void copy_metric(const Graph& g, const NamedParameters& np, const Numbering& numbering,
                  const Delta_complex& copy, Input_metric<K>& metric)
@@ -208,7 +208,7 @@ void forget(Input_metric<K>& metric)
   metric = {};
 }
 
-// Mollifies the lengths as the named parameter has it; if they change, they count as exact.
+// Mollifies the lengths as the named parameter requires. If they change, they count as exact.
 template <typename NamedParameters, typename Surface, typename Metric>
 void mollify_lengths([[maybe_unused]] const NamedParameters& np,
                      [[maybe_unused]] const Surface& copy, [[maybe_unused]] Metric& metric)

@@ -15,7 +15,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// whether a number is a + b sqrt(c), as `Sqrt_extension` is
+// Determines whether a number has the form a + b sqrt(c), like `Sqrt_extension`.
 template <typename K, typename = void>
 struct Is_extension : std::false_type
 {};
@@ -25,7 +25,7 @@ struct Is_extension<K, std::void_t<decltype(std::declval<K>().a1(), std::declval
   : std::true_type
 {};
 
-// whether numbers of this type are fractions of integers
+// Returns whether numbers of this type are fractions of integers.
 template <typename K>
 constexpr bool is_fraction()
 {
@@ -33,7 +33,7 @@ constexpr bool is_fraction()
          std::is_same_v<typename Fraction_traits<K>::Is_fraction, Tag_true>;
 }
 
-// whether numbers of this type are a + b sqrt(c) with fractions of one type
+// Returns whether numbers of this type have the form a + b sqrt(c) with fractions of one type.
 template <typename K>
 constexpr bool is_extension_of_fractions()
 {

@@ -28,8 +28,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The shortest hexadecimal text of a finite number, with the prefix 0x after the sign, whatever the
-// locale.
+// Returns the shortest hexadecimal text of a finite number, with the prefix 0x after the sign, in
+// any locale.
 template <typename FT>
 std::string hexadecimal_text(const FT& x)
 {
@@ -40,14 +40,14 @@ std::string hexadecimal_text(const FT& x)
   return (std::signbit(x) ? "-0x" : "0x") + std::string(buffer, end);
 }
 
-// whether exact numbers of this type can be written
+// Returns whether exact numbers of this type can be written.
 template <typename K>
 constexpr bool has_exact_text()
 {
   return std::is_floating_point_v<K> || is_fraction<K>() || is_extension_of_fractions<K>();
 }
 
-// Fractions are written as numerator and denominator, a + b sqrt(c) as the fractions a, b and c.
+// Returns fractions as numerator and denominator, and a + b sqrt(c) as the fractions a, b and c.
 template <typename K>
 std::string exact_text(const K& x)
 {
@@ -69,13 +69,13 @@ std::string exact_text(const K& x)
   }
 }
 
-// Reads a text line by line, and numbers from a line; says in which line something is wrong.
+// Reads a text line by line, and numbers from a line. Errors name the line.
 class Line_reader
 {
 public:
   explicit Line_reader(std::istream& is) : m_is(is) {}
 
-  // goes on to the next line, which must exist
+  // Reads the next line, which must exist.
   void next_line()
   {
     ++m_number;
@@ -85,7 +85,7 @@ public:
     m_position = m_line.data();
   }
 
-  // the line must have nothing more
+  // Checks that the line has no further text.
   void end_line()
   {
     skip_blanks();
@@ -101,7 +101,7 @@ public:
       fail("'" + std::string(line) + "' expected");
   }
 
-  // the next number of the line, which must be within the bounds
+  // Reads the next number of the line, which must be within the bounds.
   template <typename Integer>
   Integer integer(const Integer& least, const Integer& greatest)
   {
@@ -112,7 +112,7 @@ public:
     return value;
   }
 
-  // the next number of the line, in hexadecimal
+  // Reads the next number of the line, in hexadecimal.
   template <typename FT>
   FT hexadecimal()
   {
@@ -127,7 +127,8 @@ public:
     return is_negative ? -value : value;
   }
 
-  // the positive number on the rest of the line, as `exact_text()` writes it, if the type has it
+  // Reads the positive number on the rest of the line, as `exact_text()` writes it, if the type can
+  // represent it.
   template <typename K>
   std::optional<K> exact()
   {
@@ -156,7 +157,7 @@ private:
       ++m_position;
   }
 
-  // goes on behind `text` if that comes next
+  // Skips `text` if it comes next. Returns whether it does.
   bool next_is(std::string_view text)
   {
     const bool result = std::string_view(m_position, static_cast<std::size_t>(end() - m_position))
@@ -242,7 +243,7 @@ private:
     return result;
   }
 
-  // of any size
+  // Returns an integer of any size.
   template <typename Integer>
   static Integer integer(std::string_view digits)
   {
