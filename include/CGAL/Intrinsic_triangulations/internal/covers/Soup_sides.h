@@ -23,7 +23,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sides of a soup of triangles: side 3 t + i leads from corner i of triangle t to the next.
+// Stores the sides of a soup of triangles: side 3 t + i leads from corner i of triangle t to the
+// next.
 class Soup_sides
 {
 public:
@@ -51,9 +52,9 @@ public:
   Index apex(std::size_t side) const { return corner(side / 3, (side + 2) % 3); }
   bool ascends(std::size_t side) const { return source(side) < target(side); }
 
-  // Returns for each side the one before it around its edge. The sides of an edge are in the order
-  // of their indices; more than two sides are in the order of `order(bundle)`. Complexity: linear
-  // beside `order`.
+  // Returns for each side the previous one around its edge. The sides of an edge are in the order
+  // of their indices; more than two sides are in the order of `order(bundle)`. Complexity: linear,
+  // plus the calls of `order`.
   template <typename Order>
   std::vector<Index> sides_before(const Order& order) const
   {
@@ -72,7 +73,7 @@ public:
   }
 
 private:
-  // A side and the greater of its vertices.
+  // Stores a side and the greater of its vertices.
   struct Numbered_end
   {
     Index greater, side;
@@ -136,7 +137,7 @@ private:
     return result;
   }
 
-  // Makes a ring of the sides of each edge, in the order of their indices. Returns the first side
+  // Links the sides of each edge in a ring, in the order of their indices. Returns the first side
   // of each edge that has more than two.
   Bundle link_in_rings(std::vector<Index>& before) const
   {

@@ -16,11 +16,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Orders triangles that have a side in common by their angles around it. The order is
-// counterclockwise, seen against the direction of the side. The angle is zero at a reference. All
-// decisions are exact. Triangles with one angle lie in one plane. They are stacked by their
-// indices, in the direction of the normal whose first nonzero component is positive. So equal
-// triangles are in one order around all their sides. Triangles without a plane come last.
+// Orders triangles with a common side by their angles around it. The order is counterclockwise,
+// seen against the direction of the side. The angle is zero at a reference. All decisions are
+// exact. Triangles with one angle lie in one plane. They are stacked by their indices, in the
+// direction of the normal whose first nonzero component is positive. So equal triangles have the
+// same order around all their sides. Triangles without a plane come last.
 template <typename Point_>
 class Wing_order
 {
@@ -31,7 +31,7 @@ class Wing_order
   typedef typename Kernel::Point_3 Point;
 
 public:
-  // An apex of a triangle, with the index of the triangle.
+  // Stores an apex of a triangle, with the index of the triangle.
   struct Wing
   {
     Point apex;
@@ -89,7 +89,8 @@ private:
              : 2;
   }
 
-  // Whether the normal of the triangle has the chosen direction. Without a normal it has.
+  // Returns whether the normal of the triangle has the chosen direction. Without a normal, returns
+  // true.
   bool is_stacked_upwards(const Point& apex) const
   {
     for(int x = 0; x < 3; ++x) {
