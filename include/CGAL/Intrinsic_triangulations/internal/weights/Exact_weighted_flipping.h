@@ -26,8 +26,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Decisions about T2 with circles around its vertices, whose squared radii are weights. The radii
-// are exact.
+// Decides predicates of T2 with circles around its vertices, whose squared radii are weights. The
+// radii are exact.
 template <typename Traits, typename RadiusMap>
 class Weighted_decisions : public Exact_decisions<Traits>
 {
@@ -42,7 +42,7 @@ public:
   {}
 
   // Returns whether the edge of `h` is weighted Delaunay. If 1024 binary digits do not distinguish
-  // it from a tie, it counts as one.
+  // it from a tie, it counts as a tie.
   bool is_weighted_Delaunay(Halfedge_index h) const
   {
     Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
@@ -127,11 +127,12 @@ public:
     return result;
   }
 
-  // the vertices that others hide
+  // Returns the vertices that others hide.
   std::vector<Vertex_index> hidden_vertices() const { return m_hidden; }
 
 private:
-  // Whether an edge that is not weighted Delaunay has an end at which its faces are not convex.
+  // Returns whether an edge that is not weighted Delaunay has an end at which its faces are not
+  // convex.
   bool hides_end(Halfedge_index h)
   {
     for(Halfedge_index end : {h, opposite(h)})
@@ -152,7 +153,7 @@ private:
 };
 
 // Flips to the weighted Delaunay triangulation of the exact surface, for circles around its
-// vertices. An edge that 1024 binary digits do not distinguish from a tie stays.
+// vertices. An edge is not flipped if 1024 binary digits do not distinguish it from a tie.
 // \throws Flip_limit_exceeded, Overflow_error as `make_Delaunay()` does
 template <typename Traits, typename RadiusMap, typename Visitor>
 Weighted_Delaunay_result<double> flip_exactly_with_circles(Intrinsic_triangulation<Traits>& tri,

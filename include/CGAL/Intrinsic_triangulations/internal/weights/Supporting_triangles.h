@@ -20,8 +20,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A triangle of three lifted points, which hides a vertex. If the lifted point of this vertex lies
-// in it, its weight is a constant plus a convex combination of the three weights.
+// Stores a triangle of three lifted points, which hides a vertex. If the lifted point of this
+// vertex lies in it, its weight is a constant plus a convex combination of the three weights.
 template <typename FT>
 struct Supporting_triangle
 {
@@ -29,9 +29,9 @@ struct Supporting_triangle
   std::array<std::pair<Vertex_index, FT>, 3> part; // nonnegative, with sum 1
 };
 
-// The triangles that hide vertices, at most one for each vertex. They depend on each other, so
-// their weights solve a linear system. Elimination needs no subtraction of parts (Grassmann,
-// Taksar and Heyman), so that vertices close to each other cost no digits.
+// Stores the triangles that hide vertices, at most one for each vertex. They depend on each other,
+// so their weights solve a linear system. Elimination needs no subtraction of coefficients
+// (Grassmann, Taksar and Heyman), so that vertices close to each other lose no digits.
 template <typename FT>
 class Supporting_triangles
 {
@@ -41,8 +41,8 @@ public:
     m_triangle[hidden] = triangle;
   }
 
-  // Sets the weights of all hidden vertices.
-  // Complexity: almost linear, as hidden vertices form small cycles only
+  // Sets the weights of all hidden vertices. Complexity: almost linear, because hidden vertices
+  // form only small cycles.
   // \throws Numerical_error if vertices hide each other in a cycle
   void set_weights(std::vector<FT>& weights) const
   {
@@ -53,7 +53,7 @@ public:
 private:
   typedef std::map<Vertex_index, Supporting_triangle<FT>> Triangles;
 
-  // The equation of a weight. Weights of visible vertices are part of the constant.
+  // Stores the equation of a weight. Weights of visible vertices are part of the constant.
   struct Equation
   {
     FT constant = FT(0), visible_part = FT(0);
@@ -93,8 +93,8 @@ private:
     }
 
   private:
-    // Adds a part of the weight of `w` to the equation of `v`. If they are equal, `normalize()`
-    // replaces it.
+    // Adds `part` times the weight of `w` to the equation of `v`. If `w` is `v`, `normalize()`
+    // eliminates it.
     void add(const FT& part, Vertex_index w, Vertex_index v, const FT& weight)
     {
       const auto of_w = m_equation.find(w);
@@ -116,7 +116,7 @@ private:
       return equation.part.size() * equation.dependent.size();
     }
 
-    // Divides an equation by the sum of its parts.
+    // Divides an equation by the sum of its coefficients.
     void normalize(Vertex_index v)
     {
       Equation& equation = m_equation[v];

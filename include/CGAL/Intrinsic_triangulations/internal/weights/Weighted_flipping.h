@@ -30,7 +30,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The stored lengths of T2.
+// Provides the stored lengths of T2.
 template <typename Traits>
 class Stored_lengths
 {
@@ -43,10 +43,10 @@ public:
 
   const Triangulation& triangulation() const { return m_tri; }
   auto length_map() const { return m_tri.length_map(); }
-  // the relative error that decisions grant to a length
+  // Returns the relative error that decisions assume for a length.
   static FT error() { return rounding_unit<FT>(); }
-  // the least square of an area, relative to squared lengths, that determines weights to 9 digits;
-  // none if no other lengths can decide
+  // Returns the least squared area, relative to squared lengths, that determines weights to 9
+  // digits. Returns zero if no other lengths can decide.
   static FT least_squared_area()
   {
     return has_exact_decisions<Traits>() && !Is_exact<Traits>::value
@@ -56,7 +56,7 @@ public:
 
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
 
-  // Returns whether that was possible.
+  // Flips the edge of `h`, and returns whether this was possible.
   bool flip(Halfedge_index h)
   {
     return succeeds<Traits>([&] { m_tri.flip(h); });
@@ -66,7 +66,7 @@ private:
   Triangulation& m_tri;
 };
 
-// The lengths of T2 on the exact surface of T1, with 155 decimal digits.
+// Provides the lengths of T2 on the exact surface of T1, with 155 decimal digits.
 template <typename Traits>
 class Many_digits_lengths
 {
@@ -75,7 +75,7 @@ class Many_digits_lengths
 public:
   typedef Decimal_float<155> FT;
 
-  // Its edges are straight.
+  // Recomputes the lengths of T2, whose edges are straight.
   explicit Many_digits_lengths(Triangulation& tri) : m_tri(tri), m_flipping(tri)
   {
     m_flipping.recompute_lengths();
@@ -91,7 +91,8 @@ public:
     return boost::make_function_property_map<Edge_index>(
       [this](Edge_index e) { return m_length[e.idx()]; });
   }
-  // Flips keep more digits. Weights that depend on each other converge linearly to this accuracy.
+  // Flips keep more digits than this error. Weights that depend on each other converge linearly to
+  // this accuracy.
   static FT error() { return FT(std::ldexp(1., -128)); }
   static FT least_squared_area() { return FT(0); }
 
@@ -115,7 +116,8 @@ public:
   void store() { m_flipping.recompute_lengths(rounding_unit<double>() / 2); }
 
 private:
-  // Faces that are straight at the source are not convex.
+  // Returns whether the angle at the source is less than pi. Faces with an angle of pi are not
+  // convex.
   bool is_convex_at_source(Halfedge_index h) const
   {
     const Diamond<FT> length = diamond(length_map(), h, m_tri.mesh());
@@ -130,8 +132,8 @@ private:
   std::vector<FT> m_length;
 };
 
-// Decisions by lengths and weights. An edge that is not weighted Delaunay and cannot be flipped
-// waits for larger weights.
+// Decides by lengths and weights. An edge that is not weighted Delaunay and cannot be flipped waits
+// for larger weights.
 template <typename Lengths>
 class Weighted_flipping
 {
@@ -157,7 +159,8 @@ public:
     return satisfies_condition(e) || !m_lengths.is_flippable(m_mesh.halfedge(e));
   }
 
-  // Returns whether that was possible. The new edge is Delaunay, up to rounding of lengths.
+  // Flips an edge, and returns whether this was possible. The new edge is Delaunay, up to rounding
+  // of lengths.
   bool flip(Halfedge_index h)
   {
     if(!m_lengths.flip(h))
@@ -177,10 +180,10 @@ public:
     return !satisfies_condition(e) && !m_lengths.is_flippable(m_mesh.halfedge(e));
   }
 
-  // If an edge is not weighted Delaunay and its diamond is not convex, the triangle of three
-  // corners hides the fourth. Adds such triangles to `triangles`, and moves hidden vertices into
-  // theirs, as lifted points. In the end no vertex lies above a triangle that was found, so weights
-  // are not raised too far. Returns whether a triangle was found.
+  // Adds triangles that hide vertices to `triangles`. If an edge is not weighted Delaunay and its
+  // diamond is not convex, the triangle of three corners hides the fourth. Hidden vertices are
+  // moved into their triangles, as lifted points. No vertex finally lies above a triangle found, so
+  // weights are not raised too far. Returns whether a triangle was found.
   bool raise_weights(Supporting_triangles<FT>& triangles)
   {
     std::set<Vertex_index> hidden;

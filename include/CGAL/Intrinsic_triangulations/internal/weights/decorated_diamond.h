@@ -17,7 +17,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// whether this geometry can have circles at the vertices
+// Determines whether this geometry can have circles at the vertices.
 template <typename Traits, typename = void>
 struct Has_radii : std::false_type
 {};
@@ -47,8 +47,8 @@ auto diamond_of(const Function& of, Halfedge_index h, const Delta_complex& mesh)
                                   of(mesh.prev(o))};
 }
 
-// Calls a function object of `traits` with the diamond of the halfedge `h`: with radii if there are
-// any, otherwise with lengths.
+// Calls a function object of `traits` with the diamond of the halfedge `h`: with radii if they
+// exist, otherwise with lengths.
 template <typename Function, typename Traits, typename LengthMap>
 auto of_diamond(const Function& function, [[maybe_unused]] const Traits& traits,
                 const LengthMap& length, Halfedge_index h, const Delta_complex& mesh)
