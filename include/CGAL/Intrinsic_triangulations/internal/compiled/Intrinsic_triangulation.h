@@ -19,8 +19,9 @@ class Epick;
 
 namespace Intrinsic_triangulations {
 
-// The contents of the compiled library. Its macro is `extern` for users of the library, and empty
-// while the library is built. The macros of the other headers in this folder work in the same way.
+// Lists the instances in the compiled library. Its macro is `extern` for users of the library, and
+// empty while the library is built. The macros of the other headers in this folder work in the same
+// way.
 CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Intrinsic_triangulation<>::Intrinsic_triangulation(
   const Surface_mesh<Point_3<Simple_cartesian<double>>>&,
   const CGAL::parameters::Default_named_parameters&);
