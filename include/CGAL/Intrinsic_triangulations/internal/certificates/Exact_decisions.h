@@ -62,8 +62,8 @@ protected:
   using Base::try_with_more_digits;
 
 public:
-  // A decision with at most `few_roots` independent square roots is faster than many digits. A
-  // decision may involve at most `many_roots`. Each further root triples the cost.
+  // Up to `few_roots` independent square roots are faster than many digits. `many_roots` is the
+  // maximum. Each further root triples the cost.
   static constexpr std::size_t few_roots = 2, many_roots = 12;
 
   using Base::is_input_edge;
@@ -188,8 +188,7 @@ public:
     return result;
   }
 
-  // Returns whether the two faces at the edge of `input` in T1 are coplanar and lie side by side.
-  // Returns false without positions.
+  // Returns whether the two faces at the edge of `input` in T1 are coplanar, side by side.
   bool is_flat(Halfedge_index input) { return m_is_flat(input); }
 
   // Returns the orientation of the face of `h`.
@@ -217,9 +216,9 @@ public:
     return sign == POSITIVE || (sign == ZERO && passes_triangle(h, false));
   }
 
-  // Returns the sign of s - `t`, if `h` crosses an edge of T1 as crossing `m` at the position s.
-  // The sign follows from the heights of both ends of `h`, which is straight, over that edge. If
-  // `h` runs along that edge, the sign is ZERO.
+  // Returns the sign of s - `t`, if `h` crosses an edge of T1 as crossing `m` at the position s. It
+  // follows from the heights of both ends of `h`, which is straight, over that edge. If `h` runs
+  // along that edge, the sign is ZERO.
   template <typename Lazy_number>
   Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_number& t)
   {
