@@ -157,7 +157,7 @@ private:
     return m_tri.is_inserted(m_tri.mesh().source(h));
   }
 
-  // at inserted vertices the surface is flat
+  // The surface is flat at inserted vertices.
   FT scale_at(Halfedge_index h) const
   {
     return starts_at_inserted(h) ? FT(1) : m_frames.scale(m_tri.mesh().source(h));
@@ -180,8 +180,8 @@ private:
     m_angle[h.idx()] = is_shared(h) ? angle_of_outgoing_before(h) : angle_between_neighbors(h);
   }
 
-  // a shared one if there is any, or one inside a face of T1; of several the longest, whose
-  // direction has the smallest error
+  // Returns a shared halfedge if one exists, otherwise one inside a face of T1. If several exist,
+  // returns the longest one, whose direction has the smallest error.
   Halfedge_index outgoing_to_start_with(Vertex_index v) const
   {
     const auto rank = [this](Halfedge_index h) {
@@ -196,8 +196,8 @@ private:
     return best;
   }
 
-  // The outgoing halfedges of the inserted vertex `v` in the proportion of the corners, from the
-  // one that is known.
+  // Sets the angles of the outgoing halfedges of the inserted vertex `v` in the ratio of the
+  // corners, from one known angle.
   void set_angles_around(Vertex_index v, Halfedge_index start, const FT& angle_of_start)
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -222,7 +222,8 @@ private:
 
   FT corner(Halfedge_index h) const { return internal::angle_at_source(h, m_tri); }
 
-  // Divides the angle between the neighbors of `h` in the proportion of the corners beside `h`.
+  // Returns the angle of `h` between its neighbors. The difference between this angle and the sum
+  // of both corners is distributed over the corners.
   FT angle_between_neighbors(Halfedge_index h) const
   {
     const Halfedge_index before = previous_around_source(h, m_tri.mesh());

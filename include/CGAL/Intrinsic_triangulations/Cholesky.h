@@ -21,8 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The factorization for numbers of this type. Types other than the types of Eigen have
-// specializations.
+// Selects the factorization for numbers of this type. Types unknown to Eigen have specializations.
 template <typename Scalar>
 struct Cholesky_of
 {

@@ -93,8 +93,8 @@ private:
   std::vector<Trace_point<FT>> m_place;
 };
 
-// Cuts each face of T2 into its regions. An edge of T2 becomes one edge for each of its pieces; so
-// does a part of an edge of T1, unless it is shared. Parts of T1 come first.
+// Cuts each face of T2 into its regions. Each piece of an edge of T2 becomes one edge. So does each
+// piece of an edge of T1, unless it lies on a shared part. Parts of T1 come first.
 template <typename Traits, typename Point>
 class Common_subdivision<Traits, Point>::Builder
 {
@@ -141,7 +141,7 @@ private:
     for_each_in_chunks<Index>(m_concurrency, mesh, f);
   }
 
-  // piece `p` of the halfedge `h` of T2, counted from its source
+  // Returns piece `p` of the halfedge `h` of T2, counted from its source.
   Halfedge_index intrinsic_piece(Halfedge_index h, size_type p) const
   {
     return Halfedge_index(2 * m_correspondence.number_of_input_pieces() +
@@ -156,7 +156,7 @@ private:
     return internal::Face_regions(crossings);
   }
 
-  // Numbers the regions face by face, and returns how many there are.
+  // Numbers the regions face by face, and returns their number.
   size_type number_regions()
   {
     m_first_region.assign(m_intrinsic.num_faces(), 0);
@@ -262,7 +262,7 @@ private:
     m_result.set_parent(Side::input, f, input_face.is_valid() ? input_face : face_across(side[0]));
   }
 
-  // the face of T1 in which a face of T2 lies if no edge of T1 crosses it
+  // Returns the face of T1 that contains a face of T2 which no edge of T1 crosses.
   Face_index face_across(Halfedge_index side) const
   {
     const Halfedge_index outgoing = m_correspondence.outgoing_before(Side::intrinsic, side);
@@ -270,8 +270,8 @@ private:
                                : m_correspondence.triangulation().input_location(side).first;
   }
 
-  // The halfedge of T1 along the curve from one corner of a region to another, and its piece
-  // between them.
+  // Returns the halfedge of T1 along the curve from one corner of a region to another, and its
+  // piece between them.
   Halfedge_index input_arc(const internal::Region_corner& from, const internal::Region_corner& to,
                            const Sides& side, Halfedge_index& piece_of_arc) const
   {
@@ -284,7 +284,7 @@ private:
     return opposite(outward);
   }
 
-  // edges on the boundary are shared, hence one piece each
+  // Edges on the boundary are shared, so they have one piece each.
   void link_border(Halfedge_index h)
   {
     if(!m_intrinsic.is_border(h))

@@ -180,7 +180,7 @@ public:
   Edge_course course(Halfedge_index h) const { return m_courses(h); }
 
   /// \cond SKIP_IN_MANUAL
-  // the courses of all halfedges, for functions that read courses of both triangulations alike
+  // Returns the courses of all halfedges, for functions that read courses of both triangulations.
   const internal::Edge_courses<Traits>& courses() const { return m_courses; }
   /// \endcond
 
@@ -209,8 +209,8 @@ private:
             edge_point(opposite(oriented_like(h, m_courses.exit(id))), r.s)};
   }
 
-  // the index of the piece that ends at crossing `id` in the direction of the first halfedge of
-  // its edge of T1. The next piece starts at the crossing
+  // Returns the index of the piece that ends at crossing `id` in the direction of the first
+  // halfedge of its edge of T1. The next piece starts at the crossing.
   size_type piece_before(size_type id) const
   {
     const Record& r = m_records[id];

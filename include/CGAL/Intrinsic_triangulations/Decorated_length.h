@@ -103,7 +103,7 @@ struct Has_square_root<FT, std::void_t<decltype(FT(sqrt(std::declval<const FT&>(
 
 } // namespace square_roots
 
-// whether a number type has the function `sqrt()`
+// Determines whether a number type has the function `sqrt()`.
 using square_roots::Has_square_root;
 
 // Returns -det G for the Gram matrix G of three circles, as the square of the volume that their
@@ -118,8 +118,8 @@ FT squared_volume(const Decorated_length<FT>& ij, const Decorated_length<FT>& jk
          2 * (ij.gram() * jk.gram() * ki.gram());
 }
 
-// Returns the positive part of the height of the power center of a triangle ijk over ij. Less the
-// determinant of ij, it is the height times twice the area, times the length of ij.
+// Returns the positive part of the height of the power center of a triangle ijk over ij. The
+// height, times twice the area and the length of ij, is this part minus the determinant of ij.
 template <typename FT>
 FT height_over(const Decorated_length<FT>& ij, const FT& gram_ki, const FT& gram_jk)
 {
@@ -134,8 +134,8 @@ Decorated_length<FT> multiplied(const Decorated_length<FT>& edge, const FT& fact
   return {factor * edge.tangent, factor * edge.source_radius, factor * edge.target_radius};
 }
 
-// The circles at the corners of two neighboring faces ijk and jil, in a unit that keeps products
-// of many lengths in range. All terms are sums of products of numbers that are not negative.
+// Stores the circles at the corners of two neighboring faces ijk and jil, in a unit that keeps
+// products of many lengths in range. All terms are sums of products of nonnegative numbers.
 template <typename FT>
 class Decorated_diamond
 {
@@ -149,8 +149,9 @@ public:
 
   // Returns t_kl after ij has been flipped. Let A be the Gram matrix of i and j, and b_k, b_l the
   // products of both with k and l. Then eta_kl = sqrt(kk ll) - b_k A^-1 b_l. Here kk is the square
-  // of the part of k that is orthogonal to i and j, less r_k r_l. With r = 0 it is Ptolemy's
-  // relation (Equation 4.4). Precondition: the circles i and j do not touch
+  // of the part of k that is orthogonal to i and j, minus r_k r_l. With r = 0 it is Ptolemy's
+  // relation (Equation 4.4).
+  // \pre the circles i and j do not touch
   FT flipped_tangent() const
   {
     using std::sqrt;
@@ -163,8 +164,8 @@ public:
     return FT(sqrt(FT(2 * (apart + product(k(), l())) / D))) / m_factor;
   }
 
-  // The terms of the weighted ideal Delaunay condition: ij satisfies it if `inner` is not greater
-  // than `outer`.
+  // Stores the terms of the weighted ideal Delaunay condition. The edge ij satisfies it if `inner`
+  // is not greater than `outer`.
   struct Condition
   {
     FT inner, outer;
@@ -185,7 +186,7 @@ private:
              multiplied(edge.il, factor), multiplied(edge.lj, factor)}
   {}
 
-  // the Gram coordinates of an apex with i and j
+  // Stores the Gram coordinates of an apex with i and j.
   struct Apex
   {
     FT to_i, to_j;

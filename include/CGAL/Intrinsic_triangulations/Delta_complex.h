@@ -136,7 +136,7 @@ void for_each_outgoing_halfedge(Vertex_index v, const Surface_mesh<P>& mesh, con
 
 namespace internal {
 
-// Returns the connectivity alone, with the numbers of all elements.
+// Returns a copy of the connectivity without property maps. All elements keep their numbers.
 inline Delta_complex without_maps(const Delta_complex& mesh)
 {
   Delta_complex result(mesh);
@@ -156,7 +156,7 @@ void set_triangle(Halfedge_index a, Halfedge_index b, Halfedge_index c, Face_ind
   mesh.set_halfedge(f, a);
 }
 
-// adds the edge from `source` to `target` and returns its halfedge with that direction
+// Adds the edge from `source` to `target` and returns its halfedge with that direction.
 template <typename P>
 Halfedge_index add_directed_edge(Vertex_index source, Vertex_index target, Surface_mesh<P>& mesh)
 {
@@ -240,8 +240,8 @@ void cut_ear(Halfedge_index h, Surface_mesh<P>& mesh)
   set_triangle(first, second, mesh.opposite(cut), mesh.add_face(), mesh);
 }
 
-// Gives each vertex its halfedge, a border halfedge if it is on the boundary, where halfedges and
-// faces have been linked.
+// Sets the halfedge of each vertex, a border halfedge if it is on the boundary. Halfedges and faces
+// must be linked.
 template <typename P>
 void set_halfedges_of_vertices(Surface_mesh<P>& mesh)
 {
@@ -368,7 +368,7 @@ void remove_vertex_with_edges(Vertex_index v,
   mesh.remove_vertex(v);
 }
 
-// replaces the three faces around the interior vertex `v` by one
+// Replaces the three faces around the interior vertex `v` by one.
 template <typename P>
 Face_index remove_interior_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 {
@@ -386,7 +386,8 @@ Face_index remove_interior_vertex(Vertex_index v, Surface_mesh<P>& mesh)
   return f;
 }
 
-// replaces the two faces at the boundary vertex `v` by one; the first of its two border edges stays
+// Replaces the two faces at the boundary vertex `v` by one. The first of its two border edges is
+// kept.
 template <typename P>
 Face_index remove_boundary_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 {

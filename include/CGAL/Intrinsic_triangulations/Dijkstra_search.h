@@ -103,7 +103,7 @@ public:
   Halfedge_index entry(Index x) const { return m_label[x.idx()].entry; }
 
 private:
-  // a label of an earlier search has another `round`
+  // A label of an earlier search has another `round`.
   struct Label
   {
     std::size_t round = 0;

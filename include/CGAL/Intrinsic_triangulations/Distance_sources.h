@@ -30,8 +30,8 @@ class Heat_method;
 
 struct Access_to_sources;
 
-// The data of a vertex about a source in one of its faces. It has the integral of its hat function
-// over the source, and the distance within the face.
+// Stores the data of a vertex about a source in one of its faces. These are the integral of its hat
+// function over the source, and the distance within the face.
 template <typename FT>
 struct Vertex_and_source
 {
@@ -39,7 +39,8 @@ struct Vertex_and_source
   FT moment, distance;
 };
 
-// A vertex, a point or a segment; with the corners of the face, edge or vertex that it lies in.
+// Stores a vertex, a point or a segment, and the corners of the face, edge or vertex that contains
+// it.
 template <typename FT>
 struct Source_part
 {

@@ -12,14 +12,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sum of two `double`, whose first summand is the sum rounded to `double`: some 106 binary
-// digits, with the exponents of `double`. Arithmetic is by Joldes, Muller and Popescu (2017), and
-// the square root by Lefevre et al. (2023). Let u = 2^-53 be the rounding unit of `double`.
-// Relative errors are at most 3 u^2 for sums, 7 u^2 for products, 16 u^2 for quotients and 4 u^2
-// for roots. These bounds hold if products of first parts are in the range of `numeric_limits`.
-// Beyond it digits are lost, and infinity becomes NaN.
+// Represents the sum of two numbers of type `double`. The first one is the sum rounded to `double`.
+// It has some 106 binary digits, with the exponents of `double`. Arithmetic is by Joldes, Muller
+// and Popescu (2017), and the square root by Lefevre et al. (2023). Let u = 2^-53 be the rounding
+// unit of `double`. Relative errors are at most 3 u^2 for sums, 7 u^2 for products, 16 u^2 for
+// quotients and 4 u^2 for roots. These bounds hold if products of first parts are in the range of
+// `numeric_limits`. Beyond it digits are lost, and infinity becomes NaN.
 //
-// `double` must be rounded to nearest, without additional digits.
+// Operations on `double` must round to nearest, without additional digits.
 class Double_double
 {
   typedef Double_double Self;
@@ -31,14 +31,14 @@ public:
   constexpr double low() const { return m_low; }
   explicit constexpr operator double() const { return m_high; }
 
-  // Knuth's sum of two numbers and its rounding error
+  // Returns the sum of two numbers and its rounding error (Knuth).
   static constexpr Self exact_sum(double x, double y)
   {
     const double s = x + y, t = s - x;
     return {s, (x - (s - t)) + (y - t)};
   }
 
-  // A product and its rounding error, unless that underflows.
+  // Returns a product and its rounding error, unless the error underflows.
   static Self exact_product(double x, double y)
   {
     const double p = x * y;
@@ -110,7 +110,8 @@ public:
 private:
   constexpr Double_double(double high, double low) : m_high(high), m_low(low) {}
 
-  // Dekker's, if `y` is not greater than `x` by absolute value
+  // Returns the sum and its rounding error (Dekker).
+  // \pre the absolute value of `y` does not exceed the absolute value of `x`
   static Self ordered_sum(double x, double y)
   {
     const double s = x + y;
@@ -138,8 +139,8 @@ typedef internal::Double_double Double_double;
 } // namespace CGAL::Intrinsic_triangulations
 
 /// \cond
-// The digits for which every sum and product has a relative error of at most `epsilon()`. In this
-// range, products of two roots lose no digits.
+// Every sum and product of numbers in this range has a relative error of at most `epsilon()`.
+// Products of two roots lose no digits.
 template <>
 class std::numeric_limits<CGAL::Intrinsic_triangulations::Double_double>
   : public std::numeric_limits<double>

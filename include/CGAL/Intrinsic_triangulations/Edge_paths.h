@@ -187,8 +187,8 @@ public:
 private:
   typedef internal::Fan Fan;
   typedef std::vector<Halfedge_index> Halfedges;
-  // an angle, its two segments, whether it is on their left, and whether it is certainly less than
-  // pi
+  // Stores an angle, two segments, whether it is on their left, and whether it is certainly less
+  // than pi.
   typedef std::tuple<FT, Index, Index, bool, bool> Joint;
 
   static constexpr std::size_t greatest_number_of_idle_moves = 1000;
@@ -201,7 +201,7 @@ private:
 
   Halfedge_index halfedge(Index s) const { return m_segment[s].halfedge; }
 
-  // the segments of a path, in their order
+  // Returns the segments of a path, in their order.
   std::vector<Index> segments(std::size_t path) const
   {
     std::vector<Index> result;
@@ -213,7 +213,8 @@ private:
     return result;
   }
 
-  // Removes parts that run to and fro: they have no left and right side for the order of paths.
+  // Removes parts of a path that are followed in both directions. Such parts have no sides: paths
+  // beside them could be ordered so that they cross.
   static Halfedges without_spurs(const Halfedges& halfedges, bool is_loop)
   {
     Halfedges result;
@@ -260,8 +261,7 @@ private:
 
   // ---- Joints ----
 
-  // Returns the fan between two segments. On the right, it is the fan on the left of the reversed
-  // path.
+  // Returns the fan at a joint. A joint on the right is one on the left of the reversed path.
   Fan fan(Index s, Index t, bool is_left) const
   {
     return is_left
@@ -281,7 +281,7 @@ private:
     return !outgoing.empty() && m_flattener.is_less_than_pi(outgoing);
   }
 
-  // Puts the joint into the queue, on each side where it may have an angle of less than pi.
+  // Pushes the joint into the queue, for each side that may have an angle of less than pi.
   void note(Index s, Index t)
   {
     if(s == Segments::null || t == Segments::null)
@@ -312,7 +312,8 @@ private:
     return internal::fan_angle(outgoing, m_tri.intrinsic(), Flipping::length_error()).angle;
   }
 
-  // Whether nothing is in the fan but edges that may be flipped.
+  // Returns whether the edges inside the fan can be flipped: no path runs along them, and they are
+  // not constrained.
   bool is_free(const Fan& outgoing) const
   {
     for(std::size_t i = 1; i + 1 < outgoing.size(); ++i)
@@ -357,8 +358,8 @@ private:
     return true;
   }
 
-  // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has
-  // the face of this edge at both ends of the fan, and moves to the sides between them.
+  // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has the
+  // face of this edge at both ends of the fan, and moves to the sides between them.
   Fan outer_arc(const Fan& outgoing, bool is_one_edge) const
   {
     Fan result;
@@ -368,8 +369,8 @@ private:
     return result;
   }
 
-  // Whether the path may move: it must not become longer. Moves that gain no more than rounding, as
-  // beside short edges, are limited in number unless decisions are exact.
+  // Returns whether the path may move, because it does not become longer. Moves that gain no more
+  // than rounding errors, as beside short edges, are limited in number unless decisions are exact.
   bool is_shorter(const Fan& arc, Index s, Index t)
   {
     const auto length = [&](Halfedge_index h) { return m_tri.length(m_mesh.edge(h)); };
@@ -384,9 +385,9 @@ private:
              m_idle_moves++ < greatest_number_of_idle_moves + m_mesh.number_of_edges()));
   }
 
-  // Replaces two segments, or a loop of one, by an arc around the vertex between them. The vertex
-  // is on the left of the halfedges of the arc. Its angles on this side are at least pi if it
-  // `is_bent`.
+  // Replaces two segments, or a loop of one segment, by an arc around the vertex between them. The
+  // vertex is on the left of the halfedges of the arc. Its angles on this side are at least pi if
+  // it `is_bent`.
   void replace(Index s, Index t, const Fan& arc, bool is_left, bool is_bent)
   {
     const Index path = m_segment[s].path;

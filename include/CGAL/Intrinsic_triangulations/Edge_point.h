@@ -52,7 +52,7 @@ Edge_point<FT> reversed(const Edge_point<FT>& p, const Delta_complex& mesh)
 
 namespace internal {
 
-// like reversed(), for a point that may lie on no edge: its halfedge is null then
+// Returns reversed(p), also for a point on no edge, whose halfedge is null.
 template <typename FT>
 Edge_point<FT> reversed_if_valid(const Edge_point<FT>& p, const Delta_complex& mesh)
 {

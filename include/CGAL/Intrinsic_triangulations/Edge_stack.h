@@ -92,8 +92,8 @@ inline void check_flip_limit(bool is_exceeded)
     throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
 }
 
-// The result of a run of flips: its limit, or a failure of the filter, unless all edges are
-// Delaunay.
+// Stores the result of a run of flips. It ends at its limit, at a failure of the filter, or when
+// all edges are Delaunay.
 struct Flipping_result
 {
   enum class End
@@ -116,8 +116,8 @@ struct Flipping_result
   }
 };
 
-// Flips edges until none waits. It starts with edges that wait in `stack`, and continues with
-// edges around flipped ones. An edge stays if `is_good(e)`. It need not wait if `is_certain(e)`,
+// Flips edges until none waits. It starts with edges that wait in `stack`, and continues with edges
+// around flipped ones. An edge is not flipped if `is_good(e)`. It need not wait if `is_certain(e)`,
 // which should be branch-free. `flip(h)` returns whether the edge of `h` could be flipped.
 template <typename Is_certain, typename Is_good, typename Flip>
 Flipping_result flip_within_limit(const Delta_complex& mesh, Edge_stack& stack, std::size_t limit,

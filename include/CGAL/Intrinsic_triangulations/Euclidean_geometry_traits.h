@@ -54,15 +54,16 @@ public:
       const FT x = scaled_distance_of_feet(length);
       const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
       const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
-      // values that are known before the first root come first, and the quotient needs no root:
-      // roots are slow
+      // Terms known before the first root come first, and the quotient needs no root, because roots
+      // are slow.
       const FT scaled_square = x * x + (height_k + height_l) + 2 * sqrt(height_k * height_l);
       return sqrt(scaled_square) * (FT(1) / (2 * length.ij));
     }
 
   private:
-    // The four squares can be paired in two ways. One way loses no digits if i and j are next to
-    // each other, the other if k and l are. The one with the smaller differences is taken.
+    // Returns the scaled distance of the feet. The four squares can be paired in two ways. One
+    // loses no digits if i and j are close, the other if k and l are close. The pairs with the
+    // smaller differences are used.
     static FT scaled_distance_of_feet(const Diamond<FT>& length)
     {
       using CGAL::abs; // or the one of `FT`
@@ -77,13 +78,13 @@ public:
   };
 
 private:
-  // a corner of a triangle: the two sides at it and the one opposite to it
+  // Represents a corner of a triangle by the two sides at it and the opposite side.
   struct Corner
   {
     FT p, q, opposite;
 
     // Returns the cosine times 2 p q, and the squared sine times (2 p q)^2. If `u` is positive,
-    // both belong to a smaller angle: they are increased by as much as a relative error `u` of the
+    // both belong to a smaller angle. They are increased as much as a relative error `u` of the
     // sides allows. If `u` is negative, they belong to a larger angle, as long as the angle is
     // obtuse.
     FT cosine(const FT& u) const
@@ -93,7 +94,7 @@ private:
     }
     FT squared_sine(const FT& u) const
     {
-      // each slack of the triangle inequality changes by at most this
+      // Each slack of the triangle inequality changes by at most this value.
       const FT change = u * (p + q + opposite);
       const FT slack_p = positive(opposite + (q - p) + change);
       const FT slack_q = positive(opposite - (q - p) + change);
@@ -103,8 +104,8 @@ private:
     static FT positive(const FT& x) { return x > 0 ? x : FT(0); }
   };
 
-  // Compares the sum of two angles with pi. The sum is made as small as a relative error `u` of
-  // the sides allows (as large, if `u` is negative).
+  // Compares the sum of two angles with pi. The sum is decreased as much as a relative error `u` of
+  // the sides allows (increased, if `u` is negative).
   static Sign compare_sum_with_pi(const Corner& a, const Corner& b, const FT& u)
   {
     const FT cos_a = a.cosine(u), cos_b = b.cosine(u);
@@ -135,8 +136,8 @@ public:
     /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
-      // away from equality the cosines decide, which are cheap; where they hardly change, near 0
-      // and pi, only the sines can
+      // Except for near ties, the cosines decide, which are cheap. Near 0 and pi they hardly
+      // change, and only the sines can decide.
       if(is_certain(length))
         return true;
       if(is_surely_less(outer(length), inner(length)))
@@ -165,8 +166,8 @@ public:
       return length.ij * length.ij * (length.jk * length.ki + length.il * length.lj);
     }
 
-    // each side changes by four errors with the lengths; the rest covers the roundings of this
-    // function
+    // Each side changes by four errors with the lengths. The rest covers the rounding of this
+    // function.
     bool is_surely_less(const FT& x, const FT& y) const { return (1 + 10 * error) * x < y; }
   };
 

@@ -46,13 +46,13 @@ protected:
     friend FT dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
     friend FT cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
 
-    // as complex numbers
+    // Returns the product as complex numbers.
     friend Vector operator*(const Vector& v, const Vector& w)
     {
       return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
     }
 
-    // turned counterclockwise by the angle with this cosine and sine
+    // Returns the vector turned counterclockwise by the angle with this cosine and sine.
     Vector turned(const FT& cos, const FT& sin) const
     {
       return {cos * x - sin * y, sin * x + cos * y};
@@ -216,7 +216,8 @@ protected:
     m_longest_way = (std::max)(i.way, j.way);
   }
 
-  // These functions continue through the triangle jil and an edge at `l` in this direction.
+  // The next functions continue through the triangle jil, and through an edge at `l` in this
+  // direction.
   void turn_around_source(const Corner& l, const Vector& direction)
   {
     m_direction = direction;
@@ -237,8 +238,8 @@ protected:
     m_squared_length = dot(m_end, m_end);
   }
 
-  // Returns a point with these distances from the ends of the last edge. One of the functions
-  // places it, that for the end on the shorter way.
+  // Returns a point with these distances from the ends of the last edge. It is placed by the
+  // function for the end with the shorter path.
   template <typename From_source, typename From_target>
   Corner placed(const FT& to_target, const FT& to_source, const From_source& from_source,
                 const From_target& from_target) const
@@ -255,19 +256,19 @@ protected:
   /// \endcond
 
 private:
-  // the direction of i->l in the triangle jil
+  // Returns the direction of i->l in the triangle jil.
   Vector direction_at_source(const FT& ij, const FT& jl, const FT& li) const
   {
     return m_direction.turned(corner_cosine(jl, li, ij), -corner_sine(jl, li, ij));
   }
 
-  // the direction of l->j in the triangle jil
+  // Returns the direction of l->j in the triangle jil.
   Vector direction_to_target(const FT& ij, const FT& jl, const FT& li) const
   {
     return m_direction.turned(corner_cosine(li, ij, jl), corner_sine(li, ij, jl));
   }
 
-  // the corner l of the triangle jil
+  // Returns the position of l in the triangle jil.
   Corner apex(const FT& ij, const FT& jl, const FT& li) const
   {
     const Segment& edge = m_edges.back();
@@ -277,8 +278,8 @@ private:
       [&] { return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target; });
   }
 
-  // the position on the line, or beyond its ends, of the point at `t` on an edge; the start of a
-  // line without length
+  // Returns the position on the line, or beyond its ends, of the point at `t` on an edge. Returns
+  // the start of a line without length.
   FT projected(const Segment& edge, const FT& t) const
   {
     return m_squared_length > 0

@@ -35,7 +35,7 @@ FT cross(const std::complex<FT>& v, const std::complex<FT>& w)
   return v.real() * w.imag() - v.imag() * w.real();
 }
 
-// faster than std::abs(), which guards against squares out of range
+// This is faster than std::abs(), which prevents squares out of range.
 template <typename FT>
 FT norm_of(const std::complex<FT>& v)
 {
@@ -48,7 +48,7 @@ std::complex<FT> normalized(const std::complex<FT>& v)
   return v / norm_of(v);
 }
 
-// The distance of 0 from the segment between two points.
+// Returns the distance of 0 from the segment between two points.
 template <typename FT>
 FT distance_from_segment(const std::complex<FT>& p, const std::complex<FT>& q)
 {
@@ -191,13 +191,13 @@ public:
   }
 
 private:
-  // returns the rotation by the angle at corner `k`
+  // Returns the rotation by the angle at corner `k`.
   Vector turn(std::size_t k) const
   {
     return internal::normalized(Vector(this->corner_product((k + 1) % 3), this->quadrupled_area()));
   }
 
-  // returns the nearest corner on the ray; 3 if there is none
+  // Returns the nearest corner on the ray, or 3 if none is on the ray.
   std::size_t corner_hit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead) const
   {
     std::size_t result = 3;
@@ -215,9 +215,9 @@ private:
     return result;
   }
 
-  // Returns the side through which the ray leaves, whose source is on its right and whose target
-  // is on its left. If rounding leaves a choice, a side other than side 0 is preferred, since the
-  // ray mostly enters through side 0.
+  // Returns the side through which the ray leaves. Its source is on the right of the ray, and its
+  // target is on the left. If rounding leaves a choice, a side other than side 0 is preferred,
+  // because the ray mostly enters through side 0.
   static std::size_t side_crossed(const std::array<FT, 3>& left)
   {
     const auto margin = [&](std::size_t s) { return (std::min)(-left[s], left[(s + 1) % 3]); };
@@ -225,8 +225,8 @@ private:
     return margin(0) > margin(result) ? 0 : result;
   }
 
-  // Returns the exit through a side, with the distance of its rounded position, which is stable if
-  // the side is almost along the ray.
+  // Returns the exit through a side, with the distance of the rounded position. This is stable for
+  // sides almost along the ray.
   Exit side_exit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead,
                  const Vector& d) const
   {

@@ -97,12 +97,12 @@ private:
 
 namespace internal {
 
-// Lends objects to threads, and makes at most as many as are in use at once.
+// Lends objects to threads. It makes no more objects than are used at the same time.
 template <typename T>
 class Object_pool
 {
 public:
-  // calls `f(object)` with one of the objects, or with a new one of `make()` if all are in use
+  // Calls `f(object)` with one of the objects, or with a new one of `make()` if all are used.
   template <typename Make, typename F>
   void use(const Make& make, const F& f)
   {

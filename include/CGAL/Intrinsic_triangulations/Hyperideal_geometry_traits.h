@@ -96,7 +96,7 @@ public:
     bool operator()(const Decorated& edges) const
     {
       const auto condition = internal::Decorated_diamond<FT>(edges).condition();
-      // both sides have degree seven and fewer than 15 roundings
+      // Both sides are of degree seven, and have fewer than 15 roundings.
       return !(condition.inner > condition.outer * (1 + 15 * rounding_unit<FT>()));
     }
 

@@ -18,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Equation 4.5, with both sides divided by the product of the four outer lengths. An edge
+// Stores both sides of Equation 4.5, divided by the product of the four outer lengths. An edge
 // satisfies the local ideal Delaunay condition if `inner` is not greater than `outer`. All terms
 // are positive.
 template <typename FT>
@@ -98,7 +98,7 @@ public:
     bool operator()(const Diamond<FT>& length) const
     {
       const internal::Ideal_Delaunay_condition<FT> condition(length);
-      // the seventh covers the roundings of this function, at most four on each side
+      // The seventh unit covers the rounding of this function, at most four on each side.
       return !(condition.inner > condition.outer * (1 + 7 * rounding_unit<FT>()));
     }
 

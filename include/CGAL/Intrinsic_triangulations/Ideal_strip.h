@@ -15,7 +15,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Penner lengths have no orientation.
+// Flips edges with Penner lengths, which have no orientation.
 template <typename FT>
 struct Ptolemy_flip
 {
@@ -23,7 +23,7 @@ struct Ptolemy_flip
 
   static const FT& reversed(const FT& length) { return length; }
 
-  // Ptolemy's relation (Equation 4.4)
+  // Returns the length of the flipped edge by Ptolemy's relation (Equation 4.4).
   static FT flipped(const FT& ij, const FT& jk, const FT& ki, const FT& il, const FT& lj)
   {
     return (ki * lj + jk * il) / ij;
@@ -91,7 +91,7 @@ public:
     const auto& edge = m_strip[m];
     const FT &ai = edge.from_a_to_source, &aj = edge.from_a_to_target;
     const FT &bi = edge.from_b_to_source, &bj = edge.from_b_to_target;
-    // of the products of three lengths only quotients are needed, which stay in range
+    // Only quotients of the products of three lengths are needed, which stay in range.
     const FT a_to_b = (bi / ai) * (bj / aj), i_to_j = (bj / bi) * (aj / ai);
     const FT b_to_j = (length() / edge.edge) * (bi / aj);
     return {1 / (1 + a_to_b), 1 / (1 + i_to_j), b_to_j * (1 + i_to_j) / (1 + a_to_b)};

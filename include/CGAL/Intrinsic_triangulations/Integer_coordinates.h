@@ -22,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Returns a number of crossings.
-// \throws Overflow_error if a mesh cannot number as many.
+// \throws Overflow_error if indices of a mesh cannot represent it
 template <typename Integer>
 Delta_complex::size_type countable(const Integer& crossings)
 {
@@ -230,7 +230,7 @@ public:
   void for_each_curve_end(Halfedge_index outgoing, const Delta_complex& mesh,
                           const Outgoing_halfedges& outgoing_halfedges, const Visit& visit) const
   {
-    // a boundary edge is shared
+    // A boundary edge is shared.
     if(!(m_n[edge_of(mesh.next(outgoing))] > 0))
       return;
     const Integer leaving = curves_leaving(mesh.next(outgoing), mesh);
@@ -368,14 +368,14 @@ public:
 private:
   static Edge_index edge_of(Halfedge_index h) { return Edge_index(h); }
 
-  // `position` has gone less than one round too far
+  // Wraps `position`, which exceeds the degree by less than one round.
   static size_type wrap(size_type position, size_type degree)
   {
     return position < degree ? position : position - degree;
   }
 
-  // Equation 3.5: the roundabout of k->l, from the outgoing halfedge k->i before it and the normal
-  // coordinates of their face
+  // Returns the roundabout of k->l, from the preceding outgoing halfedge k->i and the normal
+  // coordinates of their face (Equation 3.5).
   size_type following_roundabout(Halfedge_index ki, const Integer& n_ki, const Integer& n_il,
                                  const Integer& n_kl, size_type degree) const
   {
@@ -386,8 +386,8 @@ private:
     return wrap(m_r[ki] + static_cast<size_type>(leaving) + along, degree);
   }
 
-  // The coordinates of the edge mk after a vertex m has split an edge: k is on the left of its part
-  // `im`.
+  // Sets the coordinates of the edge mk after a vertex m has split an edge; k is on the left of its
+  // part `im`.
   void set_cut(Halfedge_index im, const Integer& n_mk, size_type r_mk, const Delta_complex& mesh,
                const Outgoing_halfedges& outgoing_halfedges)
   {

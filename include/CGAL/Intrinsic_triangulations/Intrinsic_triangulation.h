@@ -386,7 +386,7 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // Takes the last insertion, of `m` into the face with the first halfedge `first`, back.
+  // Undoes the last insertion, of `m` into the face with the first halfedge `first`.
   void take_back(Vertex_index m, Halfedge_index first)
   {
     m_mesh.set_halfedge(m, m_mesh.opposite(m_mesh.prev(first))); // so that this face stays
@@ -394,7 +394,7 @@ private:
   }
 
   // Sets the lengths of the edges of the new vertex `m` and returns `m`. If a length is not
-  // positive and finite, `undo()` takes the insertion back.
+  // positive and finite, `undo()` undoes the insertion.
   template <typename Decisions, typename Undo>
   Vertex_index measured(Vertex_index m, const Decisions& decisions, const Undo& undo)
   {
@@ -403,7 +403,7 @@ private:
     return m;
   }
 
-  // Flips the edge of `h`; its length is what `length()` returns then. Four flips are none.
+  // Flips the edge of `h`; `length()` then returns its length. Three more flips undo one.
   template <typename Length>
   void turn(Halfedge_index h, const Length& length)
   {
@@ -414,7 +414,7 @@ private:
   }
 };
 
-// Not inline, so that the compiled library can hold it.
+// This constructor is not inline, so that the compiled library can contain it.
 template <typename Traits>
 template <typename Graph, typename NamedParameters>
 Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const NamedParameters& np)

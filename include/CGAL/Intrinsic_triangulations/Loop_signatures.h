@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns the loop that `h` closes along a tree, without what its two paths have in common.
+// Returns the loop that `h` closes along a tree, without the common part of its two paths.
 // `entry(v)` is the last halfedge of the path to `v`, null for the root.
 template <typename Entry>
 std::vector<Halfedge_index> tree_loop(Halfedge_index h, const Entry& entry,
@@ -116,7 +116,7 @@ public:
   }
 
 private:
-  // the halfedge that leads out of the face of `h` to its parent
+  // Returns the halfedge that leads out of the face of `h` to its parent.
   Halfedge_index parent(Halfedge_index h) const { return m_parent[m_trees.face(h).idx()]; }
 
   // Leads paths from a root to all vertices of a component along the tree.

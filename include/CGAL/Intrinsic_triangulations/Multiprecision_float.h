@@ -24,7 +24,7 @@ class Multiprecision_float;
 }
 
 #ifndef DOXYGEN_RUNNING
-// The limits of `double`, the type of most numbers.
+// The range is the range of `double`, in which most numbers are stored.
 template <>
 class std::numeric_limits<CGAL::Intrinsic_triangulations::Multiprecision_float>
   : public std::numeric_limits<double>

@@ -81,8 +81,8 @@ bool are_valid_crossings(const Integer& a, const Integer& b, const Integer& c)
 
 namespace internal {
 
-// The numbers e and c (Equations 3.1, 3.2) of all corners of a triangle; corner s is opposite to
-// side s.
+// Stores the numbers e and c (Equations 3.1, 3.2) of all corners of a triangle. Corner s is
+// opposite to side s.
 template <typename Integer>
 struct Corner_counts
 {
@@ -96,7 +96,8 @@ struct Corner_counts
         static_cast<Integer>(crossings[s] - crossings[(s + 1) % 3] - crossings[(s + 2) % 3]);
       leaving[s] = excess[s] < 0 ? Integer(0) : excess[s];
     }
-    // curves leave at most one corner; the numbers of the other corners are zero
+    // If one corner has curves that leave it, no curves leave the others, and this number is zero
+    // at them.
     for(std::size_t s = 0; s < 3; ++s)
       around[s] = static_cast<Integer>(
         (leaving[s] - excess[s] - leaving[(s + 1) % 3] - leaving[(s + 2) % 3]) / 2);
@@ -113,7 +114,7 @@ Integer flipped_normal_coordinate(const Diamond<Integer>& n)
   const auto distance = [](const Integer& a, const Integer& b) { return a < b ? b - a : a - b; };
   if(!(n.ij > 0 || n.jk > 0 || n.ki > 0 || n.il > 0 || n.lj > 0))
     return Integer(is_shared(n.ij)); // nothing crosses the diamond: frequent, and faster
-  // corners 0 are k and l; corners 1 of ijk and 2 of jil are at i
+  // Corners 0 are k and l. Corner 1 of ijk and corner 2 of jil are at i.
   const Integer ij = crossings(n.ij);
   const internal::Corner_counts<Integer> k({ij, crossings(n.jk), crossings(n.ki)});
   const internal::Corner_counts<Integer> l({ij, crossings(n.il), crossings(n.lj)});
@@ -126,8 +127,8 @@ Integer flipped_normal_coordinate(const Diamond<Integer>& n)
 
 namespace internal {
 
-// The largest normal coordinate that is stored: the sums of the formulas above stay within the
-// type.
+// Checks that `n` does not exceed the largest normal coordinate that is stored. The sums of the
+// formulas above then stay within the range of the type.
 template <typename Integer>
 void check_range(const Integer& n)
 {

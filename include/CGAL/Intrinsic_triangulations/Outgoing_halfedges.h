@@ -94,7 +94,7 @@ private:
     size_type first = 0, degree = 0;
   };
 
-  // how a walk around a vertex begins; null if there is no vertex or no edge at it
+  // Stores the start of a walk around a vertex. It is null if no vertex or no edge exists.
   struct Walk
   {
     Halfedge_index first, second;
@@ -115,7 +115,7 @@ private:
     size_type i = 0;
     m_halfedge[position++] = walk.first;
     put(number, walk.first, i++);
-    // from the border halfedge on to the first one
+    // The loop leads from the border halfedge to the first one.
     for(Halfedge_index h = walk.second; h != walk.first; h = next_around_source(h, mesh)) {
       m_halfedge[position++] = h;
       put(number, h, i++);
@@ -129,9 +129,8 @@ private:
 
 namespace internal {
 
-// The first outgoing halfedge of a vertex inserted on the edge of the halfedge `along`, given
-// whether this and its opposite are border halfedges. It has the boundary on its right; without a
-// boundary it is the even one.
+// Returns the first outgoing halfedge of a vertex inserted on the edge of `along`. It has the
+// boundary on its right. Without a boundary, it is the halfedge with an even index.
 inline Halfedge_index first_inserted_outgoing(Halfedge_index along, bool is_border,
                                               bool opposite_is_border)
 {

@@ -106,7 +106,7 @@ public:
   Length_map length_map() const { return Length_map(m_length.data()); }
 
 private:
-  // The lengths of edges with all digits.
+  // Stores the lengths of edges with all digits.
   class Long_lengths
   {
     typedef typename FT::Long Number;

@@ -207,7 +207,7 @@ protected:
     return m_mesh.add_edge();
   }
 
-  // adds a face whose sides are linked already
+  // Adds a face whose sides are linked already.
   Face_index add_face(Halfedge_index first, const std::array<Face_index, number_of_sides>& parents)
   {
     const Face_index f = m_mesh.add_face();
@@ -217,7 +217,7 @@ protected:
     return f;
   }
 
-  // sets the sides and the parents of a face whose sides are linked already
+  // Sets the data of a face whose sides are linked already.
   void set_face(Face_index f, Halfedge_index first,
                 const std::array<Face_index, number_of_sides>& parents)
   {
@@ -240,8 +240,8 @@ protected:
     m_parent_face[index(side)][f.idx()] = parent;
   }
 
-  // Returns the first halfedge that is a part of a halfedge of `side`, clockwise around the target
-  // of `h` from the face of `h`.
+  // Returns the first halfedge on an edge of `side`, clockwise around the target of `h` from the
+  // face of `h`.
   Halfedge_index parted_outgoing(Side side, Halfedge_index h) const
   {
     do
@@ -261,7 +261,7 @@ private:
     return third != h && m_mesh.next(third) != h;
   }
 
-  // cuts the two sides after `h` off its face
+  // Cuts the two sides after `h` off its face.
   void cut_ear(Halfedge_index h)
   {
     const Face_index f = m_mesh.face(h);

@@ -194,7 +194,7 @@ private:
     set_halfedge(vertex_at_target(h), halfedge_of(h), m_graph);
   }
 
-  // The next halfedge of the border follows clockwise around the target.
+  // Links `h` with the next halfedge of the border, which follows clockwise around the target.
   void link_border(Halfedge_index h)
   {
     Halfedge_index next = mesh().opposite(h);
@@ -215,8 +215,8 @@ private:
 
 namespace internal {
 
-// The value type of property maps of parents: the parent in the first triangulation, or an array
-// of parents in all triangulations.
+// Selects the value type of property maps of parents: the parent in the first triangulation, or an
+// array of parents in all triangulations.
 template <typename Value, typename Parent>
 struct Parents
 {
@@ -235,8 +235,8 @@ struct Parents<std::array<Index, size>, Parent>
   }
 };
 
-// Puts the parents, `parent(element, side)`, of some elements to the map that `np` has for `Tag`,
-// if there is one.
+// Puts the parents `parent(element, side)` of some elements into the map that `np` has for `Tag`,
+// if it has one.
 template <typename Tag, typename NamedParameters, typename Elements, typename Copy,
           typename Parent_of>
 void put_parents(const NamedParameters& np, const Elements& elements, const Copy& copy,

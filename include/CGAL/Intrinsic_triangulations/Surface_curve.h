@@ -68,7 +68,8 @@ FT segment_length(const Surface& surface, const Curve_segment<FT>& segment)
     {edge_length(h[0], surface), edge_length(h[1], surface), edge_length(h[2], surface)}, segment);
 }
 
-// The shortest segment from `p` to `q` in a face of both; without a face if there is none.
+// Returns the shortest segment from `p` to `q` in a face of both, or a segment without face if no
+// such face exists.
 template <typename Surface, typename FT>
 Curve_segment<FT> segment_between(const Surface& surface, const Surface_point<FT>& p,
                                   const Surface_point<FT>& q)

@@ -148,7 +148,7 @@ const Surface_point<FT>& surface_point(const Surface_point<FT>& p, const Surface
 
 namespace internal {
 
-// Returns the vertex where `p` is; null if it is none.
+// Returns the vertex at `p`, or null if `p` is not a vertex.
 template <typename FT>
 Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
 {
@@ -166,7 +166,7 @@ Surface_point<FT> crossing_on(const Edge_point<FT>& p)
     Edge_point<FT>{p.halfedge, (std::min)((std::max)(p.t, least), FT(1 - least))});
 }
 
-// Calls `visit` for the point `p` as each of the faces around it sees it.
+// Calls `visit` with the point `p` as a location in each face around it.
 template <typename FT, typename Visit>
 void for_each_location(const Surface_point<FT>& p, const Delta_complex& mesh, const Visit& visit)
 {

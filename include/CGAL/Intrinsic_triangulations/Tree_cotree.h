@@ -140,7 +140,7 @@ private:
         visit(h);
   }
 
-  // Finds the shortest ways from `root`, and returns the faces, the closest ones first.
+  // Finds the shortest paths from `root`, and returns the faces, the closest ones first.
   std::vector<Face_index> search_from(Face_index root, const Lengths& crossing_length,
                                       Search& search) const
   {
@@ -158,7 +158,7 @@ private:
   }
 
   // Searches a face from which no other face is very far away. Among some faces far from each
-  // other, it has the least greatest distance. After a few rounds it hardly improves.
+  // other, it has the least greatest distance. More rounds hardly improve it.
   std::vector<Face_index> center(Face_index start, const Lengths& crossing_length,
                                  Search& search) const
   {
@@ -197,7 +197,7 @@ private:
     return result;
   }
 
-  // Kruskal's algorithm, the longest loops first
+  // Grows the tree by Kruskal's algorithm, the longest loops first.
   void grow_tree(const Lengths& loop_length)
   {
     std::vector<Edge_index> edges;

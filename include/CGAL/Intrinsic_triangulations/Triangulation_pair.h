@@ -321,7 +321,7 @@ private:
     return *this = Triangulation_pair(other);
   }
 
-  // (re)binds the property maps to the meshes
+  // Binds the property maps to the meshes.
   void attach()
   {
     m_input_length = stored_length_map<FT>(m_input);
@@ -330,7 +330,7 @@ private:
     m_is_constrained = stored_constraint_map(m_mesh);
   }
 
-  // Inserts a vertex; the new edges have the lengths `length`.
+  // Inserts a vertex whose new edges have the lengths `length`.
   Vertex_index insert_into_face(Face_index f, const Face_split<Integer>& at,
                                 const Surface_point<FT>& q, const std::array<FT, 3>& length)
   {
@@ -362,7 +362,7 @@ private:
     return m;
   }
 
-  // Returns a function that takes the next insertion, into the edge of `h`, back.
+  // Returns a function that undoes the next insertion into the edge of `h`.
   auto undo_of_split(Halfedge_index h)
   {
     const auto first = [this](Halfedge_index x) {
@@ -395,8 +395,8 @@ private:
     m_inserted[i] = place;
   }
 
-  // The first of the outgoing halfedges of an inserted vertex follows from the boundary, or from
-  // the parity.
+  // The first outgoing halfedge of an inserted vertex follows from the boundary, or from the
+  // parity.
   void number_inserted_outgoing_halfedges()
   {
     for(Vertex_index v : m_mesh.vertices())
@@ -405,7 +405,7 @@ private:
                                           first_inserted_outgoing(halfedge_of(inserted_vertex(v))));
   }
 
-  // Sets all lengths. If `length()` throws, nothing has changed.
+  // Sets all lengths. If `length()` throws, nothing is changed.
   template <typename Length>
   void set_lengths(Length& length)
   {
@@ -416,8 +416,8 @@ private:
       m_length[e] = lengths[e];
   }
 
-  // the coordinates of a point of the face of `side` in T1, beginning with the corner opposite to
-  // `side`
+  // Returns the coordinates of a point of the face of `side` in T1, beginning with the corner
+  // opposite to `side`.
   std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
   {
     return coordinates_from(m_input.prev(side), p, m_input);

@@ -107,7 +107,7 @@ private:
 
 namespace internal {
 
-// The share of a matrix that is the sum of the matrices of the vertex fans.
+// Returns the sum of the matrices of the vertex fans, multiplied by the share of the surface.
 template <typename FT>
 Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surface<FT>& surface)
 {

@@ -71,7 +71,7 @@ public:
   Edge_course course(Halfedge_index h) const { return m_courses(h); }
 
   /// \cond SKIP_IN_MANUAL
-  // the courses of all halfedges, for functions that read courses of both triangulations alike
+  // Returns the courses of all halfedges, for functions that read courses of both triangulations.
   const internal::Edge_courses<Traits>& courses() const { return m_courses; }
   /// \endcond
 
@@ -99,7 +99,7 @@ public:
     const Halfedge_index h = halfedge_of(point);
     if(is_at_vertex(point))
       return m_tri.mesh().source(h);
-    // a point that is rounded is not exactly on an edge, unless that is one of T1
+    // A rounded point is not exactly on an edge, unless the edge lies on an edge of T1.
     const auto* e = on_edge(point);
     if(e && e->weight[0] > 0 && e->weight[1] > 0 && can_be_split(h) &&
        (!is_exact() || m_tri.coordinates().is_shared(Edge_index(h))))
@@ -168,7 +168,7 @@ public:
   }
 
 private:
-  // Returns what `f` returns for the changes of T2 with the decisions that are wanted.
+  // Returns the result of `f` for the changes of T2 with the requested decisions.
   template <typename Function>
   auto with_decisions(const Function& f)
   {
@@ -264,10 +264,10 @@ private:
   std::vector<std::pair<FT, Halfedge_index>> m_candidates; // edges to flip, the least rank first
 };
 
-// A flip of an outgoing halfedge takes it away from `v`, and a loop counts twice. A vertex with
-// fewer than three outgoing halfedges gets more by a flip of an edge opposite to it. A flat angle
-// at `v` is allowed, since the face without area is removed with `v`; at the other end it would
-// stay. The rank is rounded: it determines the order in which edges are looked at.
+// Returns the edge to flip, which removes an outgoing halfedge from `v`. A loop counts twice. A
+// vertex with fewer than three outgoing halfedges gets more by a flip of an edge opposite to it. A
+// flat angle at `v` is allowed, because the face without area is removed with `v`; at the other end
+// it would remain. The rank is rounded, and determines the order in which edges are tested.
 template <typename Traits>
 template <typename Decisions>
 Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v, Decisions& decisions)

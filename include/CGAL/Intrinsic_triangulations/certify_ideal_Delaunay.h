@@ -46,11 +46,11 @@ struct Ideal_Delaunay_certificate
 
 namespace internal {
 
-// Intervals that are only used where a Protect_FPU_rounding<true> lives.
+// These intervals are only used while a Protect_FPU_rounding<true> exists.
 typedef Interval_nt<false> Filter_interval;
 
-// Returns the length of the edge `e` of T2 in the strip of ideal triangles of T1 that it passes.
-// The lengths of T1 are taken as exact.
+// Returns the length of the edge `e` of T2 in the strip of ideal triangles of T1 that it crosses.
+// The lengths of T1 count as exact.
 template <typename FT, typename Traits>
 FT length_in_strip(Ideal_strip<FT>& strip, Edge_index e, const Triangulation_pair<Traits>& pair,
                    const Edge_courses<Traits>& courses)
@@ -131,7 +131,7 @@ private:
       m_result.ties.push_back(e);
   }
 
-  // A length is part of several conditions.
+  // Returns the exact length of an edge. It is stored, because it is part of several conditions.
   const Exact_field& exact_length(Edge_index e)
   {
     std::optional<Exact_field>& length = m_length[e.idx()];

@@ -23,8 +23,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Negative weights, and with them all risk of an indefinite matrix, are left out. A Delaunay
-// triangulation has them on border edges only. Parallel fields stay parallel.
+// Replaces negative weights by zero, so that the matrix cannot be indefinite. A Delaunay
+// triangulation has negative weights only on border edges. Parallel fields remain parallel.
 template <typename Surface>
 std::vector<Length_of<Surface>> nonnegative_weights(const Surface& surface)
 {

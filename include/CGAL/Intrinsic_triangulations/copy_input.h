@@ -22,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The indices that the elements of a graph get in the Delta-complex. They have the order of the
+// Stores the indices of the elements of a graph in the Delta-complex. They have the order of the
 // ranges vertices(g), edges(g), faces(g). halfedge(e, g) is the first halfedge of its edge.
 template <typename Graph>
 class Input_numbering
@@ -68,7 +68,7 @@ private:
   Map<dynamic_face_property_t<Face_index>> m_face;
 };
 
-// A Surface_mesh without removed elements has these numbers already.
+// Returns indices unchanged: a Surface_mesh without removed elements has these numbers already.
 struct Surface_mesh_numbering
 {
   Vertex_index vertex(Vertex_index v) const { return v; }
@@ -83,8 +83,7 @@ struct Surface_mesh_numbering
   throw Invalid_input("face " + std::to_string(mesh.face(h).idx()) + " is not a triangle");
 }
 
-// Makes `h` the halfedge of its target, which has another one so far. A vertex on the boundary must
-// have its border halfedge.
+// Sets the border halfedge of a vertex on the boundary. The vertices already have a halfedge each.
 inline void set_border_halfedge(Halfedge_index h, Delta_complex& mesh)
 {
   const Vertex_index v = mesh.target(h);
@@ -108,8 +107,8 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
       mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
 }
 
-// Makes border halfedges the halfedges of their vertices. The loop is over indices, since an
-// iterator of the mesh would check at each step whether an element has been removed.
+// The loop runs over indices, because an iterator of the mesh would test at each step whether
+// elements have been removed.
 inline void set_border_halfedges(Delta_complex& mesh)
 {
   for(Delta_complex::size_type n = 0; n < mesh.num_halfedges(); ++n) {

@@ -44,7 +44,8 @@ FT corner_cotangent(const FT& a, const FT& b, const FT& c)
 
 namespace internal {
 
-// Degrees of the angle opposite the shortest side (Kahan's formula, stable for needles).
+// Returns the smallest angle in degrees, opposite to the shortest side (Kahan's formula, stable for
+// needles).
 inline double smallest_angle(std::array<double, 3> sides)
 {
   std::sort(sides.begin(), sides.end(), std::greater<double>());

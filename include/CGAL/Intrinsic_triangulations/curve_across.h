@@ -26,9 +26,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns where a segment of a face of `side` starts on the other triangulation, where it leaves
-// faces of it, and where it ends. An end on an edge of both triangulations has the halfedge with
-// the segment on its left.
+// Returns the points of a segment of a face of `side` on the other triangulation. These are its
+// start, the points where it leaves faces, and its end. An end on an edge of both triangulations
+// has the halfedge with the segment on its left.
 template <typename Traits>
 std::vector<Surface_point<typename Traits::FT>>
 segment_across(const Correspondence<Traits>& correspondence, Side side,
@@ -63,8 +63,8 @@ void add_segments(const std::vector<Surface_point<FT>>& places, const Delta_comp
   }
 }
 
-// The positions of a path whose pieces are added in order. Between a vertex and the next position,
-// it crosses no edge at this vertex, with any rounding.
+// Stores the positions of a path whose pieces are added in order. Between a vertex and the next
+// position, it crosses no edge at this vertex, with any rounding.
 template <typename FT>
 class Joined_path
 {
@@ -75,8 +75,8 @@ public:
 
   bool is_empty() const { return m_places.empty(); }
 
-  // Adds a piece. If the path continues straight from the piece before and both are in one face,
-  // their common end is left out.
+  // Adds a piece. If the path continues straight from the previous piece and both are in one face,
+  // their common end is omitted.
   void add(const std::vector<Point>& piece, bool goes_on_straight)
   {
     const Point& start = piece.front();
@@ -124,8 +124,8 @@ private:
     ++m_crossings;
   }
 
-  // Comes to a vertex with the path on the left of the halfedge `back`. A path through a face from
-  // vertex to vertex follows an edge.
+  // Ends the path at a vertex, with the path on the left of the halfedge `back`. A path through a
+  // face from vertex to vertex follows an edge.
   void come_to_end()
   {
     if(!is_at_vertex(m_end))

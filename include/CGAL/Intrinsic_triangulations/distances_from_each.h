@@ -27,8 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Notifies a visitor that several threads share, from one of them at a time. Windows are counted
-// by the thread before, so that threads rarely wait for each other.
+// Notifies a visitor that several threads share, from one thread at a time. Each thread counts its
+// windows first, so that threads rarely wait for each other.
 template <typename Visitor>
 class Visitor_of_thread
 {

@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns the distance of two points. Positions of type `float` are taken as exact, and distances
-// of type `double` are computed in `double`.
+// Returns a distance. Positions in single precision are exact, and their distances are not rounded
+// to single precision.
 template <typename FT, typename Point>
 FT distance(const Point& p, const Point& q)
 {
@@ -40,7 +40,7 @@ FT distance(const Point& p, const Point& q)
   }
 }
 
-// the root of an exact number, correctly to a few units in the last place if it is rounded
+// Returns the root of an exact number, correct to a few units in the last place if it is rounded.
 template <typename FT, typename K>
 FT root_of(const K& square)
 {

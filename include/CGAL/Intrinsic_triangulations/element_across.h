@@ -28,8 +28,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Finds points of one triangulation on the other: signs that are exact decide on which side of the
-// curves through its face a point lies.
+// Locates points of one triangulation on the other. Exact signs decide on which side of the curves
+// through its face a point lies.
 template <typename Traits>
 class Element_locator
 {
@@ -88,7 +88,7 @@ private:
     return map.region_map(region).first;
   }
 
-  // Returns the element of the other triangulation in which a vertex of one lies.
+  // Returns the element of the other triangulation that contains a vertex.
   Surface_element element_of_vertex(Vertex_index v) const
   {
     if(!m_tri.is_inserted(v))
@@ -99,7 +99,7 @@ private:
     return std::get<Face_location<double>>(p).first;
   }
 
-  // the edge of the other triangulation along `h`
+  // Returns the edge of the other triangulation along `h`.
   Surface_element shared_edge(Side side, Halfedge_index h) const
   {
     return Edge_index(side == Side::input ? m_correspondence.outgoing_before(side, h)
@@ -132,10 +132,10 @@ private:
     });
   }
 
-  // Compares sides, seen from the edge of T1 that passes `mark` and `end`. Returns POSITIVE if the
-  // point with coordinates `b` in a face of T2 is on the side of the source. This is the source of
-  // the side that has `mark`. The result is the sign of the sum of the heights of the corners over
-  // that edge, with these weights.
+  // Compares sides, seen from the edge of T1 that passes `mark` and `end`. The point has the
+  // coordinates `b` in a face of T2. Returns POSITIVE if it is on the side of the source of the
+  // side that has `mark`. The result is the sign of the sum of the heights of the corners over that
+  // edge, with these weights.
   Sign side_of_input(const std::array<Halfedge_index, 3>& halfedge, const Region_corner& mark,
                      const Region_corner& end, const Coordinates& b)
   {
@@ -176,7 +176,7 @@ private:
     return *result;
   }
 
-  // Returns the element of T2 on which `p` lies; none if `p` is outside of the region.
+  // Returns the element that contains `p`, or nothing if `p` is not in the region or on its sides.
   std::optional<Surface_element> element_at(const typename Walk::Region_id& id,
                                             const Region& region, const Face_location<double>& p)
   {
@@ -203,13 +203,13 @@ private:
     return *tie;
   }
 
-  // `p` lies in the face of T1 to the left of the shared halfedge `x`
+  // Returns the side of `p`, which lies in the face of T1 to the left of the shared halfedge `x`.
   Sign side_of_shared(Halfedge_index x, const Face_location<double>& p) const
   {
     return CGAL::sign(coordinates_from(m_tri.input_halfedge(x), p, m_tri.input_mesh())[2]);
   }
 
-  // whether the vertex `v` of T2 is an inserted one that lies at `p`, exactly
+  // Returns whether the vertex `v` of T2 is an inserted vertex that lies exactly at `p`.
   bool is_at_inserted(Vertex_index v, const Face_location<double>& p) const
   {
     if(!m_tri.is_inserted(v))

@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Flips of T2 that follow integer coordinates alone. Lengths are set at the end, since
-// intermediate edges need not be straight.
+// Flips T2 by integer coordinates alone. Lengths are set at the end, because intermediate edges
+// need not be straight.
 template <typename Traits>
 class Coordinate_flipping
 {
@@ -84,7 +84,7 @@ std::size_t flip_to_input(Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Counts the flips until all edges of T3 exist. Remaining vertices of T2 lie in its faces.
+// Counts the flips until all edges of T3 exist. Remaining vertices of T2 lie in faces of T3.
 template <typename Traits>
 std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
                              const Intrinsic_triangulation<Traits>& target)

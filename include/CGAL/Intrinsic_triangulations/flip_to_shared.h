@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Flips every edge that curve `k` in the corner of `outgoing` crosses, so that the curve becomes an
-// edge. The halfedges that are turned are added to `flips`.
+// edge. Appends the flipped halfedges to `flips`.
 template <typename Integer>
 void flip_along_curve(Halfedge_index outgoing, const Integer& k,
                       Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,
@@ -86,8 +86,8 @@ std::vector<Halfedge_index> flip_to_shared(Integer_coordinates<Integer>& coordin
   return flip_to_share(coordinates, mesh, outgoing_halfedges, [](Halfedge_index) { return true; });
 }
 
-// Returns whether the curve that starts as number `k` in the corner of `outgoing` ends where the
-// edge of `input` along which it starts does.
+// Returns whether the curve that starts as number `k` in the corner of `outgoing` ends at the end
+// of its edge of `input`.
 template <typename Integer>
 bool ends_at_twin(Halfedge_index outgoing, const Integer& k,
                   const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
@@ -102,7 +102,7 @@ bool ends_at_twin(Halfedge_index outgoing, const Integer& k,
   return coordinates.outgoing_at_end(crossing, mesh, outgoing_halfedges) == input.opposite(start);
 }
 
-// Returns the first edge of `input` that does not run over `mesh` to its other end, in words.
+// Describes the first edge of `input` that does not run over `mesh` to its other end.
 template <typename Integer>
 std::string curve_defect(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
                          const Delta_complex& input, const Outgoing_halfedges& outgoing_halfedges)

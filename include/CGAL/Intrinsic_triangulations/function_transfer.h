@@ -67,8 +67,8 @@ namespace internal {
 template <typename FT>
 using Corner_matrix = Eigen::Matrix<FT, 3, 3>;
 
-// The integrals over a triangle of unit area of products of two linear functions, given by their
-// values at its corners. Row a of `f` has the values of the functions f at corner a.
+// Returns the integrals over a triangle of unit area of products of two linear functions, given by
+// their values at its corners. Row a of `f` contains the values of the functions f at corner a.
 template <typename FT>
 Corner_matrix<FT> integrals_of_products(const Corner_matrix<FT>& f, const Corner_matrix<FT>& g)
 {
@@ -85,9 +85,9 @@ Corner_matrix<FT> rows(const Barycentric_coordinates<FT>& a, const Barycentric_c
   return m;
 }
 
-// The integrals over a region of products of barycentric coordinates of both triangulations,
-// relative to the area of a face. The face is in the triangulation from which `map` maps: corners
-// for rows.
+// Returns the integrals over a region of products of barycentric coordinates of both
+// triangulations, relative to the area of a face. Rows are the corners of the face in the
+// triangulation from which `map` maps.
 template <typename FT>
 Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& map)
 {
@@ -100,7 +100,7 @@ Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& map)
   return sum;
 }
 
-// Adds what two faces contribute to the entries of their corners.
+// Adds the contributions of two faces to the entries of their corners.
 template <typename FT>
 void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_index column_face,
                     const Delta_complex& column_mesh, const Corner_matrix<FT>& values,
@@ -114,8 +114,8 @@ void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_ind
 }
 
 // Returns the integrals of products of hat functions of `side` (rows) and of the other
-// triangulation (columns), with the areas of faces of `side`. If areas of the other triangulation
-// are only rounding errors, its hat functions still sum up to one.
+// triangulation (columns), with the areas of faces of `side`. The hat functions of the other
+// triangulation sum up to one even if its areas are rounding errors.
 template <typename Traits>
 Eigen::SparseMatrix<typename Traits::FT>
 mixed_mass_matrix(Side side, const Correspondence<Traits>& correspondence, Concurrency concurrency)
@@ -179,8 +179,8 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence,
 
 namespace internal {
 
-// Returns the values at the vertices of the other triangulation of a function that is linear on the
-// faces of `from`.
+// Returns the values of a function that is linear on the faces of `from`, at the vertices of the
+// other triangulation.
 template <typename Traits>
 Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>
 values_at_vertices(const Intrinsic_triangulation<Traits>& tri, Side from,

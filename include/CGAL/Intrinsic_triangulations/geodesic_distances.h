@@ -70,14 +70,15 @@ struct Geodesic_distances
 
 namespace internal {
 
-// About two seconds, at four million windows per second, and the number after which exact distances
-// that take more than expected are given up.
+// The expected number takes about two seconds, at four million windows per second. Exact distances
+// that need four times as many are abandoned.
 constexpr std::size_t most_expected_windows() { return std::size_t(1) << 23; }
 constexpr std::size_t most_windows() { return 4 * most_expected_windows(); }
-// for an estimate of errors
+// This number of windows is allowed for an estimate of errors.
 constexpr std::size_t most_compared_windows() { return most_expected_windows() / 2; }
 
-// Vertices with several vertex fans have no exact distances.
+// Determines whether vertices have one vertex fan. Vertices with several fans have no exact
+// distances.
 template <typename Surface>
 struct Has_one_fan : std::true_type
 {};
@@ -95,7 +96,7 @@ Distance_method method_of(const NamedParameters& np)
 template <typename FT>
 using Positions = std::vector<std::array<FT, 3>>;
 
-// Returns the positions of vertices if a map is among the named parameters.
+// Returns the positions of vertices if the named parameters have a map.
 template <typename Surface, typename NamedParameters>
 Positions<Length_of<Surface>> positions_of(const Surface& surface, const NamedParameters& np)
 {
@@ -122,8 +123,7 @@ Positions<double> positions_in(const Mesh& mesh, const NamedParameters& np)
   return result;
 }
 
-// Raises values below the distance in space, and values away from the sources that are not
-// positive.
+// Raises values below the distance in space, and nonpositive values away from the sources.
 template <typename Surface>
 void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& sources,
                      const Positions<Length_of<Surface>>& positions,
@@ -146,8 +146,8 @@ void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& so
   }
 }
 
-// The distances by heat on a surface, or with more digits on a triangulation whose lengths do not
-// determine all areas.
+// Returns the distances by heat on a surface. Computes with more digits on a triangulation whose
+// lengths do not determine all areas.
 template <typename Surface, typename NamedParameters>
 std::vector<Length_of<Surface>> heat_values(const Surface& surface,
                                             const Distance_sources<Surface>& sources,
@@ -165,7 +165,7 @@ std::vector<Length_of<Surface>> heat_values(const Surface& surface,
   });
 }
 
-// Unless a time is given, heat flows as long as it takes to reach everything. If some edges are
+// Unless a time is given, the time is increased until heat reaches all vertices. If some edges are
 // far shorter than others, the standard time is too short.
 template <typename Surface, typename NamedParameters>
 Geodesic_distances<Length_of<Surface>>
@@ -187,7 +187,7 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
     }
 }
 
-// Returns nothing if heat is to be used. What has been found then is in `exact`.
+// Returns nothing if heat is to be used. `exact` then contains the distances found so far.
 template <typename Surface, typename Visitor>
 std::optional<Geodesic_distances<Length_of<Surface>>>
 distances_by_windows(Exact_distances<Surface>& exact, Distance_method method, Visitor& visitor)
@@ -212,7 +212,7 @@ Heat_error<Length_of<Surface>> heat_error(Exact_distances<Surface>& exact,
   return {distance, exact.distances(), exact.final_length()};
 }
 
-// The sources of T1 on T2.
+// Adds the sources of T1 as sources on T2.
 template <typename Traits, typename Input, typename Surface>
 void add_sources_across(const Intrinsic_triangulation<Traits>& tri,
                         const Distance_sources<Input>& sources, Distance_sources<Surface>& across)

@@ -35,7 +35,7 @@ struct Glued_surface
 
 namespace internal {
 
-// Numbers halfedges after glued edges have become one.
+// Returns the numbers of halfedges after glued edges have become one.
 template <typename P>
 std::vector<Halfedge_index>
 glued_halfedges(const Surface_mesh<P>& mesh,
@@ -67,8 +67,8 @@ glued_halfedges(const Surface_mesh<P>& mesh,
   return result;
 }
 
-// Makes `v` the target of `h` and of all halfedges around this target, and the image of the glued
-// vertices.
+// Sets `v` as the target of all halfedges that lead to the target of `h`, and records the vertices
+// that it replaces.
 template <typename P>
 void join_targets(Halfedge_index h, Vertex_index v, const Surface_mesh<P>& parts,
                   const std::vector<Halfedge_index>& before, Glued_surface& result)

@@ -32,7 +32,7 @@ inline std::vector<std::size_t> first_indices(std::size_t n)
   return result;
 }
 
-// Finds short loops along edges, the shortest one of each homology class modulo 2 that is found.
+// Finds short loops along edges, and keeps the shortest loop of each homology class modulo 2.
 //
 // If a loop is the shortest of its class and not a sum of shorter ones, it is found from a center
 // on it. All centers together find a shortest basis (Erickson and Whittlesey 2005). Centers within
@@ -50,7 +50,7 @@ public:
     std::vector<Halfedge_index> halfedges;
   };
 
-  // Loops are found up to `slack` times the length of the longest one of a basis.
+  // Loops are found up to `slack` times the length of the longest loop of a basis.
   Loops_of_classes(const Surface& surface, const FT& slack)
     : m_mesh(surface.mesh()),
       m_search(surface, Boundary_loops::open),
@@ -63,7 +63,7 @@ public:
       search_all();
   }
 
-  // returns the loops, the shortest ones first
+  // Returns the loops, the shortest ones first.
   const std::vector<Loop>& loops() const { return m_loops; }
 
   // Returns the first loops in the order of `indices` that are a basis over the integers, by their
@@ -81,7 +81,7 @@ public:
   std::size_t dimension() const { return m_coordinates.dimension(); }
 
   // Returns the halfedges of the loops of a basis. If it is not complete, returns the loops of
-  // generators; this takes a class that is odd over the integers.
+  // generators; this requires a class that is odd over the integers.
   std::vector<std::vector<Halfedge_index>> halfedges(const std::vector<std::size_t>& basis) const
   {
     std::vector<std::vector<Halfedge_index>> result;
@@ -95,7 +95,8 @@ public:
   }
 
 private:
-  // how many vertices all searches reach together, and how many one may reach in any case
+  // All searches together reach at most this number of vertices. The other number is allowed for
+  // each search.
   static constexpr std::size_t greatest_number_of_visits = std::size_t(1) << 22;
   static constexpr std::size_t least_number_of_visits = 4096;
 
@@ -157,7 +158,7 @@ private:
     return result;
   }
 
-  // Finds loops through `center`, as far as they have at most the length `bound`.
+  // Finds loops through `center` with at most the length `bound`.
   void search(Vertex_index center, const std::optional<FT>& bound, std::size_t most)
   {
     std::unordered_map<Signature, std::size_t> found;

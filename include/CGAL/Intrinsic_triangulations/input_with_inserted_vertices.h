@@ -32,9 +32,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Makes the edges of T1, cut at inserted vertices, and fills each face of T1 with a triangulation
-// in the plane. In this plane the corners of the face have the positions (0, 0), (1, 0) and (0,
-// 1), and everything is exact.
+// Cuts the edges of T1 at inserted vertices, and fills each face of T1 with a triangulation in the
+// plane. In this plane the corners of the face have the positions (0, 0), (1, 0) and (0, 1), and
+// all computations are exact.
 template <typename Traits>
 class Input_splitter
 {
@@ -47,7 +47,7 @@ class Input_splitter
   typedef Delaunay_triangulation_2<Kernel, Data_structure> Plane_triangulation;
   typedef Kernel::Point_2 Point;
 
-  // a vertex on an edge of T1, at `t` on its first halfedge
+  // Stores a vertex on an edge of T1, at `t` on its first halfedge.
   struct Mark
   {
     Edge_index edge;
@@ -106,7 +106,7 @@ private:
 
   size_type number_of_marks(Halfedge_index h) const { return m_numbers.size(Edge_index(h)); }
 
-  // mark `p` on the halfedge `h`, counted from its source
+  // Returns mark `p` on the halfedge `h`, counted from its source.
   const Mark& mark(Halfedge_index h, size_type p) const { return m_marks[m_numbers(h, p)]; }
 
   Halfedge_index piece(Halfedge_index h, size_type p) const { return m_numbers.piece(h, p); }
@@ -121,7 +121,8 @@ private:
 
   // ---- Faces of T1 ----
 
-  // The pieces around a face, and the vertices where they begin, followed by those inside.
+  // Stores the pieces around a face, and the vertices at which they begin, followed by those inside
+  // the face.
   struct Polygon
   {
     std::vector<Halfedge_index> pieces;
@@ -257,7 +258,7 @@ private:
     return result;
   }
 
-  // whether `h` is part of an edge of T1
+  // Returns whether `h` is part of an edge of T1.
   bool is_piece(Halfedge_index h) const
   {
     return Edge_index(h).idx() < m_numbers.number_of_pieces();

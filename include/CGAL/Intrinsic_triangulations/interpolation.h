@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns the value at a point of a function that is linear on a simplex. It uses its first `size`
+// Returns the value at a point of a function that is linear on a simplex. It uses the first `size`
 // vertices and the barycentric coordinates of the point, which sum up to one.
 template <typename ValueMap, typename Vertices, typename Weights>
 auto linear_value(const ValueMap& value, const Vertices& vertex, const Weights& weight,

@@ -33,13 +33,13 @@ namespace internal {
 
 constexpr const char* file_header = "intrinsic_triangulation 3";
 
-// The headings of the numbers that determine the lengths of T1 exactly.
+// These words introduce the data that determine the lengths of T1 exactly.
 constexpr std::string_view exact_lengths = "exact lengths";
 constexpr std::string_view exact_positions = "exact positions";
 constexpr std::string_view exact_squared_lengths = "exact squared_lengths";
 
-// Numbers in a file follow neither the locale nor the flags of the stream; -1 stands for no
-// element.
+// Returns the text of a number in a file, which depends neither on the locale nor on the flags of
+// the stream. The number -1 represents no element.
 template <typename Number>
 std::string number_text(const Number& number)
 {
@@ -62,7 +62,8 @@ void write_line(std::ostream& os, const First& first, const Rest&... rest)
   os << '\n';
 }
 
-// The content of a file for one triangulation. `more(e)` is the rest of the line of an edge.
+// Writes the content of a file for one triangulation. `more(e)` returns the rest of the line of an
+// edge.
 template <typename Surface, typename More>
 void write_complex(std::ostream& os, const Surface& surface, const More& more)
 {
@@ -96,8 +97,8 @@ void write_metric(std::ostream& os, const Input_metric<K>& metric)
     write_line(os, hexadecimal_text(x), hexadecimal_text(y), hexadecimal_text(z));
 }
 
-// Reads triangulations line by line. Memory is allocated for lines that were read, not for lines
-// that a file announces.
+// Reads triangulations line by line. Memory is allocated only for lines that were read, whatever
+// number a file announces.
 template <typename FT, typename Integer>
 class Complex_reader
 {
@@ -121,7 +122,7 @@ public:
     m_lines.expect(header);
   }
 
-  // returns the rest of the file, line by line
+  // Returns the reader of the rest of the file, line by line.
   Line_reader& lines() { return m_lines; }
 
   Delta_complex read_input()
@@ -130,7 +131,7 @@ public:
     return assembled();
   }
 
-  // Reads the connectivity of T2, with the integer coordinates and constraints of its edges.
+  // Reads T2 with the integer coordinates and constraints of its edges.
   Delta_complex read_intrinsic()
   {
     read_lines(true);
@@ -147,7 +148,7 @@ public:
     return mesh;
   }
 
-  // returns the positions of the vertices that only T2 has
+  // Reads the positions of the vertices that only T2 has.
   std::vector<Surface_point<FT>> read_inserted(const Delta_complex& input)
   {
     m_lines.next_line();
@@ -165,8 +166,8 @@ public:
     return inserted;
   }
 
-  // reads what determines the lengths of `input` exactly; nothing if squares are numbers that `K`
-  // does not have
+  // Reads the data that determine the lengths of `input` exactly. Reads nothing if `K` cannot
+  // represent the squares.
   template <typename K>
   Input_metric<K> read_metric(const Delta_complex& input)
   {

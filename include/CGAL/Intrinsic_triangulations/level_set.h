@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Follows the curves of a level set from face to face. A vertex is above the level or not, so that
-// a curve enters and leaves a face through one edge each.
+// Follows the curves of a level set from face to face. Each vertex is above the level or not, so
+// that a curve enters and leaves a face through one edge each.
 template <typename Surface, typename Values>
 class Level_set_follower
 {
@@ -40,7 +40,7 @@ public:
       m_is_done(m_mesh.number_of_faces(), 0)
   {}
 
-  // curves from boundary to boundary before closed ones
+  // Returns the curves, from boundary to boundary before closed ones.
   std::vector<Curve> operator()()
   {
     std::vector<Curve> result;
@@ -59,13 +59,13 @@ private:
   FT value(Vertex_index v) const { return FT(m_values[static_cast<Index>(v.idx())]); }
   bool is_above(Vertex_index v) const { return value(v) >= m_level; }
 
-  // Whether a curve comes through `h` into its face, with vertices above on its left.
+  // Returns whether a curve enters the face of `h` through `h`, with vertices above on its left.
   bool enters(Halfedge_index h) const
   {
     return is_above(m_mesh.source(h)) && !is_above(m_mesh.target(h));
   }
 
-  // Returns the point of the level set on a halfedge, which crosses it in either direction.
+  // Returns the point of the level on a halfedge, whichever end is above.
   Edge_point<FT> point(Halfedge_index h) const
   {
     const FT p = value(m_mesh.source(h)), q = value(m_mesh.target(h));

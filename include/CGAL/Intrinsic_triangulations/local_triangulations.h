@@ -94,7 +94,7 @@ public:
 private:
   Point_map point_map() const { return Point_map(m_points.data()); }
 
-  // The nearest points, the center and its equals among them, in ascending distance.
+  // Returns the nearest points in ascending distance, including the center and equal points.
   std::vector<std::size_t> nearest(std::size_t center, std::size_t neighbors) const
   {
     const Distance_adapter<std::size_t, Point_map, Euclidean_distance<Base_traits>> distance(
@@ -107,7 +107,7 @@ private:
     return result;
   }
 
-  // Two unit vectors across the direction in which the points vary least.
+  // Returns two unit vectors orthogonal to the direction in which the points vary least.
   std::array<Vector, 2> tangent_axes(const std::vector<std::size_t>& near) const
   {
     double scale = (std::numeric_limits<double>::min)();

@@ -63,7 +63,7 @@ struct Logarithm
 
 namespace internal {
 
-// Finds in which directions shortest paths leave their sources.
+// Computes the directions in which shortest paths leave their sources.
 template <typename EdgeLengthMap>
 class Path_directions : public Path_search<EdgeLengthMap>
 {
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  // the direction of side `c` in the frame of another of its face
+  // Returns the direction of side `c` in the frame of another side of its face.
   Vector direction_from(Index frame, Index c) const
   {
     const Charts& charts = m_views.charts();
@@ -156,7 +156,7 @@ private:
   }
 };
 
-// Gives a path a vector; a source that is a vertex has a normalized frame.
+// Computes the vector of a path. A source that is a vertex has a normalized frame.
 template <typename EdgeLengthMap>
 class Logarithm_of_path
 {
@@ -168,7 +168,7 @@ public:
     : m_surface(surface), m_from_vertex(from_vertex)
   {}
 
-  // Returns the logarithm for the path to `q` whose last part is `part`.
+  // Returns the logarithm of the path to `q`, whose last part is `part`.
   Logarithm<FT> operator()(const Search& search, const typename Search::Last_part& part,
                            const Face_location<FT>& q) const
   {

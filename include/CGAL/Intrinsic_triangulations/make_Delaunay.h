@@ -52,7 +52,7 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Returns whether rounding lets an operation succeed. If it does not, exact decisions must follow.
+// Returns whether an operation succeeds in spite of rounding. If not, exact decisions must follow.
 template <typename Traits, typename Operation>
 bool succeeds(const Operation& operation)
 {
@@ -66,7 +66,7 @@ bool succeeds(const Operation& operation)
   return true;
 }
 
-// Decisions by the stored lengths.
+// Decides about flips by the stored lengths.
 template <typename Traits>
 class Flipping_by_lengths
 {
@@ -75,8 +75,8 @@ class Flipping_by_lengths
 public:
   explicit Flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
-  // Returns whether the lengths around `e` suffice for the decision. Lengths beyond the boundary
-  // are unspecified.
+  // Returns whether the lengths around `e` certainly satisfy the Delaunay condition. Lengths beyond
+  // the boundary are unspecified.
   bool is_certainly_Delaunay(Edge_index e) const
   {
     const auto condition = m_tri.traits().is_locally_Delaunay_object();
@@ -86,7 +86,8 @@ public:
 
   bool is_Delaunay(Edge_index e) const { return m_tri.is_Delaunay(e); }
 
-  // Returns whether that was possible. The new edge is Delaunay, up to rounding of lengths.
+  // Flips an edge, and returns whether this was possible. The new edge is Delaunay, up to rounding
+  // of lengths.
   bool flip(Halfedge_index h)
   {
     if(!succeeds<Traits>([&] { m_tri.flip(h); }))
@@ -123,15 +124,16 @@ Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
   return stack;
 }
 
-// Whether ties are proven with any number of square roots, which can take seconds each, or with a
-// few. With a few, an edge counts as a tie if 1024 binary digits do not distinguish it from one.
+// States whether ties are proven with any number of square roots, which can take seconds each, or
+// with a few. With a few, an edge counts as a tie if 1024 binary digits do not distinguish it from
+// a tie.
 enum class Tie_decisions
 {
   exact,
   by_digits
 };
 
-// Flips as the decisions of `flipping` demand.
+// Flips as the decisions of `flipping` require.
 template <typename Flipping, typename Visitor>
 Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
                                  Visitor& visitor, Concurrency concurrency = Concurrency())
@@ -148,9 +150,9 @@ Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, 
     });
 }
 
-// If edges have been flipped more than once on average, rounding errors may have added up. If a
-// flip failed, they have. With recomputed lengths a second round is enough as a rule, but nothing
-// guarantees it. Each round makes its decisions by `make_flipping()`.
+// Recomputes lengths and flips again, if edges have been flipped more than once on average, or if a
+// flip failed. Rounding errors may then have accumulated. With recomputed lengths a second round
+// usually suffices, without a guarantee. Each round makes its decisions by `make_flipping()`.
 template <typename Traits, typename Make_flipping, typename Visitor>
 Flipping_result flip_in_rounds(Intrinsic_triangulation<Traits>& tri,
                                const Make_flipping& make_flipping, std::size_t limit, int rounds,
@@ -181,7 +183,7 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
     tri, [&] { return Flipping_by_lengths<Traits>(tri); }, limit, rounds, visitor, concurrency);
 }
 
-// Whether exact decisions are asked for, which is an error where they are not possible.
+// Returns whether exact decisions are requested, which is an error if they are not possible.
 template <typename Traits, typename NamedParameters>
 bool are_exact_decisions_wanted(const NamedParameters& np)
 {
@@ -196,8 +198,8 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
     CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
 }
 
-// Flips with decisions about the surface of T1, with at most `effort` steps on strips of
-// triangles. Then it repeats this once with a hundred times as many.
+// Flips with decisions about the surface of T1, with at most `effort` steps on strips of triangles.
+// If this fails, repeats it once with a hundred times as many steps.
 template <typename Traits, typename Visitor>
 Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                               double effort, Visitor& visitor, Concurrency concurrency,
@@ -223,20 +225,20 @@ Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t 
   return {result.flips, End::doubt};
 }
 
-// The number of flips beyond which lengths of type `double` are not relied on.
+// Returns the number of flips beyond which lengths of type `double` are not reliable.
 inline std::size_t flips_by_lengths(std::size_t number_of_edges)
 {
   return 10000000 + 1000 * number_of_edges;
 }
 
-// The number of flips that are made with decisions in the exact metric at first. After very many
-// flips, edges cross so many others that each flip takes long.
+// Returns the number of flips that are first made with decisions in the exact metric. After very
+// many flips, edges cross so many others that each flip takes long.
 inline std::size_t flips_in_exact_metric(std::size_t number_of_edges)
 {
   return 1000 + 100 * number_of_edges;
 }
 
-// Whether T2 can start from T1 again: constrained edges must be edges of T1, or parts of them.
+// Returns whether T2 can be reset to T1: constrained edges must be edges of T1, or parts of them.
 template <typename Traits>
 bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -246,7 +248,7 @@ bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
   });
 }
 
-// Makes T2 the triangulation T1 again, with the inserted vertices.
+// Resets T2 to T1 with the inserted vertices.
 template <typename Traits, typename Visitor>
 void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
 {
@@ -254,7 +256,7 @@ void restart_from_input(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
   visitor.before_exact_flips();
 }
 
-// Decides exactly which edges are Delaunay, and restarts from T1 where edges are bent.
+// Decides exactly which edges are Delaunay, and restarts from T1 if edges are bent.
 template <typename Traits, typename Visitor>
 Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                              Visitor& visitor, Concurrency concurrency,
@@ -274,7 +276,7 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
 }
 
 // Decides in the exact metric which edges are Delaunay, and recomputes all lengths to nearly all
-// digits. Does not succeed after too many flips, or if edges cross too many others.
+// digits. Fails after too many flips, or if edges cross too many others.
 template <typename Traits, typename Visitor>
 Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                      Visitor& visitor, Concurrency concurrency)

@@ -76,7 +76,8 @@ Flipping_result flip_with_weights(Intrinsic_triangulation<Traits>& tri,
     tri, [&] { return Flipping(tri, weights); }, limit, rounds_of_flips(), visitor, Concurrency());
 }
 
-// Flips and raises the weights of hidden vertices, in turn. Adds the number of flips to `flips`.
+// Flips and raises the weights of hidden vertices, alternately. Adds the number of flips to
+// `flips`.
 template <typename Flip, typename Raise>
 void hide_vertices(std::size_t& flips, const Flip& flip, const Raise& raise)
 {
@@ -90,7 +91,7 @@ void hide_vertices(std::size_t& flips, const Flip& flip, const Raise& raise)
   } while(raise());
 }
 
-// By stored lengths.
+// Flips and raises weights by stored lengths.
 template <typename Traits, typename Visitor>
 void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
                    Weighted_Delaunay_result<typename Traits::FT>& result, std::size_t limit,
@@ -115,7 +116,7 @@ void straighten_edges(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
   restart_from_input(tri, visitor);
 }
 
-// By many digits of lengths and weights, after flips by stored lengths.
+// Flips and raises weights by many digits of lengths and weights, after flips by stored lengths.
 template <typename Traits, typename Visitor>
 void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
                              Weighted_Delaunay_result<double>& result, std::size_t limit,

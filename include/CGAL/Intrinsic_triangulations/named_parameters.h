@@ -124,8 +124,8 @@ auto curvature_tolerance(const Number& value);
 
 namespace internal {
 
-// Returns the visitor of named parameters: a reference to what `std::ref()` has been given, or else
-// a copy, whose functions need not be constant. Without a visitor it is `silent`.
+// Returns the visitor of named parameters: a reference to the argument of `std::ref()`, or else a
+// copy, whose functions need not be constant. Without a visitor, returns `silent`.
 template <typename NamedParameters, typename Visitor>
 decltype(auto) visitor_of(const NamedParameters& np, Visitor& silent)
 {

@@ -29,7 +29,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns whether a face is known to have no area.
+// Returns whether a face is known to have zero area.
 template <typename FT>
 bool is_flat(const Face_metric<FT>& metric)
 {
@@ -37,8 +37,8 @@ bool is_flat(const Face_metric<FT>& metric)
                              metric.length(0) + metric.length(1) + metric.length(2));
 }
 
-// Returns whether a face contributes to integrals of gradients; faces of no area do not. Throws an
-// exception if rounding leaves a metric without gradients.
+// Returns whether a face contributes to integrals of gradients; faces of zero area do not. Throws
+// an exception if rounding leaves a metric without gradients.
 template <typename FT>
 bool has_gradients(const Face_metric<FT>& metric, Face_index f)
 {
@@ -51,7 +51,7 @@ bool has_gradients(const Face_metric<FT>& metric, Face_index f)
   return true;
 }
 
-// Throws an exception if a vertex of faces without area, which are all of them, has no other face.
+// Throws an exception if some vertex has only faces without area. `flat` contains all these faces.
 inline void check_flat_faces(const std::vector<Face_index>& flat, const Delta_complex& mesh)
 {
   std::vector<std::size_t> count(mesh.num_vertices(), 0);
@@ -66,7 +66,7 @@ inline void check_flat_faces(const std::vector<Face_index>& flat, const Delta_co
                               std::to_string(mesh.source(h).idx()));
 }
 
-// For each edge half the sum of the cotangents of the angles opposite to it.
+// Returns half the sum of the cotangents of the angles opposite to each edge.
 template <typename Surface>
 auto cotan_weights(const Surface& surface)
 {

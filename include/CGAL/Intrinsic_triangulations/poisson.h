@@ -111,7 +111,7 @@ private:
 
   typedef Eigen::SparseMatrix<FT> Matrix;
 
-  // Uses a given order of elimination of all vertices.
+  // Constructs the solver with an elimination order for all vertices.
   template <typename Surface, typename VertexIsFixedMap>
   Poisson_solver(const Surface& surface, const Elimination_order& order,
                  const VertexIsFixedMap& is_fixed)
@@ -166,8 +166,8 @@ private:
     return result;
   }
 
-  // The matrix that places the unknowns among all vertices. On a component where nothing is
-  // prescribed, all but its first vertex are unknown.
+  // Returns the matrix that maps the unknowns to all vertices. On a component without prescribed
+  // values, all vertices but the first are unknown.
   Matrix select_unknowns() const
   {
     std::vector<char> is_anchored(m_is_anchored);
@@ -183,7 +183,8 @@ private:
 
   Eigen::Index vertex_of_unknown(Eigen::Index i) const { return m_unknowns.innerIndexPtr()[i]; }
 
-  // A part of an order is good for the part of the matrix.
+  // Restricts the order of all vertices to the unknowns, because a part of a good order is good for
+  // this part of the matrix.
   Elimination_order order_of_unknowns() const
   {
     std::vector<int> number(m_is_fixed.size(), -1);
@@ -202,7 +203,7 @@ private:
     return static_cast<Eigen::Index>(m_components[index(v)]);
   }
 
-  // Returns the values where they are prescribed, and zero elsewhere.
+  // Returns the prescribed values, and zero at other vertices.
   Vector prescribed_part(const Vector& values) const
   {
     Vector result = Vector::Zero(m_area.size());

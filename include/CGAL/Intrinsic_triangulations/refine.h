@@ -49,7 +49,7 @@ struct Default_refinement_visitor : Default_flip_visitor
 
 namespace internal {
 
-// The bounds that faces are to obey.
+// Stores the bounds that faces must satisfy.
 template <typename Traits, typename Predicate>
 class Face_bounds
 {
@@ -75,7 +75,8 @@ public:
            2 * face.product() * m_sine;
   }
 
-  // returns whether `f` violates the bound on the circumradius, or the predicate wants it refined
+  // Returns whether `f` violates the bound on the circumradius, or the predicate requires its
+  // refinement.
   bool is_too_large(Face_index f) const
   {
     const Face_metric<FT> face(f, m_tri.intrinsic());
@@ -86,7 +87,7 @@ public:
   // necessary in a simplicial triangulation.
   FT small_angle() const { return m_is_simplicial ? pi<FT>() / 2 : pi<FT>() / 3; }
 
-  // returns whether `f` keeps the triangulation from being simplicial, as it shall be
+  // Returns whether `f` prevents the triangulation from being simplicial, if this is required.
   bool is_not_simplicial(Face_index f) const
   {
     return m_is_simplicial && !is_simplicial(f, m_tri.mesh());
@@ -104,7 +105,7 @@ struct No_face
   bool operator()(Face_index) const { return false; }
 };
 
-// Returns the reason why a face that violates the bounds without an allowed exception remains.
+// Returns why a face without excuse has not been refined.
 template <typename Traits>
 Remaining_reason reason_left(const Intrinsic_triangulation<Traits>& tri, Face_index f,
                              const Refinement_result& result)
@@ -119,7 +120,7 @@ Remaining_reason reason_left(const Intrinsic_triangulation<Traits>& tri, Face_in
   return Remaining_reason::no_room;
 }
 
-// returns the faces that violate the bounds after a refinement that came to `result`
+// Returns the faces that violate the bounds after a refinement with the result `result`.
 template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
                                             const Bounds& bounds, const Refinement_result& result)
@@ -160,8 +161,8 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
   return !all_excused;
 }
 
-// Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding
-// has left no doubt.
+// Inserts vertices and leaves no garbage, not even after an exception. Returns whether no decision
+// was left undecided by rounding.
 template <typename Traits, typename Bounds, typename Visitor>
 bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                      const Refinement_limits& limits, Visitor& visitor, bool stops_if_filter_fails,
@@ -179,7 +180,7 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   return is_certain;
 }
 
-// Flips to Delaunay with certainty, or else with recomputed lengths.
+// Flips to Delaunay with certain decisions, or else with recomputed lengths.
 template <typename Traits, typename Visitor>
 Flipping_result flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                             Visitor& visitor)
@@ -190,9 +191,9 @@ Flipping_result flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t li
   return flip_by_lengths(tri, limit, rounds_of_flips(), visitor);
 }
 
-// Recomputes lengths that come from many roundings. Edges and faces that violate their conditions
-// are flipped and refined again. Returns whether all decisions are certain; otherwise, with
-// `stops_if_filter_fails`, this can end anywhere.
+// Recomputes lengths that have many roundings. Edges and faces that violate their conditions are
+// flipped and refined again. Returns whether all decisions are certain. If not, and with
+// `stops_if_filter_fails`, this can end at any step.
 template <typename Traits, typename Bounds, typename Visitor>
 bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                        const Refinement_limits& limits, Visitor& visitor,
@@ -218,7 +219,7 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
   return result.status != Refinement_status::no_room;
 }
 
-// goes on from `tri` with exact decisions
+// Continues from `tri` with exact decisions.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                                  const Refinement_limits& limits, Visitor& visitor,
@@ -232,8 +233,8 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
   return result;
 }
 
-// Flips to Delaunay before refinement. Around inserted vertices, faces could overlap later although
-// all edges are straight, if these are bent now.
+// Flips to Delaunay before refinement. If edges are bent now, faces around inserted vertices could
+// overlap later although all edges are straight.
 template <typename Traits, typename Visitor>
 Flipping_result flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                        Visitor& visitor)
@@ -244,8 +245,8 @@ Flipping_result flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std
   return make_Delaunay(tri, limit, visitor);
 }
 
-// Restarts with exact decisions if rounding leaves decisions undecided, from T1 and the vertices
-// that had been inserted before.
+// Restarts with exact decisions if rounding leaves decisions undecided. The restart begins with T1
+// and the vertices that had been inserted before.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri,
                                             const Bounds& bounds, const Refinement_limits& limits,
@@ -267,7 +268,7 @@ Refinement_result refine_until_filter_fails(Intrinsic_triangulation<Traits>& tri
   return result;
 }
 
-// Returns how many vertices may be inserted.
+// Returns the maximal number of vertices to insert.
 template <typename Traits, typename NamedParameters>
 std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
                             const typename Traits::FT& degrees,

@@ -82,7 +82,7 @@ private:
   typedef Surface_view<Length_map_of<Surface>> View;
   typedef Dijkstra_search<Vertex_index, FT> Search;
 
-  // Returns what bounds the relative error of a sum of lengths along a path, and more: it is
+  // Returns more than a bound for the relative error of a sum of lengths along a path, which is
   // rounded once for each edge.
   FT rounding() const { return 4 * std::numeric_limits<FT>::epsilon() * FT(m_mesh.num_vertices()); }
 
@@ -97,8 +97,8 @@ private:
       go_on(target, *length * (1 + rounding()));
   }
 
-  // Searches from both ends until no path between them can be shorter than one that is known.
-  // Returns its length; none if there is no path.
+  // Searches from both ends until no path between them can be shorter than a known path. Returns
+  // its length, or nothing if no path exists.
   std::optional<FT> meet()
   {
     std::optional<FT> shortest;
@@ -150,8 +150,8 @@ private:
     });
   }
 
-  // Lets the path to `w` end with `h` if it is as short, and `h` has a lesser index than its last
-  // halfedge. A path whose last length is lost by rounding gives way to others.
+  // Ends the path to `w` with `h` if it is as short, and `h` has a lesser index than its last
+  // halfedge. A path whose last length is lost by rounding is replaced by others.
   void choose_entry(Vertex_index w, const FT& distance, Halfedge_index h, Search& search) const
   {
     const auto is_closer = [&](Halfedge_index x) {
@@ -164,7 +164,7 @@ private:
 
   // ---- By landmarks ----
 
-  // Searches until all paths are known that are as short as the shortest one up to rounding.
+  // Searches until all paths that are as short as the shortest one up to rounding are known.
   void search_by_landmarks(Vertex_index source, Vertex_index target)
   {
     const auto rest = [&](Vertex_index v) { return m_landmarks.bound(v, target); };

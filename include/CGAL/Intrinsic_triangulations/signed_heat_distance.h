@@ -126,7 +126,7 @@ private:
     return result;
   }
 
-  // Scales normals on faces to unit length; they are zero where several cancel exactly.
+  // Scales normals on faces to unit length. Normals that cancel exactly are zero.
   void normalize(Vector& field, const std::vector<FT>& length) const
   {
     using std::hypot;
@@ -147,7 +147,7 @@ private:
         throw Numerical_error("the normals of the curve cancel everywhere");
   }
 
-  // A lesser norm has lost digits.
+  // Returns the least norm that has lost no digits.
   static FT least_norm()
   {
     return (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();

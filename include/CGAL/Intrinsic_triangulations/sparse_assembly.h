@@ -26,7 +26,7 @@ using Indexed_entries = std::vector<std::pair<int, Scalar>>;
 
 namespace internal {
 
-// Sorts entries and sums up entries with one index, in their order. `std::sort()` does not change
+// Sorts entries and adds up entries with one index, in their order. `std::sort()` does not change
 // the order of few entries, and needs no memory.
 template <typename Scalar>
 void combine(Indexed_entries<Scalar>& entries)

@@ -87,7 +87,7 @@ public:
 private:
   FT normalized_sum(Vertex_index v) const { return m_is_border[v.idx()] ? pi<FT>() : 2 * pi<FT>(); }
 
-  // The angles on the surface first, then normalized.
+  // Computes the angles on the surface first, then normalizes them.
   template <typename Surface>
   void set_frame(Vertex_index v, const Surface& surface)
   {

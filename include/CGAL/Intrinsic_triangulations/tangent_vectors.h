@@ -23,14 +23,15 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// the tangent vector at the source of `outgoing` that is `vector` in the frame of this halfedge
+// Returns the tangent vector at the source of `outgoing` that is `vector` in the frame of this
+// halfedge.
 template <typename Surface, typename FT>
 std::complex<FT> at_vertex(const Surface& surface, Halfedge_index outgoing,
                            const std::complex<FT>& vector)
 {
   const FT angle = std::arg(vector), corner = angle_at_source(outgoing, surface);
   const Vertex_angles<FT> angles(outgoing, surface);
-  // the middle of the corner decides whether the vector or its opposite is in the corner
+  // The middle of the corner decides whether the vector or its opposite is in the corner.
   if(std::cos(angle - corner / 2) >= 0)
     return std::polar(std::abs(vector), angles.normalized(angle));
   return -std::polar(std::abs(vector), angles.normalized(std::arg(-vector)));

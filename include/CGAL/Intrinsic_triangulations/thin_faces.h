@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Returns whether `predicate(f)` holds for a face; not if lengths are not of type `double`.
+// Returns whether `predicate(f)` holds for a face, or false if lengths are not of type `double`.
 template <typename Surface, typename Predicate>
 bool has_face([[maybe_unused]] const Surface& surface, [[maybe_unused]] const Predicate& predicate)
 {

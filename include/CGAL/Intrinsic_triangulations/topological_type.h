@@ -72,7 +72,7 @@ inline std::string description(const Topological_type& type)
 
 namespace internal {
 
-// Returns the number of classes of faces that can be reached from each other through edges.
+// Returns the number of classes of faces that are connected through edges.
 template <typename Graph>
 std::size_t number_of_components(const Graph& g)
 {
@@ -113,7 +113,7 @@ Topological_type topological_type(const FaceListGraph& g)
   auto vertices_and_faces = std::distance(faces_of_g.begin(), faces_of_g.end());
   for(const auto v : vertices(g))
     vertices_and_faces += halfedge(v, g) != boost::graph_traits<FaceListGraph>::null_halfedge();
-  // by Euler, with all boundary loops filled
+  // Euler's formula holds with all boundary loops filled.
   result.genus = (2 * result.components + static_cast<std::size_t>(edges - vertices_and_faces) -
                   result.boundary_loops) /
                  2;

@@ -22,7 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A trace with the scales of its points: how many times the vector on T2 that on T1 is.
+// Stores a trace with the scales of its points. A scale is the quotient of the vectors of a point
+// on T2 and on T1.
 template <typename Traits>
 struct Scaled_trace
 {
@@ -48,9 +49,9 @@ struct Scaled_trace
   bool is_certain = true; // whether strips are as long as the edge
 };
 
-// Finds where the edge of `h` starts on T2 at its vertex `v`: the first half of Algorithm 1. It
-// ends, since the outgoing halfedges around `v` have all numbers. Complexity: linear in the degree
-// of `v`.
+// Finds the start of the edge of `h` on T2 at its vertex `v`: the first half of Algorithm 1. The
+// loop ends, because the outgoing halfedges around `v` have all numbers. Complexity: linear in the
+// degree of `v`.
 template <typename Traits>
 Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index v,
                                                  const Intrinsic_triangulation<Traits>& tri)

@@ -117,7 +117,7 @@ private:
 
 namespace internal {
 
-// Links the copies of triangles. Side s has the copies 2 s in the front of its triangle and 2 s + 1
+// Links the copies of triangles. Side s has copy 2 s in the front of its triangle and copy 2 s + 1
 // in the back.
 template <typename P>
 class Cover_builder
@@ -164,24 +164,25 @@ private:
     Index target;
   };
 
-  // Whether a copy leads to the greater vertex.
+  // Returns whether a copy leads to the greater vertex.
   bool ascends(Index c) const { return m_sides.ascends(c / 2) != (c % 2 == 1); }
 
-  // The next one in its face.
+  // Returns the next copy in its face.
   static Index next(Index c)
   {
     constexpr std::array<Index, 6> step{2, 4, 2, Index(-2), Index(-4), Index(-2)};
     return c + step[c % 6]; // modulo the range of the type
   }
 
-  // Branch-free, as orientations of soups cannot be predicted.
+  // Returns the halfedge of a copy. It is branch-free, because orientations of soups cannot be
+  // predicted.
   Halfedge_index halfedge(Index c) const
   {
     return Halfedge_index(std::array{2 * m_before[c / 2] + 1, c - c % 2}[ascends(c)]);
   }
 
-  // The copy of a side that leads to the smaller vertex is glued to the other copy of the side
-  // before.
+  // Glues the copy of a side that leads to the smaller vertex to the other copy of the previous
+  // side.
   void glue()
   {
     for(Index side = 0; side < m_before.size(); ++side) {
@@ -261,7 +262,7 @@ void sort_by_angle(const Points& points, const Soup_sides& sides, Soup_sides::Bu
     bundle[i] = static_cast<Soup_sides::Index>(wings[i].index);
 }
 
-// Comparisons of angles need numbers.
+// Checks that coordinates are finite, because comparisons of angles need numbers.
 template <typename Points>
 void check_finite(const Points& points)
 {

@@ -113,8 +113,8 @@ public:
 private:
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  // Directions come from the heat of the vectors, lengths from the heat of their lengths over the
-  // heat of the sources.
+  // Computes directions from the heat of the vectors, and lengths from the heat of their lengths
+  // divided by the heat of the sources.
   Vector_field spread(const Vector_field& vectors, const Vector& is_source) const
   {
     const Vector heat = m_flow.spread_everywhere(is_source);

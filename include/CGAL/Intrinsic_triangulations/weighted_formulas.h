@@ -45,7 +45,7 @@ auto diamond_weights(const WeightMap& weight, Halfedge_index h, const Delta_comp
 
 namespace internal {
 
-// Returns the weights of circles, their squared radii. The result refers to `radius`.
+// Returns the weights of circles, which are their squared radii. The result refers to `radius`.
 template <typename RadiusMap>
 auto squared_radius_map(const RadiusMap& radius)
 {
@@ -55,7 +55,7 @@ auto squared_radius_map(const RadiusMap& radius)
   });
 }
 
-// A triangle ijk with weights, seen from its side ij.
+// Represents a triangle ijk with weights, seen from its side ij.
 template <typename FT>
 class Weighted_triangle
 {
@@ -75,7 +75,7 @@ public:
              (m_ij * m_ij);
   }
 
-  // Returns by how much a relative error `u` of the lengths can change `scaled_height()`.
+  // Returns the greatest change of `scaled_height()` by a relative error `u` of the lengths.
   FT error_of_height(const FT& u) const
   {
     const FT squares = m_ij * m_ij + m_jk * m_jk + m_ki * m_ki;
@@ -85,9 +85,9 @@ public:
   // Returns the height of the power center over ij, positive on the side of k.
   FT height() const { return m_ij * scaled_height() / (2 * quadrupled_area(m_ij, m_jk, m_ki)); }
 
-  // Returns 16 times the squared area after changes of all sums of two sides less the third. They
-  // change by as much as a relative error `u` of the sides allows. They increase if `u` is
-  // positive, and decrease if it is negative.
+  // Returns 16 times the squared area after changes of all sums of two sides minus the third. They
+  // change as much as a relative error `u` of the sides allows. They increase if `u` is positive,
+  // and decrease if it is negative.
   FT squared_area(const FT& u) const
   {
     const FT change = u * (m_ij + m_jk + m_ki);
@@ -102,7 +102,7 @@ private:
   FT m_ij, m_jk, m_ki, m_above_i, m_above_j;
 };
 
-// The two triangles of a diamond.
+// Returns the two triangles of a diamond.
 template <typename FT>
 std::array<Weighted_triangle<FT>, 2> weighted_triangles(const Diamond<FT>& length,
                                                         const Diamond_weights<FT>& weight)
@@ -160,7 +160,8 @@ struct Is_locally_weighted_Delaunay
   }
 
 private:
-  // Whether the negative height over one area certainly exceeds the positive one over the other.
+  // Returns whether the negative height over one area certainly exceeds the positive height over
+  // the other.
   bool is_greater(const FT& negative, const internal::Weighted_triangle<FT>& of_positive,
                   const FT& positive, const internal::Weighted_triangle<FT>& of_negative) const
   {
