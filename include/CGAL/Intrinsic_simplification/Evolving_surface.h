@@ -171,7 +171,7 @@ private:
     Evolving_surface& surface;
   };
 
-  // With its loops flipped away, the star equals the star of a flat vertex.
+  // If its loops have been flipped away, the star equals the star of a flat vertex.
   template <typename Touch>
   Removal_status remove_with_loops(const Flattened_star& star, const Touch& touch)
   {
@@ -274,7 +274,7 @@ private:
   std::vector<Edge_index> m_waiting; // edges that may not be Delaunay
 };
 
-// Not inline, so that the compiled library can hold it.
+// This constructor is not inline, so that the compiled library can contain it.
 template <typename Graph, typename NamedParameters>
 Evolving_surface::Evolving_surface(const Graph& g, const NamedParameters& np)
   : Evolving_surface(Triangulation(g, np))

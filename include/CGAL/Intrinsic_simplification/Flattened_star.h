@@ -238,9 +238,9 @@ private:
            (p + q) * product / 2;
   }
 
-  // Applies Newton's method, kept in the interval in which the excess changes its sign. A last step
-  // squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0 or pi, so
-  // that the excess is continuous and decreases everywhere.
+  // Applies Newton's method, restricted to the interval in which the excess changes its sign. A
+  // last step squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0
+  // or pi, so that the excess is continuous and decreases everywhere.
   bool solve(double tolerance)
   {
     double low = -std::numeric_limits<double>::infinity(), high = -low;

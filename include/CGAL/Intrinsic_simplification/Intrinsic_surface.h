@@ -254,7 +254,7 @@ private:
     });
   }
 
-  // Returns the angle between 0, exclusive, and a full turn, inclusive.
+  // Returns the angle, shifted between 0, exclusive, and 2 pi, inclusive.
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * pi<double>(); }
 
   Delta_complex m_mesh;

@@ -148,7 +148,7 @@ private:
     }
   }
 
-  // `z` is the preconditioned residual `r` of the solution so far
+  // Applies conjugate gradients; `z` is the preconditioned residual `r` of the current solution.
   void conjugate_gradients(Vector& r, Vector& z, double tolerance, std::size_t limit,
                            Multigrid_result& result) const
   {
@@ -166,7 +166,8 @@ private:
     }
   }
 
-  // Is symmetric too. Without the projections, rounding would let constants grow.
+  // Applies the preconditioner, which is symmetric, too. Without the projections, rounding would
+  // let constants grow.
   Vector preconditioned(Vector r) const
   {
     make_compatible(r);
@@ -185,7 +186,7 @@ private:
     return result;
   }
 
-  // Returns for each unknown the first sum over the second; zero on components whose matrix is
+  // Returns for each unknown the quotient of both sums. It is zero on components whose matrix is
   // positive definite.
   Vector quotients(const Component_sums& numerator) const
   {

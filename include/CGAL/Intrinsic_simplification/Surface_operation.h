@@ -141,7 +141,7 @@ public:
 private:
   Face_corner corner(std::size_t n) const { return Face_corner(m_id[n]); }
 
-  // Constant arguments save a visitor from branches. For an interior vertex, the whole face is the
+  // Constant arguments avoid branches in a visitor. For an interior vertex, the whole face is the
   // first one, from its first corner.
   Vertex_change vertex_change(bool is_insertion, bool is_border) const
   {

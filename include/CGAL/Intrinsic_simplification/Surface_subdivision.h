@@ -164,8 +164,8 @@ public:
   }
 
 private:
-  // A vertex through which an edge of the coarse level runs, and an edge that is a part of it and
-  // ends at this vertex.
+  // Stores a vertex inside an edge of the coarse level, and a part of this edge that ends at the
+  // vertex.
   typedef std::pair<Vertex_index, Edge_index> End_of_part;
 
   bool has_places_on_edges(Vertex_index v) const
@@ -174,7 +174,7 @@ private:
     return first != m_places_on_edges.end() && first->first.first == v;
   }
 
-  // the signed area of a triangle as a part of its face
+  // Returns the signed area of a triangle as a part of its face.
   static double relative_area(const std::array<double, 3>& a, const std::array<double, 3>& b,
                               const std::array<double, 3>& c)
   {
@@ -194,8 +194,8 @@ private:
 
   // ---- Triangulation ----
 
-  // The halfedge before the largest ear on the fine surface. Ears must contain no other corner; if
-  // rounding leaves no such ear, any ear counts.
+  // Returns the halfedge before the largest ear on the fine surface. Ears must not contain another
+  // corner. If rounding leaves no such ear, any ear counts.
   Halfedge_index before_ear(Halfedge_index first) const
   {
     std::vector<Halfedge_index> sides;
@@ -234,14 +234,14 @@ private:
   std::array<const Surface_level*, 2> m_levels;
   std::vector<Vertex_index> m_new_vertices; // vertices of the coarse level only
   std::array<std::vector<Intrinsic_triangulations::Surface_point<double>>, 2> m_place;
-  // the positions of vertices that have more than one, on the first halfedge of the edge
+  // The positions on the first halfedge of the edge, for vertices with more positions than m_place.
   std::map<End_of_part, double> m_places_on_edges;
   std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
 };
 
 // Lays out the edges. Marks cut edges of the fine level. Edges of the coarse level are chains of
-// pieces in fine faces. The edges around each vertex, in their order, then give the faces.
+// pieces in fine faces. The cyclic order of edges around each vertex then determines the faces.
 template <typename Point>
 class Surface_subdivision<Point>::Builder
 {
@@ -314,7 +314,7 @@ private:
     m_result.m_first_coarse_part.push_back(static_cast<std::ptrdiff_t>(parts.size()));
   }
 
-  // the face of the fine level on the left of `h`; null beyond the boundary
+  // Returns the face of the fine level on the left of `h`, or null beyond the boundary.
   Face_index fine_face(Halfedge_index h) const
   {
     const Halfedge_index parent = m_result.parent_halfedge(Level::fine, h);
@@ -331,7 +331,7 @@ private:
         m_mesh.set_halfedge(m_mesh.target(h), h);
   }
 
-  // Edges that cross each other where they should not would make handles.
+  // Checks the topology: edges that cross each other incorrectly would create handles.
   void check_connectivity() const
   {
     const auto characteristic = [](const auto& mesh) {
@@ -348,7 +348,7 @@ private:
       "edges of the coarse level have crossed each other by rounding");
   }
 
-  // the boundary is the same on both levels
+  // The boundary is the same on both levels.
   Face_index face_across(Halfedge_index h) const
   {
     if(m_mesh.is_border(m_mesh.opposite(h)))
@@ -356,8 +356,8 @@ private:
     return m_mesh.face(m_mesh.opposite(h));
   }
 
-  // A face beside an edge of the coarse level has its parent from this edge, and passes it on
-  // across other edges.
+  // Sets the parent faces. A face beside an edge of the coarse level gets its parent from this
+  // edge, and passes it on across other edges.
   void set_coarse_parents()
   {
     std::vector<Face_index> waiting;
@@ -395,8 +395,8 @@ private:
     }
   }
 
-  // Rounding may move a point inside a coarse face, given by its surroundings, to the other side
-  // of an edge.
+  // Moves a point into its coarse face, which its surroundings determine. Rounding may have moved
+  // it to the other side of an edge.
   void move_into_parent(Vertex_index v, Surface_map::Location& p) const
   {
     const Halfedge_index in = m_mesh.halfedge(v);
@@ -408,8 +408,8 @@ private:
       fail();
   }
 
-  // Sets the positions of vertices on several edges. Within rounding, several edges of the coarse
-  // level can run through one vertex, also through a vertex of this level.
+  // Several edges of the coarse level can run through a vertex within rounding. One edge can run
+  // through a vertex of its own level.
   void set_places_on_edges()
   {
     std::vector<char> has_more_places(m_mesh.number_of_vertices(), 0);

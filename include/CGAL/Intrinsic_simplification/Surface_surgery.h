@@ -221,7 +221,7 @@ private:
     return h;
   }
 
-  // Makes a face of a side of a loop and two edges to the apex.
+  // Creates a face of a side of a loop and two edges to the apex.
   void fill(Halfedge_index side, Halfedge_index to_apex, Halfedge_index from_apex, double radius)
   {
     const Face_index f = m_mesh.add_face();
@@ -234,8 +234,8 @@ private:
     m_filled_area += Intrinsic_triangulations::quadrupled_area(length(side), radius, radius) / 4;
   }
 
-  // Makes a new edge of the other side of `h`, which becomes a border halfedge. Returns the border
-  // halfedge of the new edge, in the direction of `h`.
+  // Replaces the other side of `h`, which becomes a border halfedge, by a new edge. Returns the
+  // border halfedge of the new edge, in the direction of `h`.
   Halfedge_index split_sides(Halfedge_index h)
   {
     const Halfedge_index o = opposite(h);
@@ -252,7 +252,7 @@ private:
     return opposite(inner);
   }
 
-  // Gives the vertex fan of the border halfedge `border` a vertex of its own, as its target.
+  // Creates a vertex for the vertex fan of the border halfedge `border`, and makes it the target.
   void separate_left(Halfedge_index border)
   {
     const Vertex_index v = add_vertex(m_origin[m_mesh.target(border)]);

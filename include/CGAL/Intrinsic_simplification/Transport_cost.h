@@ -208,7 +208,7 @@ private:
       internal::prefetch(&cost->m_state[v * cost->m_channels], cost->m_channels * sizeof(State));
   }
 
-  // A defect within rounding error counts as zero.
+  // Returns the angle defect. A defect within rounding error counts as zero.
   static double angle_defect(Vertex_index v, const Intrinsic_surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
@@ -243,7 +243,7 @@ private:
       surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
   }
 
-  // Returns zero for a surface without area.
+  // Returns the inverse of the area, or zero for a surface without area.
   static double inverse_area(const Evolving_surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
@@ -260,7 +260,7 @@ private:
     return std::abs(star.area_change()) * (m_area_change_factor * mean_length(star) + boundary);
   }
 
-  // Returns the mean distance from the center, in the shares of the neighbors.
+  // Returns the mean distance from the center, weighted by the shares of the neighbors.
   static double mean_length(const Flattened_star& star)
   {
     double sum = 0;
@@ -269,7 +269,7 @@ private:
     return sum;
   }
 
-  // Adds the positive part of `factor * value` as one more mass of each vertex.
+  // Adds the positive part of `factor * value` as another mass of each vertex.
   template <typename Range>
   void add_mass(const Range& value, double factor)
   {
@@ -284,8 +284,8 @@ private:
     ++m_channels;
   }
 
-  // Computes the moments that the neighbors would have (Equations 5.6 and 5.8, times the mass),
-  // each at its first outgoing halfedge.
+  // Computes the moments of the neighbors after the removal (Equations 5.6 and 5.8, times the
+  // mass), each at its first outgoing halfedge.
   void find_moments(const Flattened_star& star)
   {
     m_moment.resize(star.size() * m_channels);

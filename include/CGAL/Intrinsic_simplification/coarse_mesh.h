@@ -54,7 +54,7 @@ struct Coarse_mesh_quality
 
 namespace internal {
 
-// A triangulation as a subdivision with one triangulation.
+// Represents a triangulation as a subdivision with one triangulation.
 struct Whole_triangulation
 {
   typedef Delta_complex Mesh;
@@ -77,8 +77,8 @@ inline std::size_t make_simplicial(Evolving_surface& surface)
   return result.insertions - result.removals;
 }
 
-// The positions of the vertices of the coarse level. Vertices of both levels have their exact
-// positions.
+// Returns the positions of the vertices of the coarse level. Vertices of both levels have their
+// exact positions.
 template <typename PointMap>
 auto coarse_points(const Surface_map& map, const PointMap& points)
 {
@@ -100,7 +100,7 @@ auto coarse_points(const Surface_map& map, const PointMap& points)
   return result;
 }
 
-// `point(v)` is the position of a vertex.
+// Returns the mesh with the position `point(v)` of each vertex.
 template <typename Point_of>
 Space_mesh mesh_in_space(const Delta_complex& complex, const Point_of& point)
 {

@@ -57,7 +57,8 @@ inline void write_operation(std::ostream& os, const Flip& f)
              hexadecimal_text(f.crossing_after));
 }
 
-// The first outgoing halfedge of the vertex determines a removal, the whole face an insertion.
+// Writes an operation. The first outgoing halfedge of the vertex determines a removal, the whole
+// face an insertion.
 inline void write_operation(std::ostream& os, const Vertex_change& c)
 {
   const int code = Surface_operation(c).code();
@@ -115,7 +116,7 @@ private:
     return static_cast<std::size_t>(result);
   }
 
-  // Reads the operations since the level before, and the lengths.
+  // Reads the operations since the previous level, and the lengths.
   void read_level()
   {
     const std::size_t operations = count();

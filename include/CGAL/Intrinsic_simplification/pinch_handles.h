@@ -17,7 +17,7 @@ namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
-// Cuts along edge loops that have no vertex in common, round by round.
+// Cuts along edge loops that have no common vertex, round by round.
 class Handle_pincher
 {
 public:
@@ -25,8 +25,8 @@ public:
     : m_surface(surface), m_maximum(maximum_length)
   {}
 
-  // Bounds of the length of edge loops grow. So searches stay near if handles are small, and few
-  // searches go far.
+  // Cuts with growing bounds on the length of edge loops. So searches are short if handles are
+  // small, and few searches are long.
   std::size_t operator()()
   {
     const std::size_t genus = Intrinsic_triangulations::topological_type(m_surface.mesh()).genus;
@@ -40,12 +40,12 @@ public:
     return result;
   }
 
-  // the effort: how often loops have been looked for, and the vertices reached by that
+  // Returns the effort: the number of searches for loops, and of vertices that they reached.
   std::size_t number_of_searches() const { return m_searches; }
   std::size_t number_of_visits() const { return m_visits; }
 
 private:
-  // the first bound, in mean edge lengths
+  // The first bound has this number of mean edge lengths.
   static constexpr double first_bound = 4;
 
   std::size_t pinch_up_to(double bound, std::size_t genus)

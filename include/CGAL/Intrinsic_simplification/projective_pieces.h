@@ -94,7 +94,7 @@ inline Projective_piece projective_piece(Face_index fine_face, const Cell& cell,
   return result;
 }
 
-// Returns whether it is more than the rounding error between equal lines.
+// Returns whether the area exceeds the rounding error between equal lines.
 inline bool has_area(const std::vector<const Face_point*>& corners)
 {
   return polygon_area(corners.size(), [&](std::size_t c) { return corners[c]->along; }) >
@@ -114,7 +114,7 @@ void for_each_piece(Face_index f, const Surface_map& map, Face_cutter& cutter, C
               });
 }
 
-// In units of its face of the coarse level.
+// Returns the area of a piece, relative to its face of the coarse level.
 inline double coarse_area(const Projective_piece& p)
 {
   return polygon_area(p.corners.size(), [&](std::size_t c) { return p.corners[c].coarse; });

@@ -53,7 +53,7 @@ struct Simplification_result
 
 namespace internal {
 
-// The greedy loop (Algorithm 6).
+// Runs the greedy loop (Algorithm 6).
 template <typename Cost, typename Visitor>
 class Simplifier
 {
@@ -91,7 +91,7 @@ private:
       m_heap.remove(v);
   }
 
-  // A cost in the heap may be old if it depends on more than the star.
+  // Removes the top vertex. A cost in the heap may be outdated if it depends on more than the star.
   void remove_top()
   {
     m_prefetcher(m_heap, m_surface.surface(), m_cost);

@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  // Halfedges represent the directions around them.
+  // Adds a corner to the rotation. Halfedges represent the directions around them.
   void weigh_corner(Halfedge_index h)
   {
     const Halfedge_index next = next_around_source(h, m_fine);
@@ -98,7 +98,7 @@ private:
     return result;
   }
 
-  // The image of the fine halfedge `h` starts at `p` towards `q`.
+  // Adds the direction of the image of the fine halfedge `h`, which starts at `p` towards `q`.
   void add_direction(Halfedge_index h, Face_index surface_face, const Face_point& p,
                      const Face_point& q)
   {
@@ -138,7 +138,8 @@ private:
     return std::conj(m_turn[v]) / size;
   }
 
-  // Vectors at the corners of the coarse face are transported straight to the image of `v`.
+  // Adds a row. Vectors at the corners of the coarse face are transported straight to the image of
+  // `v`.
   template <typename Entries>
   void add_row(Vertex_index v, Entries& entries) const
   {

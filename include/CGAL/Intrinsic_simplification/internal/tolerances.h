@@ -14,50 +14,48 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// Every tolerance of the package, with its reason. They are relative, or angles: none depends on
-// the unit of length.
+// This file contains every tolerance of the package, with its reason. All are relative, or angles:
+// none depends on the unit of length.
 
 inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
 
-// The part of a homogeneous coordinate that may be rounding error if a point reaches a vertex or
-// an edge. The coordinates of a crossing are sums of a few products.
+// Returns the part of a homogeneous coordinate that may be rounding error if a point reaches a
+// vertex or an edge. The coordinates of a crossing are sums of a few products.
 inline double rounding() { return 16 * rounding_unit(); }
 
-// By which the sum of so many angles may differ from its exact value: each is rounded to a unit of
-// a full turn.
+// Returns the rounding error of the sum of so many angles. Each is rounded to a unit of 2 pi.
 inline double angle_rounding(std::size_t number_of_angles)
 {
   return rounding_unit() * 2 * Intrinsic_triangulations::pi<double>() *
          static_cast<double>(number_of_angles);
 }
 
-// An excess of angles from which one more step of Newton's method, which squares it, leads to about
-// half of all digits. That is enough for a cost, which decides only about the order of removals.
+// From this excess of angles, one more step of Newton's method, which squares it, leads to about
+// half of all digits. This suffices for a cost, which decides only about the order of removals.
 constexpr double nearly_flat = 1e-4;
 
-// The last step of Newton's method may change the scale factor by no more than this. If a small
-// excess hardly changes with the scale factor, it vanishes in the limit of length zero only.
+// The last step of Newton's method may change the scale factor by at most this value. If a small
+// excess hardly changes with the scale factor, it vanishes only in the limit of length zero.
 constexpr double greatest_last_step = 0.1;
 
-// The longest step of Newton's method. A longer step would multiply lengths by more than e^2 at
+// No step of Newton's method is longer. A longer step would multiply lengths by more than e^2 at
 // once, and the linear model is useless at such distances.
 constexpr double greatest_newton_step = 4;
 
-// The square of the tangent up to which six terms of the series of the arc tangent are exact up to
-// rounding. The next term is at most 0.0036^6 / 13, or 1.7e-16, of the result.
+// Up to this squared tangent, six terms of the series of the arc tangent are exact up to rounding.
+// The next term is at most 0.0036^6 / 13, or 1.7e-16, of the result.
 constexpr double greatest_squared_tangent = 0.0036;
 
-// The greatest sum of a Laplace matrix that can be rounding error, relative to the sum of all
+// A sum of a Laplace matrix up to this value can be rounding error, relative to the sum of all
 // absolute values. Each entry is a sum of some ten numbers.
 constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 
-// The relative residual below which the residual that conjugate gradients update may differ from
-// the true one. It has gone through some hundred updates.
+// Below this relative residual, the residual that conjugate gradients update may differ from the
+// true one. It is the result of some hundred updates.
 constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
 
-// The greatest difference between the areas of the pieces of a face and its area. Each area has
-// the rounding error of a product of as many matrices as operations. Slivers lose half of all
-// digits.
+// The areas of the pieces of a face and its area differ by at most this value. Each area has the
+// rounding error of a product of as many matrices as operations. Slivers lose half of all digits.
 constexpr double tiling_rounding = 1e-6;
 
 } // namespace CGAL::Intrinsic_simplification::internal

@@ -17,13 +17,13 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// Joins the cells of a face across lines at which the map is the same on both sides.
+// Joins the cells of a face across lines, if the map is equal on both sides.
 class Cell_joiner
 {
 public:
-  // Calls `visit(cell, corners)` for each union of cells, with the largest cell, and the corners
-  // of the union counterclockwise. If a cell exists only because of rounding, so does its linear
-  // map.
+  // Calls `visit(cell, corners)` for each union of cells, with the largest cell, and the corners of
+  // the union counterclockwise. The linear map of a cell that exists only because of rounding is as
+  // inaccurate.
   template <typename Visit>
   void join(const std::vector<Cell>& cells, const Face_cutter& lines, const Visit& visit)
   {
@@ -43,7 +43,7 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // a side of a cell
+  // Represents a side of a cell.
   struct Place
   {
     std::size_t cell, side;
@@ -113,7 +113,7 @@ private:
         m_largest[m_union[c]] = c;
   }
 
-  // whether the cell goes on beyond its side
+  // Returns whether the union extends beyond the side of the cell.
   bool is_crossed(std::size_t s, const Face_cutter& lines) const
   {
     return m_opposite[s] != none && !lines.is_crease(side(s).line) &&
@@ -125,7 +125,8 @@ private:
     return m_opposite[s] == none || union_of(m_opposite[s]) != union_of(s);
   }
 
-  // where the line changes, around the union with the boundary halfedge `first`
+  // Collects the corners at which the line changes, around the union with the boundary halfedge
+  // `first`.
   void collect_corners(std::size_t first)
   {
     m_corners.clear();

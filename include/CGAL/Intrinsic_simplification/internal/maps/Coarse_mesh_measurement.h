@@ -42,7 +42,7 @@ inline Space::Triangle_3 triangle(Face_index f, const Space_mesh& mesh)
           mesh.point(mesh.target(mesh.next(h)))};
 }
 
-// the faces whose corners are not on a line
+// Returns the faces whose corners are not collinear.
 inline std::vector<Face_index> faces_with_area(const Space_mesh& mesh)
 {
   std::vector<Face_index> result;
@@ -52,7 +52,7 @@ inline std::vector<Face_index> faces_with_area(const Space_mesh& mesh)
   return result;
 }
 
-// The distance of points from a mesh.
+// Computes the distance of points from a mesh.
 class Distance_from_mesh
 {
   typedef std::vector<Space::Triangle_3> Triangles;
@@ -75,7 +75,7 @@ public:
   Distance_from_mesh(const Distance_from_mesh&) = delete;
   Distance_from_mesh& operator=(const Distance_from_mesh&) = delete;
 
-  // zero if the mesh has no area
+  // Returns the distance of `p`, or zero if the mesh has no area.
   double operator()(const Space::Point_3& p) const
   {
     return m_triangles.empty() ? 0 : std::sqrt(m_tree.squared_distance(p));
@@ -86,7 +86,7 @@ private:
   AABB_tree<Traits> m_tree;
 };
 
-// Compares a coarse mesh in space with the fine one that it stands for.
+// Compares a coarse mesh in space with the fine mesh that it approximates.
 class Coarse_mesh_measurement
 {
 public:
@@ -103,7 +103,7 @@ public:
     return m_coarse.number_of_faces() - m_coarse_faces.size();
   }
 
-  // of a vertex of the fine mesh from the coarse mesh
+  // Returns the greatest distance of a vertex of the fine mesh from the coarse mesh.
   double distance_to_coarse() const
   {
     const Distance_from_mesh distance(m_coarse_faces, m_coarse);
@@ -114,7 +114,8 @@ public:
     return result;
   }
 
-  // of the middle of an edge or of a face of the coarse mesh from the fine mesh
+  // Returns the greatest distance of the midpoint of an edge or face of the coarse mesh from the
+  // fine mesh.
   double distance_to_fine() const
   {
     const Distance_from_mesh distance(m_fine_faces, m_fine);
@@ -129,9 +130,10 @@ public:
     return result;
   }
 
-  // Fine faces belong to the coarse face to which their middles are mapped. A coarse face is
-  // flipped if its normal and the sum of the normals of its fine faces point to different sides. A
-  // coarse face without fine faces is compared with the fine face at its middle.
+  // Returns the number of flipped coarse faces. Fine faces belong to the coarse face to which their
+  // barycenters are mapped. A coarse face is flipped if its normal and the sum of the normals of
+  // its fine faces point to different sides. A coarse face without fine faces is compared with the
+  // fine face at its barycenter.
   std::size_t number_of_flipped_faces() const
   {
     std::vector<Space::Vector_3> normal(m_coarse.number_of_faces(), NULL_VECTOR);
@@ -150,7 +152,7 @@ public:
     return result;
   }
 
-  // the number of pairs of faces that intersect other than in a common vertex or edge
+  // Returns the number of pairs of faces that do not only intersect in a common vertex or edge.
   std::size_t number_of_self_intersections() const
   {
     std::size_t result = 0;
@@ -163,7 +165,7 @@ public:
 private:
   static Surface_map::Location middle(Face_index f) { return {f, {1. / 3, 1. / 3, 1. / 3}}; }
 
-  // with the length of twice the area
+  // Returns the normal, whose length is twice the area.
   static Space::Vector_3 normal_of(Face_index f, const Space_mesh& mesh)
   {
     const Space::Triangle_3 t = triangle(f, mesh);

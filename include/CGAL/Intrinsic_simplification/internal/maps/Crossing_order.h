@@ -22,9 +22,9 @@ namespace CGAL::Intrinsic_simplification::internal {
 using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::opposite;
 
-// The order in which curves cross an edge. Curves that do not cross each other continue side by
-// side until they leave a face by different sides or corners. At this face their order is known,
-// without any numbers. Curves that continue side by side for long are compared at each edge that
+// Determines the order in which curves cross an edge. Curves that do not cross each other continue
+// side by side until they leave a face by different sides or corners. At this face their order is
+// known without numbers. Curves that continue side by side for long are compared at each edge that
 // they cross. Results are kept at some of their pieces, so that the total time is linear.
 class Crossing_order
 {
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  // Two strands and a turn as one number.
+  // Encodes two strands and a turn as one number.
   typedef std::uint64_t Ways;
 
   static constexpr std::size_t distance_of_kept = 16; // in pieces
@@ -59,21 +59,21 @@ private:
     return internal::side_of_end(m_strands.piece(s).segment, m_strands.end(s), m_mesh);
   }
 
-  // Returns the strand on the left of `h` that leads away from the edge to which a piece comes.
+  // Returns the strand on the left of `h`, which starts at the edge where a piece ends.
   Strand strand(std::size_t piece, Halfedge_index h) const
   {
     return side_of_end({piece, true}) == h ? Strand{piece, false} : Strand{piece + 1, true};
   }
 
-  // compares the positions on `h` where two pieces end, by the ways on its left
+  // Compares the positions on `h` where two pieces end, by the curves on its left.
   int compare_on_left(std::size_t a, std::size_t b, Halfedge_index h)
   {
     const int result = compare_ahead(strand(a, h), strand(b, h), h, Turn::left);
     return result != 0 ? result : compare_ahead(strand(a, h), strand(b, h), h, Turn::right);
   }
 
-  // The corner or side through which the curve leaves a face that it has entered by side `n`,
-  // counterclockwise. It is odd at corners, even at sides, and zero if the curve bends back to
+  // Returns the corner or side through which the curve leaves a face that it has entered by side
+  // `n`, counterclockwise. It is odd at corners, even at sides, and zero if the curve bends back to
   // side `n`.
   std::size_t exit(const Strand& s, std::size_t n) const
   {
@@ -82,9 +82,9 @@ private:
                          : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
   }
 
-  // Goes on to where the way from side `n` leaves the face; whether it does. If the way has turned
-  // and comes back to this side by another curve, no curve lies between the two, and that one is
-  // followed.
+  // Follows the curve from side `n` to its exit from the face, and returns whether it leaves. The
+  // curve may have turned at a vertex and return to this side by another curve. Then no curve lies
+  // between the two, and the other curve is followed.
   bool leave_face(Strand& s, std::size_t n, Turn turn, std::size_t other) const
   {
     const Strand start = s;
@@ -110,9 +110,9 @@ private:
     return result;
   }
 
-  // Follows both curves until they separate or return to their start. They continue at vertices
-  // inside faces. If a curve returns along the other one, the other one is on the side to which it
-  // turns.
+  // Follows both curves until they separate or return to an earlier state. They continue at
+  // vertices inside of faces. If a curve returns along the other one, the other one is on the side
+  // of its turn.
   int follow(Strand a, Strand b, Halfedge_index h, Turn turn)
   {
     const Strand start = a;
@@ -146,7 +146,7 @@ private:
     return 0;
   }
 
-  // whether the curve has reached a vertex on a boundary edge
+  // Returns whether the curve has reached a vertex on a boundary edge.
   bool ends(const Strand& s) const { return m_strands.is_last(s) && is_on_side(m_strands.end(s)); }
 
   Curve_strands m_strands;

@@ -15,14 +15,15 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// a piece of an edge of the coarse level, followed with or against the direction of its edge
+// Represents a piece of an edge of the coarse level, followed with or against the direction of its
+// edge.
 struct Strand
 {
   std::size_t piece;
   bool is_forward;
 };
 
-// The continuation of a curve at a vertex of the coarse level inside a fine face. It follows the
+// States how a curve continues at a vertex of the coarse level inside a fine face. It follows the
 // next edge on one side, so that it does not cross any edge.
 enum class Turn
 {
@@ -30,7 +31,7 @@ enum class Turn
   right
 };
 
-// The ways along the edges of the coarse level over the faces of the fine level.
+// Follows edges of the coarse level over the faces of the fine level.
 class Curve_strands
 {
 public:
@@ -48,7 +49,7 @@ public:
   }
   Curve_index end_mark(const Strand& s) const { return piece(s).marks[s.is_forward ? 1 : 0]; }
 
-  // Returns whether this is the last piece of the edge.
+  // Returns whether the piece is the last one of its edge.
   bool is_last(const Strand& s) const
   {
     const Edge_index e = edge(s);
@@ -56,13 +57,13 @@ public:
                         : s.piece == m_first_piece[e.idx()];
   }
 
-  // whether both follow one edge in one direction
+  // Returns whether both follow one edge in one direction.
   bool is_on_same_way(const Strand& s, const Strand& other) const
   {
     return halfedge(s) == halfedge(other);
   }
 
-  // the first piece of the halfedge `h` of the coarse level
+  // Returns the first piece of the halfedge `h` of the coarse level.
   Strand first(Halfedge_index h) const
   {
     const Edge_index e(h);
@@ -71,7 +72,7 @@ public:
              : Strand{m_first_piece[e.idx() + 1] - std::size_t(1), false};
   }
 
-  // the vertex of the coarse level at the end of the edge
+  // Returns the vertex of the coarse level at the end of the edge.
   Vertex_index target(const Strand& s) const { return m_coarse.target(halfedge(s)); }
 
   void advance(Strand& s, Turn turn) const
@@ -82,8 +83,8 @@ public:
       s.piece = s.is_forward ? s.piece + 1 : s.piece - 1;
   }
 
-  // Goes on to where the way leaves the face; whether it does. An edge that comes from outside is
-  // followed by two edges of its face at most before.
+  // Follows the curve to its exit from the face, and returns whether it leaves. An edge that comes
+  // from outside is preceded by at most two edges of its face.
   bool leave_face(Strand& s, Turn turn) const
   {
     for(int edges = 0; is_bend(end(s)); advance(s, turn))
@@ -99,7 +100,7 @@ private:
     return s.is_forward ? h : Intrinsic_triangulations::opposite(h);
   }
 
-  // vertices inside faces are not on the boundary
+  // Vertices inside faces are not on the boundary.
   Halfedge_index next(Halfedge_index h, Turn turn) const
   {
     return turn == Turn::left ? m_coarse.next(h)

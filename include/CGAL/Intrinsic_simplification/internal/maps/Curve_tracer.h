@@ -22,25 +22,25 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// A straight piece of a curve in a face.
+// Represents a straight piece of a curve in a face.
 struct Curve_segment
 {
   Face_index face;
   Face_point from, to;
 };
 
-// Maps an edge of one level through the operations to the other. Homogeneous coordinates make
-// every operation linear on each face, so each segment is mapped alone. A new edge cuts it, and
-// the next operation on its face determines the next step. Segments that meet on an edge agree at
-// the meeting point to the last bit. The two coordinates of a point on an edge change only by
-// operations that involve the faces on both sides.
+// Maps an edge of one level through the operations to the other level. In homogeneous coordinates
+// every operation is linear on each face, so each segment is mapped alone. A new edge cuts it, and
+// the next operation on its face determines the next step. Segments that meet on an edge agree
+// bitwise at the meeting point. The two coordinates of a point on an edge change only by operations
+// that involve the faces on both sides.
 class Curve_tracer
 {
 public:
   Curve_tracer(const Surface_map& map, bool forward) : m_route(map.route(forward)) {}
 
-  // The edge of `h`, a halfedge of the level where the curve starts, from its source to its target.
-  // Faces have the indices of the evolving surface.
+  // Traces the edge of `h`, a halfedge of the level where the curve starts, from its source to its
+  // target. Faces have the indices of the evolving surface.
   const std::vector<Curve_segment>& trace(Halfedge_index h)
   {
     carry_edge(h);
@@ -48,7 +48,8 @@ public:
     return m_result;
   }
 
-  // Traces likewise, and lets the curve run through vertices that it comes to within rounding.
+  // Traces the edge of `h`, and moves points of the curve within rounding of a vertex to this
+  // vertex.
   const std::vector<Curve_segment>& trace_through_near_vertices(Halfedge_index h)
   {
     carry_edge(h);
@@ -61,15 +62,17 @@ public:
   }
 
 private:
-  // with the time of the next operation: its start going forward, its end going backward
+  // Stores a segment with the time of its next operation: its start in forward direction, its end
+  // in backward direction.
   struct Timed_segment
   {
     Curve_segment segment;
     Route::Time time;
   };
 
-  // If operations cut the curve many times, pieces accumulate in a face. So tracing takes steps of
-  // about as many operations as pieces, and joins straight pieces in between.
+  // Maps the edge of `h` in steps. If operations cut the curve many times, pieces accumulate in a
+  // face. So each step has about as many operations as pieces, and straight pieces are joined
+  // between steps.
   void carry_edge(Halfedge_index h)
   {
     m_is_bend.assign(2, 0);
@@ -89,7 +92,7 @@ private:
       m_result.push_back(s.segment);
   }
 
-  // the time of the operation that is met next
+  // Returns the time of the next operation.
   Route::Time earliest() const
   {
     Route::Time result = m_route.end().time();
@@ -99,8 +102,8 @@ private:
     return result;
   }
 
-  // Carries the pieces one by one to the time `to` or until they have met `most` operations, and
-  // returns how many they have met.
+  // Maps the pieces one by one to the time `to`, or until `most` operations have been applied.
+  // Returns the number of these operations.
   std::size_t carry_pieces(Route::Time to, std::size_t most)
   {
     m_stack.assign(m_carried.rbegin(), m_carried.rend());
@@ -119,7 +122,7 @@ private:
     return met;
   }
 
-  // an edge and its reverse start in the same face
+  // An edge and its reverse start in the same face.
   Curve_segment whole_edge(Halfedge_index h) const
   {
     const Surface_level& level = m_route.start();
@@ -145,7 +148,7 @@ private:
     return {s, m_route.next(s.face, now)};
   }
 
-  // the parts of the segment after its next operation come on the stack, the first on top
+  // Pushes the parts of the segment after its next operation on the stack, the first one on top.
   void carry(const Timed_segment& s)
   {
     m_parts.clear();
@@ -166,7 +169,7 @@ private:
     m_is_bend.push_back(0);
   }
 
-  // A curve bends on an edge where the changes on its two sides differ.
+  // Applies a scaling. A curve bends on an edge if the changes on its two sides differ.
   void pass(const Scaling& scaling, Curve_segment s)
   {
     const Coordinates factor = m_route.factors(scaling, s.face);
@@ -210,8 +213,8 @@ private:
       return add_part(sectors[from.first], from.point, to.point);
     if(to.is_in(from.last))
       return add_part(sectors[from.last], from.point, to.point);
-    // the vertex has one outgoing halfedge in one direction around it; the position where its line
-    // is crossed decides on the direction
+    // The vertex has one outgoing halfedge in one direction around it. The crossing with its line
+    // determines the direction.
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
     const std::size_t outgoing = one_ahead ? (from.last + 1) % 3 : from.first;
     auto [point, excess] = sectors.on_line(outgoing, x, y);
@@ -232,7 +235,8 @@ private:
     add_part(sectors[to.first], at_vertex, to.point);
   }
 
-  // counterclockwise around the vertex if `is_ahead`
+  // Crosses the outgoing halfedges counterclockwise around the vertex if `is_ahead`, otherwise
+  // clockwise.
   void pass_outgoing_halfedges(const Vertex_sectors& sectors, bool is_ahead,
                                const std::array<Patch_point, 2>& ends,
                                const Vertex_sectors::Sector_point& from,
@@ -250,8 +254,8 @@ private:
     add_part(sectors[n], last, to.point);
   }
 
-  // A point between the ends that is at a corner, within rounding, is a vertex: the curve runs
-  // through it.
+  // Moves a point between the ends that is at a corner, within rounding, to this corner. The curve
+  // then runs through the vertex.
   static void move_to_near_corner(Face_point& p)
   {
     if(p.node < 2)
@@ -266,13 +270,13 @@ private:
         *w = 0;
   }
 
-  // whether the curve goes on straight beyond `p`, which was on an edge once
+  // Returns whether the curve continues straight beyond `p`, which was on an edge before.
   bool is_straight_inside(const Face_point& p) const
   {
     return p.corners == inside && !m_is_bend[p.node];
   }
 
-  // pieces that meet the same operation next are in their face at the same time
+  // Pieces with the same next operation are in one face at the same time.
   void join_inside_faces()
   {
     std::size_t size = 0;
@@ -285,9 +289,9 @@ private:
     m_carried.resize(size);
   }
 
-  // Joins straight pieces inside faces, and if the curve reaches a side and continues in its face.
-  // In the second case it runs along the boundary. A piece from a side back to the same side, or
-  // from a corner to itself, exists only because of rounding.
+  // Joins straight pieces inside faces. Also joins pieces if the curve reaches a side and continues
+  // in its face, along the boundary. A piece from a side back to the same side, or from a corner to
+  // itself, exists only because of rounding.
   void join_straight_pieces()
   {
     std::size_t size = 0;
@@ -306,20 +310,20 @@ private:
       }
     }
     m_result.resize(size);
-    // pieces that have been left out at a vertex were as long as rounding
+    // Pieces omitted at a vertex were as short as rounding errors.
     m_result.front().from.along = {1, 0, 0};
     m_result.back().to.along = {0, 1, 0};
     for(std::size_t n = 1; n < size; ++n)
       m_result[n].from.along = m_result[n - 1].to.along;
   }
 
-  // whether the curve comes to a side and does not cross it
+  // Returns whether the curve reaches a side and does not cross it.
   static bool stays_in_face(const Curve_segment& s, const Curve_segment& next)
   {
     return is_pair(s.to.corners) && next.face == s.face && next.from.corners == s.to.corners;
   }
 
-  // the ends of the curve have the nodes 0 and 1
+  // The ends of the curve have the nodes 0 and 1.
   static bool leads_back(const Curve_segment& s)
   {
     return s.from.corners == s.to.corners && s.to.corners != inside && s.from.node + s.to.node > 1;

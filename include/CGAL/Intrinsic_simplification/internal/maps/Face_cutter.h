@@ -23,15 +23,15 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// A side of a polygon, by the point where it starts and the index of the line on which it is.
+// Stores a side of a polygon: the point where it starts and the index of its line.
 struct Cell_side
 {
   Face_point from;
   std::size_t line;
 };
 
-// A polygon inside a face, with the linear map to it from the face where it started: the images of
-// the three corners.
+// Stores a polygon inside a face, with the linear map to it from the face where it started. The map
+// is given by the images of the three corners.
 struct Cell
 {
   Face_index face;
@@ -39,15 +39,15 @@ struct Cell
   std::vector<Cell_side> sides; // counterclockwise
 };
 
-// whether the side with index `n` lies on an edge of the face
+// Returns whether the side with index `n` lies on an edge of the face.
 inline bool is_on_edge(const Cell& cell, std::size_t n)
 {
   const std::size_t next = n + 1 == cell.sides.size() ? 0 : n + 1;
   return is_pair(cell.sides[n].from.corners | cell.sides[next].from.corners);
 }
 
-// The area of a polygon with `n` corners in a face, in units of the face: negative if it is
-// clockwise. `at(c)` are the homogeneous coordinates of a corner.
+// Returns the area of a polygon with `n` corners in a face, relative to the face. It is negative if
+// the polygon is clockwise. `at(c)` returns the homogeneous coordinates of a corner.
 template <typename At>
 double polygon_area(std::size_t n, const At& at)
 {
@@ -66,15 +66,15 @@ double polygon_area(std::size_t n, const At& at)
 }
 
 // Maps a face of the fine level through the operations to the coarse level. A new edge cuts it,
-// like a curve, and each cell is mapped alone. Cells on the two sides of a cut know their common
-// points by index, and agree on their coordinates to the last bit. So with any rounding, cells are
-// a subdivision of the face.
+// like a curve, and each cell is mapped alone. Cells on the two sides of a cut share their common
+// points by index, and agree bitwise on their coordinates. So with any rounding, cells are a
+// subdivision of the face.
 class Face_cutter
 {
 public:
   explicit Face_cutter(const Surface_map& map) : m_route(map.route(true)) {}
 
-  // The cells of `f`. Faces have the indices of the evolving surface.
+  // Returns the cells of `f`. Faces have the indices of the evolving surface.
   const std::vector<Cell>& cut(Face_index f)
   {
     m_result.clear();
@@ -95,20 +95,20 @@ public:
     return m_result;
   }
 
-  // Whether the map changes at a line: the line has been on an edge when the scale changed beside
-  // it. The first three are the sides of the face.
+  // Returns whether the map changes at a line, which was on an edge when the scale changed beside
+  // it. The first three lines are the sides of the face.
   bool is_crease(std::size_t line) const { return m_is_crease[line] != 0; }
 
 private:
-  // with the time of the next operation
+  // Stores a cell with the time of its next operation.
   struct Timed_cell
   {
     Cell cell;
     Route::Time time;
   };
 
-  // a point of a cell before a flip, with the side that it begins, and on which side of the new
-  // edge it is
+  // Stores a point of a cell before a flip, the side that starts at it, and its side of the new
+  // edge.
   struct Sided_point
   {
     Patch_point point;
@@ -130,7 +130,7 @@ private:
     return result;
   }
 
-  // with the time of its next operation
+  // Pushes the cell with the time of its next operation.
   void push(Cell&& cell, Route::Time now)
   {
     const Route::Time next = m_route.next(cell.face, now);
@@ -199,7 +199,8 @@ private:
     return x;
   }
 
-  // Rotates the points so that the first is on that side; whether there is any.
+  // Rotates the points so that the first one is on the given side. Returns whether such a point
+  // exists.
   bool move_to_front(int side)
   {
     const auto first = std::find_if(m_points.begin(), m_points.end(),
@@ -210,8 +211,9 @@ private:
     return true;
   }
 
-  // Cuts a cell into two parts, or more if rounding has bent a side: then the negative side is cut
-  // off part by part. A point on the edge belongs to the part of the point before it.
+  // Cuts the cell along the new edge. Points on the edge belong to the part of the preceding
+  // points. The cell has two parts, or more if rounding has bent a side. Then the negative side is
+  // cut off part by part.
   void cut_along(const Recorded_flip& turn, Route::Time t)
   {
     move_to_front(1); // the last that is not on the edge is negative now
@@ -244,7 +246,7 @@ private:
     return line->second;
   }
 
-  // agrees to the last bit for both cells that ask
+  // Returns the crossing, which is bitwise equal for both cells beside it.
   Patch_point crossing(const Recorded_flip& turn, const Patch_point& x, const Patch_point& y)
   {
     if(x.node > y.node)

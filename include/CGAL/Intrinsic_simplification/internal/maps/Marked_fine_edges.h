@@ -25,20 +25,20 @@ namespace CGAL::Intrinsic_simplification::internal {
 using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::is_first_halfedge;
 
-// The marks on the edges of the fine level, in their order, and the pieces of the edges of the
-// coarse level between them. Vertices of a subdivision are vertices of the fine level, vertices
+// Stores the marks on the edges of the fine level, in their order, and the pieces of the edges of
+// the coarse level between them. Vertices of a subdivision are vertices of the fine level, vertices
 // that only the coarse level has, marks, and bends. A vertex on the boundary that only the coarse
 // level has is a mark, too.
 //
-// Curves that reach a vertex within rounding run through it. Their marks on the edges at the
-// vertex are moved to the vertex, in their order along the edge. So curves that did not cross
-// before do not cross afterwards. Marks that have not been moved are kept.
+// Curves that reach a vertex within rounding run through it. Their marks on the edges at the vertex
+// are moved to the vertex, in their order along the edge. So curves that did not cross before do
+// not cross afterwards. Marks that have not been moved are kept.
 class Marked_fine_edges
 {
 public:
   typedef Intrinsic_triangulations::Edge_marks Edge_marks;
 
-  // With bends of edges of the fine level on the coarse surface, or without.
+  // Finds the marks, with or without bends of edges of the fine level on the coarse surface.
   Marked_fine_edges(const Surface_map& map, bool with_fine_bends)
     : m_map(map), m_fine(map.fine().mesh()), m_number_of_vertices(m_fine.number_of_vertices())
   {
@@ -67,17 +67,17 @@ public:
     return !is_fine_vertex(v) && v.idx() - m_fine.number_of_vertices() < m_new_vertices.size();
   }
 
-  // its index in the coarse level
+  // Returns the vertex of the subdivision for a vertex that only the coarse level has.
   Vertex_index new_vertex(Vertex_index v) const
   {
     return m_new_vertices[v.idx() - m_fine.number_of_vertices()];
   }
   const std::vector<Vertex_index>& new_vertices() const { return m_new_vertices; }
 
-  // the ways along the edges of the coarse level
+  // Returns the curves along the edges of the coarse level.
   Curve_strands strands() const { return {m_pieces, m_first_piece, m_map.coarse().mesh()}; }
 
-  // the first piece of an edge that starts at the vertex `v` of the coarse level
+  // Returns the first piece of an edge that starts at the vertex `v` of the coarse level.
   Strand first_strand(Vertex_index v) const
   {
     return strands().first(first_outgoing_halfedge(v, m_map.coarse().mesh()));
@@ -89,7 +89,7 @@ public:
   Curve_index first_piece(Edge_index e) const { return m_first_piece[e.idx()]; }
   Curve_index end_of_pieces(Edge_index e) const { return m_first_piece[e.idx() + 1]; }
 
-  // the piece that ends at a vertex inside an edge of the coarse level, otherwise none
+  // Returns the piece that ends at a vertex inside an edge of the coarse level, otherwise none.
   Curve_index piece_before(Vertex_index v) const { return m_piece_before[v.idx()]; }
 
   // ---- Marks ----
@@ -98,18 +98,19 @@ public:
   Curve_index mark_of(Vertex_index v) const { return m_mark_of_vertex[v.idx()]; }
   Curve_index mark_of_coarse(Vertex_index v) const { return mark_of(m_vertex_of_coarse[v.idx()]); }
 
-  // the numbers of all marks, and of the kept marks
+  // Returns the numbers of all marks, and of the kept marks.
   const Edge_marks& numbers() const { return m_numbers; }
   const Edge_marks& kept() const { return m_kept; }
 
-  // the pieces on the two sides of a mark that is kept, in the direction of the first halfedge
+  // Returns the pieces on the two sides of a mark that is kept, in the direction of the first
+  // halfedge.
   std::pair<Halfedge_index, Halfedge_index> pieces_around_mark(Curve_index n) const
   {
     const Halfedge_index h = first_halfedge(m_marks[n].edge);
     return {m_kept.piece(h, m_kept_before[n]), m_kept.piece(h, m_kept_before[n] + 1)};
   }
 
-  // whether a mark is moved to the source of the halfedge `h`
+  // Returns whether a mark is moved to the source of the halfedge `h`.
   bool is_at_source(Halfedge_index h, Curve_index n) const
   {
     const double ratio = m_marks[n].ratio;
@@ -128,8 +129,8 @@ private:
   typedef std::vector<Curve_mark> Marks;
   typedef std::vector<Coarse_piece> Pieces;
 
-  // The position at which a curve has entered a face: a corner, and the numbers of pieces and
-  // vertices before it.
+  // Stores where a curve has entered a face: its corner, and the numbers of pieces and vertices
+  // before.
   struct Entry
   {
     std::size_t corner;
@@ -147,7 +148,7 @@ private:
 
   // ---- The order ----
 
-  // mark `n` becomes what has been mark `order[n]`
+  // Renumbers marks: mark `order[n]` becomes mark `n`.
   static void renumber(const std::vector<Curve_index>& order, Marks& marks, Pieces& pieces)
   {
     Marks result;
@@ -170,7 +171,7 @@ private:
     return result;
   }
 
-  // by edges, and along them
+  // Sorts marks by their edges, and along them.
   static void order(Marks& marks, Pieces& pieces)
   {
     std::vector<Curve_index> order = indices(marks.size());
@@ -180,8 +181,8 @@ private:
     renumber(order, marks, pieces);
   }
 
-  // Sorts the crossings by their positions at first. The curves determine the final order. Then
-  // positions are made to agree.
+  // Sorts the crossings by their positions first. The curves determine the final order. Then
+  // positions are changed to agree with it.
   void order_crossings(Traced_curves& traced) const
   {
     Marks& marks = traced.marks;
@@ -240,7 +241,7 @@ private:
     }
   }
 
-  // Such a vertex is a mark that is kept, at any position.
+  // Adds vertices on the boundary as marks that are kept, at any position.
   void add_new_border_vertices()
   {
     for(Vertex_index v : m_new_vertices) {
@@ -302,7 +303,7 @@ private:
     m_pieces.push_back(piece);
   }
 
-  // Returns the corner at which a point is, or to which it has been moved; 3 if there is none.
+  // Returns the corner that a point is at or has been moved to, or 3 if it is at none.
   std::size_t corner_near(const Curve_segment& s, const Face_point& p, Curve_index mark) const
   {
     if(is_at_corner(p))
@@ -313,7 +314,8 @@ private:
     return is_at_source(side_of_end(s, p, m_fine), mark) ? n : (n + 1) % 3;
   }
 
-  // Edges of the coarse level have been traced before: an edge along which they run has no bends.
+  // Adds bends of edges of the fine level. Edges of the coarse level have been traced before: an
+  // edge along which they run has no bends.
   void add_fine_bends()
   {
     Curve_tracer tracer(m_map, true);

@@ -17,7 +17,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// A flip or the inverse of one: the faces pqr and qpo become orp and roq.
+// Represents a flip or its inverse: the faces pqr and qpo become orp and roq.
 class Recorded_flip
 {
 public:
@@ -45,29 +45,29 @@ public:
     }
   }
 
-  // whether `f` is the face with r before the turn
+  // Returns whether `f` is the face with r before the flip.
   bool has_r(Face_index f) const { return f == m_before[0].face(); }
 
-  // the face with r or that with o, before the turn
+  // Returns the face with r or the face with o, before the flip.
   Patch_face before(bool has_r) const
   {
     return has_r ? Patch_face(m_before[0], {p, q, r}) : Patch_face(m_before[1], {q, p, o});
   }
 
-  // the face with p or that with q, after the turn
+  // Returns the face with p or the face with q, after the flip.
   Patch_face after(bool has_p) const
   {
     return has_p ? Patch_face(m_after[0], {o, r, p}) : Patch_face(m_after[1], {r, o, q});
   }
 
-  // whether a point of the faces before the turn belongs to the face with p after it
+  // Returns whether a point of the faces before the flip belongs to the face with p after it.
   bool is_beside_p(const Patch_coordinates& x) const
   {
     return x[p] * m_crossing[q] > x[q] * m_crossing[p];
   }
 
   // Changes the coordinates for the face with p or for the face with q; one of the two may be
-  // negative. Takes as much of the crossing as p and q have, and gives it to o and r.
+  // negative. Replaces p and q by the crossing as far as possible, and the crossing by o and r.
   void change(Patch_coordinates& x, bool has_p) const
   {
     const Corner left_over = has_p ? p : q, used_up = has_p ? q : p;
@@ -77,14 +77,15 @@ public:
     add_crossing(all, x);
   }
 
-  // changes the coordinates of a point of one of these faces, all of them nonnegative
+  // Changes the coordinates of a point of one of these faces, which are nonnegative.
   void change_inside(Patch_coordinates& x, bool has_p) const
   {
     change(x, has_p);
     x[has_p ? p : q] = (std::max)(x[has_p ? p : q], 0.);
   }
 
-  // 1 if a point belongs to the face with p, -1 for that with q, 0 for both
+  // Returns 1 if a point belongs to the face with p, -1 if it belongs to the face with q, and 0 for
+  // both.
   int side(const Patch_point& x) const
   {
     if(is_on_or_in_diamond(x))
@@ -92,7 +93,7 @@ public:
     return (x.corners & bit(p)) ? 1 : (x.corners & bit(q)) ? -1 : 0;
   }
 
-  // the point seen from the faces after the turn
+  // Returns the point in the faces after the flip.
   Patch_point turned(Patch_point x) const
   {
     if(is_on_or_in_diamond(x)) {
@@ -103,14 +104,15 @@ public:
     return x;
   }
 
-  // whether the point is on the edge or within rounding
+  // Returns whether the point is on the edge up to rounding.
   bool is_near_diagonal(const Patch_point& x) const
   {
     const double sum = x.weight[p] + x.weight[q] + x.weight[o] + x.weight[r];
     return is_on_or_in_diamond(x) && distance(x) <= rounding() * sum;
   }
 
-  // where the segment from x to y, seen from before the turn, crosses the edge or
+  // Returns the point where the segment from x to y, seen from before the flip, crosses the edge
+  // or.
   Patch_point crossing(const Patch_point& x, const Patch_point& y) const
   {
     Patch_point result = between(x, y, distance(x), distance(y));
@@ -122,7 +124,7 @@ public:
   }
 
 private:
-  // points on pq, and those inside of the faces, have to be compared with the other diagonal
+  // Points on pq, and points inside of the faces, must be compared with the other diagonal.
   static bool is_on_or_in_diamond(const Patch_point& x)
   {
     return is_subset(bit(p) | bit(q), x.corners);

@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The operations between two times, in a list for each face that they change.
+// Stores the operations between two times, in a list for each face that they change.
 class Operations_by_face
 {
 public:
@@ -47,14 +47,14 @@ public:
     m_end.pop_back(); // the end of each list is the start of the next now
   }
 
-  // the first operation on `f` that is not before `t`, or `none`
+  // Returns the first operation on `f` that is not before `t`, or `none`.
   Time next(Face_index f, Time t, Time none) const
   {
     const auto* next = first_not_before(f, t);
     return next == m_times.data() + m_end[f] ? none : *next;
   }
 
-  // one more than the last operation on `f` that is before `t`, or `none`
+  // Returns the time after the last operation on `f` before `t`, or `none`.
   Time previous(Face_index f, Time t, Time none) const
   {
     const auto* next = first_not_before(f, t);
@@ -76,7 +76,7 @@ private:
   std::vector<std::uint32_t> m_times; // of the operations on each face, in their order
 };
 
-// The way through the operations between two levels, forward or backward.
+// Leads through the operations between two levels, forward or backward.
 class Route
 {
 public:
@@ -95,29 +95,29 @@ public:
   const Surface_level& end() const { return m_end; }
   bool is_forward() const { return m_is_forward; }
 
-  // the time of the next operation on `f`; the time of the end if no operation follows
+  // Returns the time of the next operation on `f`, or the time of the end if no operation follows.
   Time next(Face_index f, Time now) const
   {
     return m_is_forward ? m_operations.next(f, now, m_end.time())
                         : m_operations.previous(f, now, m_end.time());
   }
 
-  // the number of operations
+  // Returns the number of operations.
   Time length() const
   {
     return m_is_forward ? m_end.time() - m_start.time() : m_start.time() - m_end.time();
   }
 
-  // returns the time after the next `n` operations, at most the time of the end
+  // Returns the time after the next `n` operations, at most the time of the end.
   Time after(Time t, Time n) const
   {
     return m_is_forward ? t + (std::min)(n, m_end.time() - t) : t - (std::min)(n, t - m_end.time());
   }
 
-  // whether nothing is met between the time `t` and `end`
+  // Returns whether no operation lies between the time `t` and `end`.
   bool is_at(Time t, Time end) const { return m_is_forward ? t >= end : t <= end; }
 
-  // calls `visit` with the operation that is met at time `t`, and returns the time after it
+  // Calls `visit` with the operation at time `t`, and returns the time after it.
   template <typename Visit>
   Time pass(Time t, const Visit& visit) const
   {
@@ -125,7 +125,8 @@ public:
     return m_is_forward ? t + 1 : t - 1;
   }
 
-  // The factors by which a scaling multiplies the coordinates in the face `f` (Equation 5.1).
+  // Returns the factors by which a scaling multiplies the coordinates in the face `f` (Equation
+  // 5.1).
   Coordinates factors(const Scaling& scaling, Face_index f) const
   {
     const double factor = m_is_forward ? scaling.factor : 1 / scaling.factor;

@@ -16,9 +16,9 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The faces that an operation changes, before and after it, are a patch with four corners. On
-// homogeneous coordinates of the patch an operation is linear. A point has coordinates only; a
-// point of a curve or polygon also knows by combinatorics on which edge or at which corner it is.
+// The faces that an operation changes, before and after it, are a patch with four corners. An
+// operation is linear in homogeneous coordinates of the patch. A point has only coordinates. A
+// point of a curve or polygon also stores its edge or corner combinatorially.
 
 typedef std::array<double, 3> Coordinates;       // in a face
 typedef std::array<double, 4> Patch_coordinates; // in a patch
@@ -31,25 +31,25 @@ inline void normalize(Coordinates& b)
     x /= sum;
 }
 
-// Corners of a face or patch, as bits.
+// Stores corners of a face or patch, as bits.
 typedef unsigned int Corner_set;
 
 constexpr Corner_set bit(std::size_t corner) { return 1u << corner; }
 
 inline bool is_subset(Corner_set part, Corner_set whole) { return (part & ~whole) == 0; }
 
-// whether there is one corner
+// Returns whether the set has one corner.
 inline bool is_single(Corner_set corners) { return (corners & (corners - 1)) == 0; }
 
-// whether there are two
+// Returns whether the set has two corners.
 inline bool is_pair(Corner_set corners)
 {
   return !is_single(corners) && is_single(corners & (corners - 1));
 }
 
-// A point of a curve or polygon, seen from a face of `n` corners with homogeneous coordinates. It
-// is at a corner, on a side or inside, as the set of its corners says: this is never left to
-// rounding.
+// Represents a point of a curve or polygon, seen from a face of `n` corners with homogeneous
+// coordinates. The set of its corners determines whether it is at a corner, on a side or inside.
+// Rounding never does.
 template <std::size_t n>
 struct Curve_point
 {
@@ -62,7 +62,7 @@ struct Curve_point
 typedef Curve_point<3> Face_point;
 typedef Curve_point<4> Patch_point;
 
-// A face of a patch.
+// Represents a face of a patch.
 struct Patch_face
 {
   Face_index face;
@@ -112,8 +112,8 @@ struct Patch_face
   }
 };
 
-// the point between p and q where a linear function vanishes that has these absolute values at p
-// and q
+// Returns the zero of a linear function between p and q, given the absolute values of the function
+// at p and q.
 inline Patch_point between(const Patch_point& p, const Patch_point& q, double at_p, double at_q)
 {
   const double sum = at_p + at_q;

@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// Indices of marks and pieces.
+// Numbers marks and pieces.
 typedef Delta_complex::size_type Curve_index;
 constexpr Curve_index no_index = (std::numeric_limits<Curve_index>::max)();
 
@@ -33,8 +33,8 @@ inline Curve_index checked_index(std::size_t n)
   return static_cast<Curve_index>(n);
 }
 
-// Where a point of a curve is in its face: at a corner, on a side, or inside, where the curve
-// bends.
+// The following functions return whether a point of a curve is at a corner, on a side, or inside
+// its face, where the curve bends.
 inline bool is_at_corner(const Face_point& p) { return is_single(p.corners); }
 inline bool is_on_side(const Face_point& p) { return is_pair(p.corners); }
 inline bool is_bend(const Face_point& p) { return !is_at_corner(p) && !is_on_side(p); }
@@ -49,14 +49,14 @@ inline std::size_t side_number(const Face_point& p)
   return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
 }
 
-// the side of the face of a segment on which one of its ends lies
+// Returns the side of the face of a segment on which one of its ends lies.
 inline Halfedge_index side_of_end(const Curve_segment& s, const Face_point& end,
                                   const Delta_complex& mesh)
 {
   return Intrinsic_triangulations::sides(s.face, mesh)[side_number(end)];
 }
 
-// the halfedge from one corner of the face of a segment to another
+// Returns the halfedge from one corner of the face of a segment to another.
 inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::size_t to,
                                  const Delta_complex& mesh)
 {
@@ -64,8 +64,8 @@ inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::
   return to == (from + 1) % 3 ? side[from] : Intrinsic_triangulations::opposite(side[to]);
 }
 
-// the edge on which an end of a segment lies, and the ratio of its distances from source and
-// target of the first halfedge
+// Returns the edge on which an end of a segment lies. Also returns the ratio of its distances from
+// the source and the target of the first halfedge.
 inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Face_point& end,
                                                 const Delta_complex& mesh)
 {
@@ -75,8 +75,8 @@ inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Fa
   return {Edge_index(h), Intrinsic_triangulations::is_first_halfedge(h) ? to / from : from / to};
 }
 
-// A straight part of an edge of the coarse level in a face of the fine level. It has the marks at
-// its ends, and the vertex where it ends.
+// Represents a straight part of an edge of the coarse level in a face of the fine level. Stores the
+// marks at its ends, and the vertex where it ends.
 struct Coarse_piece
 {
   Curve_segment segment;
@@ -85,8 +85,8 @@ struct Coarse_piece
   Vertex_index target;
 };
 
-// A point on an edge of the fine level. The ratio, between zero and infinity, leads from the
-// source to the target of its first halfedge.
+// Represents a point on an edge of the fine level. The ratio, between zero and infinity, leads from
+// the source to the target of its first halfedge.
 struct Curve_mark
 {
   Edge_index edge;
@@ -95,8 +95,8 @@ struct Curve_mark
   Vertex_index vertex;
 };
 
-// The edges of the coarse level as chains of pieces, and their marks on edges of the fine level, in
-// the order of tracing. Pieces of one edge follow each other.
+// Stores the edges of the coarse level as chains of pieces, and their marks on edges of the fine
+// level, in the order of tracing. Pieces of one edge are consecutive.
 struct Traced_curves
 {
   std::vector<Coarse_piece> pieces;
@@ -117,8 +117,8 @@ struct Traced_curves
   }
 
 private:
-  // The mark where the piece starts becomes that where it ends. An edge may end at a vertex on a
-  // side, which is not a crossing.
+  // Adds a piece. `mark` is the mark at its start, and becomes the mark at its end. An edge may end
+  // at a vertex on a side, which is not a crossing.
   void add_piece(Curve_segment s, Edge_index e, bool is_followed, Curve_index& mark,
                  const Surface_level& fine)
   {

@@ -20,9 +20,9 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The edges of a subdivision and their cyclic order around its vertices. The pieces of edges of
-// the fine level come first. A piece of an edge of the coarse level may run along one of them, and
-// is the same edge then. Otherwise it is a chord of a face, which is an edge of its own.
+// Determines the edges of a subdivision and their cyclic order around its vertices. The pieces of
+// edges of the fine level come first. A piece of an edge of the coarse level may run along one of
+// them, and is the same edge then. Otherwise it is a chord of a face, which is a separate edge.
 class Vertex_rotation
 {
 public:
@@ -38,18 +38,19 @@ public:
     return m_edges.kept().number_of_pieces() + checked_index(m_piece_of_chord.size());
   }
 
-  // Returns piece `p` of an edge of the coarse level, in the direction of its first halfedge.
+  // Returns piece `p` of an edge of the coarse level, in the direction of the first halfedge of
+  // this edge.
   Halfedge_index coarse_piece(Curve_index p) const { return m_halfedge[p]; }
 
-  // the piece that has a chord as one of its halfedges
+  // Returns the piece that has a chord as one of its halfedges.
   const Coarse_piece& piece_of_chord(Halfedge_index h) const
   {
     const Curve_index chord = Edge_index(h).idx() - m_edges.kept().number_of_pieces();
     return m_pieces[m_piece_of_chord[chord]];
   }
 
-  // A piece that bounds a face together with a piece of a fine edge runs along that, whatever
-  // rounding says. Returns whether there were any; `mesh` is outdated then.
+  // Merges a piece that bounds a face together with a piece of a fine edge with this piece,
+  // whatever rounding is. Returns whether such pieces existed; `mesh` is outdated then.
   template <typename Mesh>
   bool merge_bigons(const Mesh& mesh)
   {
@@ -66,7 +67,7 @@ public:
     return true;
   }
 
-  // the halfedges that leave `v`, in counterclockwise order
+  // Collects the halfedges that leave `v`, in counterclockwise order.
   void collect_outgoing_halfedges(Vertex_index v, std::vector<Halfedge_index>& out) const
   {
     out.clear();
@@ -88,12 +89,12 @@ public:
   }
 
 private:
-  // A corner of a face, or a mark on one of its sides.
+  // Stores a corner of a face, or a mark on one of its sides.
   typedef std::pair<std::size_t, Curve_index> Position;
 
-  // A piece that leaves a vertex of the fine level into a corner of a face. The positions between
-  // which it meets the sides of the face again are counted counterclockwise from this corner. The
-  // last criterion is the order of pieces along one edge.
+  // Represents a piece that leaves a vertex of the fine level into a corner of a face. The
+  // positions where it meets the sides of the face again are counted counterclockwise from this
+  // corner. The last criterion is the order of pieces along one edge.
   struct Chord_end
   {
     std::size_t corner;
@@ -114,8 +115,8 @@ private:
 
   // ---- Numbers ----
 
-  // An edge of the coarse level that is an edge of the fine level replaces it. Other pieces along
-  // it are first put into a face, in the order in which they come.
+  // Numbers the pieces. An edge of the coarse level that is an edge of the fine level replaces it.
+  // Other pieces along it are first moved into a face, in their order of tracing.
   void number_pieces()
   {
     m_is_taken.assign(m_edges.kept().number_of_pieces(), 0);
@@ -131,7 +132,7 @@ private:
     }
   }
 
-  // the halfedge of the fine level that is the edge of a piece, or null
+  // Returns the halfedge of the fine level that is the edge of a piece, or null.
   Halfedge_index whole_edge(Curve_index p) const
   {
     const Curve_segment& s = m_pieces[p].segment;
@@ -142,13 +143,13 @@ private:
              : Halfedge_index();
   }
 
-  // whether no other piece runs along a piece of a fine edge
+  // Returns whether no other piece runs along a piece of a fine edge.
   bool claim(Halfedge_index fine_piece)
   {
     return std::exchange(m_is_taken[Edge_index(fine_piece).idx()], 1) == 0;
   }
 
-  // the first halfedge of a chord
+  // Returns the first halfedge of a chord.
   Halfedge_index chord(std::size_t n) const
   {
     return first_halfedge(Edge_index(checked_index(m_edges.kept().number_of_pieces() + n)));
@@ -192,14 +193,14 @@ private:
       m_chords_at_mark[mark][is_first_halfedge(side_of_end(s, end, m_fine)) ? 0 : 1] = out;
   }
 
-  // the chord that leaves a mark on the left of `h`, or null
+  // Returns the chord that leaves a mark on the left of `h`, or null.
   Halfedge_index chord_on_left(Halfedge_index h, Curve_index mark) const
   {
     return m_chords_at_mark[mark][is_first_halfedge(h) ? 0 : 1];
   }
 
-  // A chord may end at a vertex inside the face. Then ways on its right and on its left, which
-  // cross no edge, determine its position.
+  // Adds an end of a chord. A chord may end at a vertex inside the face. Then curves on its right
+  // and on its left, which cross no edge, determine its position.
   void add_chord_end(const Strand& chord, const Face_point& at_corner, Halfedge_index out)
   {
     const Curve_strands strands = m_edges.strands();
@@ -214,9 +215,9 @@ private:
       {corner_index(strands.piece(chord).segment.face, c), {first, last, tie}, out});
   }
 
-  // The position where the way on one side of a chord leaves its face. If the way comes back to
-  // the corner by another chord, this is the next chord at the corner, and its way is followed.
-  // Returns the number of these chords, too.
+  // Returns the position where the curve on one side of a chord leaves its face. If the curve
+  // returns to the corner by another chord, this is the next chord at the corner, and its curve is
+  // followed. Returns the number of these chords, too.
   std::pair<Strand, std::ptrdiff_t> exit(const Strand& chord, Corner_set corner, Turn turn) const
   {
     const Curve_strands strands = m_edges.strands();
@@ -229,8 +230,8 @@ private:
     }
   }
 
-  // Where a way from corner `c` of a face comes to another corner or a side, counterclockwise from
-  // this corner.
+  // Returns the position where a curve from corner `c` of a face reaches another corner or a side,
+  // counterclockwise from this corner.
   Position position(const Strand& s, std::size_t c) const
   {
     const Curve_strands strands = m_edges.strands();
@@ -265,7 +266,7 @@ private:
     });
   }
 
-  // around a vertex that only the coarse level has, in the same way
+  // Collects the halfedges that leave a vertex of only the coarse level, in counterclockwise order.
   void collect_outgoing_halfedges_of_new_vertex(Vertex_index v, Curve_index mark,
                                                 std::vector<Halfedge_index>& out) const
   {
@@ -286,7 +287,8 @@ private:
       out.push_back(opposite(before));
   }
 
-  // the first piece of `h`, and the chords at the marks that have been moved to its source
+  // Collects the first piece of `h`, and the chords at the marks that have been moved to its
+  // source.
   void collect_outgoing_halfedges_along(Halfedge_index h, std::vector<Halfedge_index>& out) const
   {
     const Edge_index e(h);

@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The removal of a vertex, or its inverse, an insertion. The sectors m01, m12 and m20 together are
-// the face 012; at the boundary m20 is missing.
+// Represents the removal of a vertex, or its inverse, an insertion. The sectors m01, m12 and m20
+// together are the face 012; at the boundary m20 is missing.
 class Vertex_sectors
 {
 public:
@@ -40,13 +40,13 @@ public:
     return Patch_face(m_sector[n], {m, n, (n + 1) % 3});
   }
 
-  // the index of the sector that has the face `f`
+  // Returns the index of the sector with the face `f`.
   std::size_t sector_of(Face_index f) const
   {
     return f == m_sector[0].face() ? 0 : f == m_sector[1].face() ? 1 : 2;
   }
 
-  // expresses the vertex by the corners of the whole face
+  // Expresses the vertex by the corners of the whole face.
   void merge(Patch_coordinates& x) const
   {
     for(std::size_t c = 0; c < 3; ++c)
@@ -54,8 +54,9 @@ public:
     x[m] = 0;
   }
 
-  // Takes out as much of the vertex as a point of the whole face has. This uses up one corner, and
-  // the point is in the sector opposite to it. Returns the index of the corner.
+  // Replaces corners by the vertex as far as the coordinates of a point of the whole face permit.
+  // One coordinate becomes zero, and the point is in the sector opposite to its corner. Returns the
+  // index of the corner.
   std::size_t split(Patch_coordinates& x) const
   {
     const std::size_t used_up = corner_used_up(x);
@@ -66,7 +67,7 @@ public:
     return used_up;
   }
 
-  // a point of a sector seen from the whole face
+  // Returns a point of a sector, seen from the whole face.
   Patch_point in_whole(Patch_point x) const
   {
     if((x.corners & bit(m)) == 0)
@@ -77,8 +78,8 @@ public:
     return x;
   }
 
-  // A point seen from a sector. It is in the sectors from `first` to `last`, which may be next to
-  // each other.
+  // Stores a point seen from a sector. It is in the sectors from `first` to `last`, which may be
+  // next to each other.
   struct Sector_point
   {
     Patch_point point;
@@ -87,7 +88,7 @@ public:
     bool is_in(std::size_t n) const { return n == first || n == last; }
   };
 
-  // a point of the whole face seen from the sectors
+  // Returns a point of the whole face, seen from the sectors.
   Sector_point in_sectors(Patch_point x) const
   {
     if(x.corners == whole_face() || (m_is_border && x.corners == border_side())) {
@@ -105,8 +106,8 @@ public:
     return {x, (c + 2) % 3, c};
   }
 
-  // A point on the line through the vertex and corner `outgoing`, between two points of the whole
-  // face.
+  // Stores a point on the line through the vertex and corner `outgoing`, between two points of the
+  // whole face.
   struct Line_point
   {
     Patch_point point; // of the edge from m to the corner
@@ -129,7 +130,7 @@ public:
     return {result, rest / sum};
   }
 
-  // whether a segment between two such points runs along the boundary
+  // Returns whether a segment between two such points runs along the boundary.
   static bool is_on_border_side(const Patch_point& x, const Patch_point& y)
   {
     return is_subset(x.corners | y.corners, border_side());
@@ -139,8 +140,8 @@ private:
   static constexpr Corner_set whole_face() { return bit(0) | bit(1) | bit(2); }
   static constexpr Corner_set border_side() { return bit(0) | bit(2); }
 
-  // The corner whose coordinate in a point is least, compared with the vertex: the point and this
-  // corner are on opposite sides of the vertex.
+  // Returns the corner whose coordinate in a point is least, compared with the vertex. The point
+  // and this corner are on opposite sides of the vertex.
   std::size_t corner_used_up(const Patch_coordinates& x) const
   {
     const Coordinates& w = m_vertex;

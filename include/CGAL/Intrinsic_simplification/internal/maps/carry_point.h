@@ -16,9 +16,9 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// Carries a point, which is in a face of the evolving surface, through operations on its face.
-// Coordinates are homogeneous. The direction is a constant, and faces of a patch are named by
-// constants, so that no index is computed.
+// Maps a point in a face of the evolving surface through the operations on its face. Coordinates
+// are homogeneous. The direction is a constant, and faces of a patch are named by constants, so
+// that no index is computed.
 template <bool is_forward>
 class Carried_point
 {
@@ -78,7 +78,7 @@ private:
   Location m_point;
 };
 
-// Carries a point from the level at which `route` starts to the level at which it ends.
+// Maps a point of the level where `route` starts to the level where it ends.
 template <bool is_forward>
 Location carry_point(Location p, const Route& route)
 {

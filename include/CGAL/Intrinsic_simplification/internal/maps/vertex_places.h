@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-// Where the vertices of a subdivision are on its two levels.
+// This file contains the positions of the vertices of a subdivision on its two levels.
 
 namespace CGAL::Intrinsic_simplification::internal {
 
@@ -37,7 +37,7 @@ inline Level_point vertex_place(Vertex_index v, const Delta_complex& mesh)
     Intrinsic_triangulations::first_outgoing_halfedge(v, mesh)};
 }
 
-// the position of a vertex of the subdivision on the fine level
+// Returns the position of a vertex of the subdivision on the fine level.
 inline Level_point fine_place(Vertex_index v, const Marked_fine_edges& edges)
 {
   const Delta_complex& fine = edges.map().fine().mesh();
@@ -58,14 +58,14 @@ inline Level_point fine_place(Vertex_index v, const Marked_fine_edges& edges)
   return edge_place(first_halfedge(mark.edge), t, fine);
 }
 
-// the position on the first halfedge of its edge where a piece ends
+// Returns the position on the first halfedge of its edge where a piece ends.
 inline double place_of_end(const Coarse_piece& piece)
 {
   const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
   return y / (x + y);
 }
 
-// the position of a vertex of the subdivision on the coarse level
+// Returns the position of a vertex of the subdivision on the coarse level.
 inline Level_point coarse_place(Vertex_index v, const Marked_fine_edges& edges)
 {
   const Surface_map& map = edges.map();
@@ -82,8 +82,8 @@ inline Level_point coarse_place(Vertex_index v, const Marked_fine_edges& edges)
   return edge_place(first_halfedge(piece.edge), place_of_end(piece), map.coarse().mesh());
 }
 
-// A point as the nearest point of the face `f` across an edge, or as the corner at a vertex that
-// they share. The face is null if `f` is not adjacent.
+// Returns a point as the nearest point of the face `f` across an edge, or as a common corner at a
+// vertex. The face is null if `f` is not adjacent.
 inline Surface_map::Location moved_into(Face_index f, const Surface_map::Location& p,
                                         const Delta_complex& mesh)
 {

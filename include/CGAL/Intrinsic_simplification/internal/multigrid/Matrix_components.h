@@ -18,7 +18,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The connected components of the graph of a symmetric matrix, and the components on which
+// Stores the connected components of the graph of a symmetric matrix, and the components on which
 // constants are mapped to zero.
 class Matrix_components
 {
@@ -33,7 +33,8 @@ public:
         explore(j, matrix);
   }
 
-  // Gives the unknowns of a coarse level the components that they have on the fine level.
+  // Constructs components of the unknowns of a coarse level, with the indices of components of the
+  // fine level.
   Matrix_components(const Matrix_components& fine, const Matrix& prolongation)
     : m_label(static_cast<std::size_t>(prolongation.cols()), none),
       m_is_floating(fine.m_is_floating)
@@ -52,7 +53,7 @@ private:
 
   static std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-  // A sum of all entries that rounding can have caused counts as zero.
+  // Explores a component. A sum of all entries that rounding can have caused counts as zero.
   void explore(int start, const Matrix& matrix)
   {
     double sum = 0, size = 0;

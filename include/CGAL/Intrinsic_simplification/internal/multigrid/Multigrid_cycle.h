@@ -23,7 +23,7 @@ namespace CGAL::Intrinsic_simplification::internal {
 typedef Eigen::SparseMatrix<double> Matrix;
 typedef Eigen::VectorXd Vector;
 
-// A symmetric matrix with a smoother. Columns serve as rows.
+// Represents a symmetric matrix with a smoother. Columns serve as rows.
 class Multigrid_level
 {
 public:
@@ -39,14 +39,14 @@ public:
 
   Vector residual(const Vector& b, const Vector& x) const { return b - m_matrix.transpose() * x; }
 
-  // a sweep of the method of Gauss and Seidel
+  // Applies a Gauss-Seidel sweep.
   void smooth(const Vector& b, Vector& x) const
   {
     for(Eigen::Index j = 0; j < x.size(); ++j)
       relax(j, b, x);
   }
 
-  // a sweep in reverse, which makes both together symmetric
+  // Applies a Gauss-Seidel sweep in reverse order, so that both sweeps together are symmetric.
   void smooth_back(const Vector& b, Vector& x) const
   {
     for(Eigen::Index j = x.size(); j-- > 0;)
@@ -101,8 +101,8 @@ private:
   Intrinsic_triangulations::Factorization<double> m_factorization;
 };
 
-// One V-cycle: an approximate inverse that is symmetric, and positive definite if the matrix is.
-// Coarser levels have the matrices of Galerkin, P^T A P.
+// Applies one V-cycle, an approximate inverse that is symmetric, and positive definite if the
+// matrix is. Coarser levels have the Galerkin matrices P^T A P.
 class Multigrid_cycle
 {
 public:
@@ -123,7 +123,7 @@ public:
 
   Vector operator()(const Vector& b) const { return cycle(0, b); }
 
-  // the number of entries of the matrices and prolongations of all levels
+  // Returns the number of entries of the matrices and prolongations of all levels.
   std::size_t number_of_entries() const
   {
     Eigen::Index result = 0;

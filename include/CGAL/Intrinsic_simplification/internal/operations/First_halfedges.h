@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The first outgoing halfedge of a star to each neighbor. A hash table of its own, which stays in
-// the cache.
+// Finds the first outgoing halfedge of a star to each neighbor, by a small hash table that remains
+// in the cache.
 class First_halfedges
 {
 public:
@@ -30,7 +30,7 @@ public:
     m_entries.assign(std::size_t(1) << m_bits, {Vertex_index(), none});
   }
 
-  // the index of the first outgoing halfedge to `j`; it is `n` if there has been none before
+  // Returns the index of the first outgoing halfedge to `j`, or `n` if none has been added before.
   std::size_t first(Vertex_index j, std::size_t n)
   {
     std::size_t place = (j.idx() * 2654435769U) >> (32 - m_bits);

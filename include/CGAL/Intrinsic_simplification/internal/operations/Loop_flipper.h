@@ -24,14 +24,14 @@ namespace CGAL::Intrinsic_simplification::internal {
 class Loop_flipper
 {
 public:
-  // Returns whether no loop is left at the center of `star`. The change of scale and the flips are
-  // appended to `history`.
+  // Returns whether no loop remains at the center of `star`. Appends the change of scale and the
+  // flips to `history`.
   bool operator()(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
   {
     m_start = history.size();
     m_undo.clear();
     scale(star, surface, history);
-    // a flip makes the degree smaller, unless both new ends are at the center too
+    // A flip decreases the degree, unless both new ends are at the center, too.
     for(std::size_t limit = 10 * star.size(); limit > 0; --limit) {
       const Loops loops = find_loops(star.center(), surface);
       if(loops.count == 0)
@@ -43,7 +43,7 @@ public:
     return false;
   }
 
-  // restores what was before the last call
+  // Restores the state before the last call.
   void undo(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history) const
   {
     for(std::size_t n = m_undo.size(); n-- > 0;)
@@ -60,7 +60,7 @@ private:
     Halfedge_index flippable; // null if there is none
   };
 
-  // a halfedge before its flip
+  // Stores a halfedge before its flip.
   struct Undo
   {
     Halfedge_index halfedge;
@@ -95,7 +95,7 @@ private:
     flip(h, flip_geometry(surface.diamond(h)), surface, history);
   }
 
-  // Four quarter turns bring an edge back.
+  // Undoes a flip by three more flips.
   static void undo_flip(const Undo& undo, Intrinsic_surface& surface)
   {
     Delta_complex& mesh = surface.mesh();

@@ -22,8 +22,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The barycentric coordinates of a point in a triangle, from its distances to the corners and to
-// the sides that begin at them.
+// Returns the barycentric coordinates of a point in a triangle, from its distances to the corners
+// and to the sides that begin at them.
 inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& outgoing_length,
                                                   const std::array<double, 3>& side)
 {
@@ -37,8 +37,8 @@ inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& o
   return {area[0] / sum, area[1] / sum, area[2] / sum};
 }
 
-// Makes all changes of an intrinsic triangulation on an evolving surface too, and records them. At
-// first the triangulation is a level of the surface. Other visitors are called after that.
+// Applies all changes of an intrinsic triangulation to an evolving surface, too, and records them.
+// At first the triangulation is a level of the surface. Other visitors are called afterwards.
 template <typename Visitor>
 class Refinement_follower
 {
@@ -78,7 +78,7 @@ public:
     m_visitor.before_exact_refinement();
   }
 
-  // A position that is rounded to a vertex is not a new vertex.
+  // Records an insertion. A position that is rounded to a vertex is not a new vertex.
   template <typename Traits>
   void after_insertion(Vertex_index v,
                        const Intrinsic_triangulations::Vertex_inserter<Traits>& inserter)
@@ -88,7 +88,7 @@ public:
     m_visitor.after_insertion(v, inserter);
   }
 
-  // boundary vertices stay
+  // Boundary vertices are not removed.
   void after_removal(Vertex_index v, Face_index f)
   {
     const Vertex_index w = m_vertex[v];
@@ -111,7 +111,8 @@ public:
 
   // ---- The result ----
 
-  // Lengths that were computed from the start are more accurate than lengths from flips.
+  // Copies the lengths, because lengths that were computed from the start are more accurate than
+  // lengths from flips.
   void take_lengths()
   {
     for(Edge_index e : mesh().edges())
@@ -133,7 +134,7 @@ private:
 
   double length(Halfedge_index h) const { return m_tri.length(mesh().edge(h)); }
 
-  // the halfedge of the surface
+  // Returns the halfedge of the surface.
   Halfedge_index image(Halfedge_index h) const
   {
     return Intrinsic_triangulations::oriented_like(h, m_halfedge[mesh().edge(h)]);
@@ -144,7 +145,7 @@ private:
     m_halfedge[mesh().edge(h)] = Intrinsic_triangulations::oriented_like(h, on_surface);
   }
 
-  // elements of the triangulation have the order of the elements of the surface
+  // Elements of the triangulation have the order of the elements of the surface.
   void attach()
   {
     m_halfedge =
@@ -181,15 +182,16 @@ private:
     return result;
   }
 
-  // the side opposite to the new vertex that follows outgoing halfedge `n`, on the surface as it
-  // was
+  // Returns the side opposite to the new vertex that follows outgoing halfedge `n`, on the surface
+  // before the insertion.
   Halfedge_index side(const Halfedges& outgoing, std::size_t n) const
   {
     return image(mesh().next(outgoing[n % outgoing.size()]));
   }
 
-  // Returns the index of the side from which sides are counted. Of three sides, it is the first one
-  // of the face. Of four, the next side follows it in its face.
+  // Returns the outgoing halfedge before the first side of a face of the surface. Of three
+  // halfedges, it precedes the first side of all. Of four halfedges, it is followed by another one
+  // in its face.
   std::size_t first_side(const Halfedges& outgoing) const
   {
     const Delta_complex& before = surface().mesh();
@@ -215,7 +217,7 @@ private:
                      history());
   }
 
-  // Inserts the vertex into a face without area at first: then its edge is flipped.
+  // Inserts the vertex into a face without area first. Then its edge is flipped.
   void insert_on_inner_edge(const Halfedges& outgoing, std::size_t first)
   {
     const auto outgoing_length = [&](std::size_t n) { return length(outgoing[(first + n) % 4]); };
@@ -241,7 +243,7 @@ private:
                      outgoing_length, surface(), history());
   }
 
-  // the outgoing halfedges of the new vertex on the surface, which has them now
+  // Records the outgoing halfedges of the new vertex on the surface after the insertion.
   void note_outgoing_halfedges(Vertex_index v, const Halfedges& outgoing)
   {
     const Delta_complex& after = surface().mesh();

@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// a point of the plane
+// Represents a point of the plane.
 struct Plane_point
 {
   double x, y;
@@ -35,19 +35,19 @@ struct Plane_point
   friend double squared_norm(const Plane_point& p) { return p.x * p.x + p.y * p.y; }
 };
 
-// an edge from the center that is to be flipped
+// Represents an edge from the center that is to be flipped.
 struct Star_flip
 {
   Halfedge_index halfedge;
   Flip_geometry geometry;
 };
 
-// The flat star of a vertex without loops, laid out in the plane around the origin, and the
-// outgoing halfedges whose flips leave three. A flip cuts off an ear of the polygon.
+// Represents the flat star of a vertex without loops, laid out in the plane around the origin, and
+// the outgoing halfedges whose flips leave three. A flip cuts off an ear of the polygon.
 class Star_polygon
 {
 public:
-  // Lays out the star and chooses the flips; false if there are none that work.
+  // Lays out the star and chooses the flips. Returns whether possible flips exist.
   bool plan(const Flattened_star& star)
   {
     lay_out(star);
@@ -64,11 +64,11 @@ public:
     return set_last_three();
   }
 
-  // in their order
+  // Returns the flips in their order.
   const std::vector<Star_flip>& flips() const { return m_flips; }
 
-  // the barycentric coordinate of the center that belongs to one of the last three outgoing
-  // halfedges
+  // Returns the barycentric coordinate of the center that belongs to one of the last three outgoing
+  // halfedges.
   double weight(Halfedge_index outgoing) const
   {
     return m_weight[outgoing == m_last[0] ? 0 : outgoing == m_last[1] ? 1 : 2];
@@ -104,7 +104,7 @@ private:
     m_first = 0;
   }
 
-  // turned by the angle between the sides a and b
+  // Returns `p`, turned by the angle between the sides a and b.
   static Plane_point turned(const Plane_point& p, double a, double b, double opposite)
   {
     const double cosine = Intrinsic_triangulations::corner_cosine(opposite, a, b);
@@ -113,8 +113,8 @@ private:
   }
 
   // Rates an ear, which can be cut off if it is convex and does not contain the center. The center
-  // may lie on the cut. Ears whose circumcircle comes closest to containing the center come first:
-  // in a Delaunay star they are Delaunay.
+  // may be on the cut. Ears whose circumcircle has the center closest to its inside come first: in
+  // a Delaunay star they are Delaunay.
   void rate(std::size_t n)
   {
     Corner& corner = m_corners[n];
@@ -130,7 +130,7 @@ private:
       corner.power = -incircle(l, j, k) / area;
   }
 
-  // positive if the origin is inside the circle
+  // Returns a positive number if the origin is inside the circle.
   static double incircle(const Plane_point& a, const Plane_point& b, const Plane_point& c)
   {
     return squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
@@ -159,7 +159,7 @@ private:
     rate(k);
   }
 
-  // Returns the flip of the halfedge to j, which lies between the halfedges to l and k.
+  // Returns the flip of the outgoing halfedge to j, between the outgoing halfedges to l and k.
   static Star_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
   {
     const double at_l = cross(l, j.point), at_k = cross(j.point, k);
@@ -169,7 +169,7 @@ private:
              std::clamp(at_l / both, 0., 1.)}};
   }
 
-  // Sets the triangle of the last three outgoing halfedges. Returns whether the center is in it.
+  // Returns false if the center is not between the last three outgoing halfedges.
   bool set_last_three()
   {
     const std::size_t a = m_is_border ? 0 : m_first, b = m_corners[a].next, c = m_corners[b].next;

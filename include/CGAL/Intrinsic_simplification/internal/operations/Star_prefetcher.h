@@ -16,7 +16,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// asks for a byte of memory that will be read soon; no effect but on time
+// Requests a byte of memory that will be read soon, which affects only time.
 inline void prefetch(const void* address)
 {
 #if defined(__GNUC__)
@@ -26,20 +26,20 @@ inline void prefetch(const void* address)
 #endif
 }
 
-// asks for some bytes, no more than two lines of the cache
+// Requests some bytes, at most two lines of the cache.
 inline void prefetch(const void* address, std::size_t size)
 {
   prefetch(address);
   prefetch(static_cast<const char*>(address) + size - 1);
 }
 
-// Prefetches the data of a cost at a vertex: nothing for a cost of unknown type.
+// Requests the data of a cost for a vertex. For an unknown cost, requests nothing.
 inline void prefetch_vertex(Intrinsic_triangulations::Vertex_index, const void*) {}
 
 // Brings the stars of the vertices near the top of a heap into the cache, many at once. A walk
-// around a star waits for memory at each outgoing halfedge. Many walks side by side hardly wait
+// around a star waits for memory at each outgoing halfedge. Many simultaneous walks hardly wait
 // longer than one. On surfaces larger than the cache, waiting would take a quarter of the time.
-// Nothing else depends on it.
+// Results do not depend on it.
 class Star_prefetcher
 {
 public:
@@ -80,7 +80,7 @@ private:
     m_walks.push_back({first, first});
   }
 
-  // whether there is a next outgoing halfedge
+  // Returns whether a next outgoing halfedge exists.
   template <typename Cost>
   static bool step(Walk& walk, const Intrinsic_surface& surface, const Cost& cost)
   {

@@ -17,7 +17,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// Vertices with keys, the least on top; of equal keys the vertex with the least number.
+// Stores vertices with keys, the least key on top. Among equal keys, the vertex with the least
+// number comes first.
 class Vertex_heap
 {
   typedef Intrinsic_triangulations::Vertex_index Vertex_index;
@@ -32,7 +33,7 @@ public:
   double key(Vertex_index v) const { return m_entries[m_place[v]].key; }
   bool contains(Vertex_index v) const { return m_place[v] != nowhere; }
 
-  // adds `v`, or changes its key
+  // Adds `v`, or changes its key.
   void set(Vertex_index v, double key)
   {
     if(!contains(v)) {

@@ -17,25 +17,26 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 using Intrinsic_triangulations::pi;
 
-// The sum of angles between 0 and pi, given by their cosines and sines. It is a product of complex
-// numbers, and counts the quadrants that the product passes. One arc tangent suffices for all.
+// Stores the sum of angles between 0 and pi, given by their cosines and sines. It is a product of
+// complex numbers, and counts the quadrants that the product passes. One arc tangent suffices for
+// all.
 class Angle_sum
 {
 public:
-  // adds the angle with a cosine and a sine that is not negative
+  // Adds the angle with a cosine and a sine that is not negative.
   void add(double cosine, double sine)
   {
     const double c = m_cosine * cosine - m_sine * sine;
     m_sine = m_cosine * sine + m_sine * cosine;
     m_cosine = c;
-    // The sum is in the first of two quadrants or the second. If rounding puts it in another
+    // The sum is in the first of two quadrants or the second. If rounding moves it to another
     // quadrant, the nearer of the two counts.
     const int first = m_quadrant + (cosine < 0 ? 1 : 0);
     const int beyond = (seen_quadrant() - first) & 3;
     m_quadrant = first + (beyond == 1 || beyond == 2 ? 1 : 0);
   }
 
-  // the sum minus `angle`, a multiple of pi, without the rounding of a large sum
+  // Returns the sum minus `angle`, a multiple of pi, without the rounding error of a large sum.
   double minus(double angle) const
   {
     const double rest = std::atan2(m_sine, m_cosine);
@@ -53,13 +54,13 @@ private:
   int m_quadrant = 0;
 };
 
-// the sides of a triangle and four times its area
+// Stores the sides of a triangle and four times its area.
 struct Angle_at_ab
 {
   double a, b, c, area;
 };
 
-// a complex number whose argument is the change of the angle between the sides a and b
+// Returns a complex number whose argument is the change of the angle between the sides a and b.
 inline std::complex<double> turn(const Angle_at_ab& before, const Angle_at_ab& after)
 {
   using Intrinsic_triangulations::doubled_corner_product;
@@ -68,7 +69,7 @@ inline std::complex<double> turn(const Angle_at_ab& before, const Angle_at_ab& a
   return {x * new_x + before.area * after.area, after.area * x - new_x * before.area};
 }
 
-// the argument; near zero by a series up to rounding, which is faster
+// Returns the argument. Near zero, it is computed by a series up to rounding, which is faster.
 inline double argument(const std::complex<double>& z)
 {
   const double t = z.imag() / z.real(), s = t * t;

@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The data of a flip of ij to lk: the new length, and the positions where the two cross, measured
-// from i and l.
+// Stores the data of a flip of ij to lk: the new length, and the positions where the two cross,
+// measured from i and l.
 struct Flip_geometry
 {
   double length, s, t;
@@ -70,7 +70,7 @@ inline void insert_on_border(Halfedge_index h, double t, const std::array<double
   history.add_insertion(h, mesh, whole, t, 0);
 }
 
-// Flattens the center of a star and records it. Directions stay.
+// Flattens the center of a star and records it. Directions are unchanged.
 inline void scale(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
 {
   history.add_scaling(star.center(), std::exp(-star.scale_factor()), star.scale_factor() != 0,

@@ -22,9 +22,9 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 // Finds short curves of edges that do not separate the surface.
 //
-// If there is nothing shorter than $l$ through a center, there is nothing shorter than $l - 2 d$
-// through another one at the distance $d$. So searches go beyond the length that is asked for, and
-// where they find nothing the centers near by need none.
+// If no loop shorter than $l$ passes through a center, no loop shorter than $l - 2 d$ passes
+// through another center at the distance $d$. So searches extend beyond the requested length. If
+// they find no loop, the centers near by need no search.
 class Short_loops
 {
   typedef Intrinsic_triangulations::Loop_search<Surface_surgery> Search;
@@ -41,7 +41,7 @@ public:
     : m_mesh(surface.mesh()), m_search(surface, Intrinsic_triangulations::Boundary_loops::filled)
   {}
 
-  // Returns loops of at most `maximum_length` that have no vertex in common and together do not
+  // Returns loops of at most `maximum_length` that have no common vertex and together do not
   // separate, the shortest ones first. None passes a vertex of the boundary.
   std::vector<Loop> disjoint_loops(double maximum_length)
   {
@@ -87,7 +87,7 @@ private:
     return result;
   }
 
-  // Removes the longest loops without which the others, together, do not separate. Across such a
+  // Removes the longest loops, so that the remaining loops together do not separate. Across such a
   // loop, parts that are cut along all loops are joined again.
   void leave_connected(std::vector<Loop>& loops) const
   {
@@ -113,8 +113,8 @@ private:
     loops = std::move(result);
   }
 
-  // Returns the shortest loop that is found from `center`, empty if there is none. No edge beyond
-  // half of its length closes a shorter one.
+  // Returns the shortest loop found from `center`, or an empty one. No edge beyond half of its
+  // length closes a shorter loop.
   Loop shortest(Vertex_index center, double maximum_length)
   {
     m_ball.clear();

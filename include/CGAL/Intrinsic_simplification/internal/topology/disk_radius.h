@@ -24,10 +24,10 @@ inline double central_angle(const std::vector<double>& sides, double radius)
   return sum;
 }
 
-// Returns the radius of the circle in which a polygon with these sides is inscribed. If an edge is
-// longer than the side of an equilateral triangle in this circle, returns the radius with which it
-// is such a side. The central angle decreases with the radius. Since asin(x) is at most pi x / 2,
-// it is at most 2 pi at a fourth of the perimeter.
+// Returns the radius of the circle in which a polygon with these sides is inscribed. No side may be
+// longer than the side of an equilateral triangle in this circle. If one is, returns the radius of
+// the circle in which it is such a side. The central angle decreases with the radius. Since asin(x)
+// is at most pi x / 2, it is at most 2 pi at a fourth of the perimeter.
 inline double disk_radius(const std::vector<double>& sides)
 {
   double perimeter = 0, longest = 0;
