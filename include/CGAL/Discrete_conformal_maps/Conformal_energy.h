@@ -142,7 +142,7 @@ public:
     return defect.value();
   }
 
-  // with weights of the terms of vertices and faces
+  // Returns the value with weights of the terms of vertices and faces.
   template <typename Vertex_weight, typename Face_weight>
   FT weighted_value(const Vertex_weight& vertex_weight, const Face_weight& face_weight) const;
 #endif

@@ -12,7 +12,7 @@
 
 namespace CGAL::Discrete_conformal_maps {
 
-// connectivity has one type and its names in all packages
+// Connectivity has one type with the same names in all packages.
 using Intrinsic_triangulations::Delta_complex;
 using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Face_index;

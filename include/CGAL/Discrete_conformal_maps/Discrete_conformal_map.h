@@ -40,7 +40,7 @@ struct Map_data
 
   Intrinsic_triangulations::Intrinsic_triangulation<> ab;
   Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> bc;
-  // These members refer to the triangulations, which do not move.
+  // These members refer to the triangulations, whose addresses do not change.
   std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
   std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
   std::unique_ptr<Triple_subdivision<double>> subdivision;
@@ -74,7 +74,8 @@ struct Map_data
     return is_hyperbolic ? edge.hyperbolic_length() : edge.length();
   }
 
-  // \pre there are circles
+  // Returns the scaled decorated length of an edge.
+  // \pre vertices have circles
   Intrinsic_triangulations::Decorated_length<double> scaled_decorated_length(Halfedge_index h) const
   {
     const auto edge = Intrinsic_triangulations::internal::decorated_lengths(

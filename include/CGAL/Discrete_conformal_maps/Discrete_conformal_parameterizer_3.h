@@ -45,7 +45,7 @@ public:
   }
 
   const Mesh& mesh() const { return m_mesh; }
-  // vertices of the graph, by their indices in the mesh
+  // Returns the vertices of the graph, by their indices in the mesh.
   const std::vector<Vertex>& vertices() const { return m_vertices; }
 
 private:

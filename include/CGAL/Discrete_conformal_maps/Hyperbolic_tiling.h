@@ -70,7 +70,8 @@ public:
   }
 
 private:
-  // A distance in the hyperbolic plane. Images of a point inside the domain are much farther apart.
+  // Returns whether two points are close in the hyperbolic plane. Images of a point inside the
+  // domain are much farther apart.
   static bool are_close(const std::complex<double>& z, const std::complex<double>& w)
   {
     return std::abs(z - w) < 1e-6 * std::abs(1. - std::conj(z) * w);
@@ -88,7 +89,7 @@ private:
     } while(h != start);
   }
 
-  // Edges along one side have one motion.
+  // Adds a side. All edges along one side have one motion.
   void add_side(const Disk_motion<>& motion)
   {
     const auto is_known = [&](const Disk_motion<>& m) { return are_close(m(0), motion(0)); };
@@ -107,7 +108,7 @@ private:
 inline std::complex<double> geodesic_center(const std::complex<double>& z,
                                             const std::complex<double>& w)
 {
-  // the circle meets the unit circle at right angles: 2 Re(c conj(p)) = 1 + |p|^2 for both points
+  // The circle meets the unit circle at right angles: 2 Re(c conj(p)) = 1 + |p|^2 for both points.
   const double det = z.real() * w.imag() - w.real() * z.imag();
   const double a = 1 + std::norm(z), b = 1 + std::norm(w);
   return std::complex<double>(a * w.imag() - b * z.imag(), b * z.real() - a * w.real()) / (2 * det);

@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  // second copies have greater indices
+  // Second copies have greater indices.
   static size_type number_of_vertices(const Discrete_conformal_map& map)
   {
     const Delta_complex& mesh = map.Delaunay().input_mesh();
@@ -119,7 +119,7 @@ public:
 private:
   static constexpr size_type none = (std::numeric_limits<size_type>::max)();
 
-  // Returns whether the faces of `h` lie apart in the image.
+  // Returns whether the faces of `h` are apart in the image.
   template <typename Map>
   static bool is_open(Halfedge_index h, const Map& map, const Input_part& part)
   {

@@ -19,8 +19,9 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// The coefficients |B_2k| / (2k (2k + 1)!) of Clausen's function, for k = 1, 2, ... The next ones
-// do not count for arguments up to 2 pi / 3, where each term is a ninth of the one before.
+// Returns the coefficients |B_2k| / (2k (2k + 1)!) of Clausen's function, for k = 1, 2, ... The
+// next ones are negligible for arguments up to 2 pi / 3, where each term is a ninth of the previous
+// one.
 template <typename FT>
 std::vector<FT> Clausen_coefficients()
 {
@@ -35,7 +36,7 @@ std::vector<FT> Clausen_coefficients()
   return result;
 }
 
-// sum over k of c_k f_k x^(2k + 1), where f_k is given
+// Returns the sum over k of c_k f_k x^(2k + 1), where f_k is given.
 template <typename FT, typename Factor>
 FT odd_series(const FT& x, const Factor& factor)
 {

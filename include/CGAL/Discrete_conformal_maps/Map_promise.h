@@ -34,8 +34,8 @@ struct Map_promise
 namespace internal {
 
 // Returns the status of a map with these promises, whose scale factors were found with the status
-// `search`. It never counts how the result was reached; if scale factors are wrong, `search` says
-// why.
+// `search`. It does not depend on how the result was reached. If scale factors are wrong, `search`
+// explains why.
 inline Map_status status_of(const std::vector<Map_promise>& promises, Map_status search)
 {
   const auto missed = std::find_if(promises.begin(), promises.end(),
@@ -47,7 +47,7 @@ inline Map_status status_of(const std::vector<Map_promise>& promises, Map_status
   return is_by_search && search != Map_status::success ? search : missed->if_missed;
 }
 
-// Returns the greater of two errors; NaN is greater than all.
+// Returns the greater of two errors; NaN is greater than all numbers.
 inline double greater_error(double a, double b) { return b <= a || std::isnan(a) ? a : b; }
 
 } // namespace internal

@@ -132,7 +132,7 @@ public:
     scale_at(vertices, u, [this](Halfedge_index h) { return is_Delaunay(h); });
   }
 
-  // Does the same, but flips edges for which `is_good` does not hold.
+  // Sets other scale factors at some vertices, with another condition for edges.
   template <typename Is_good>
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u,
                 const Is_good& is_good)
@@ -199,7 +199,7 @@ private:
   template <typename Is_good>
   void flip_waiting(const Is_good& is_good)
   {
-    // All flips are recorded, so that the limit bounds memory as well.
+    // All flips are recorded, so the limit also bounds memory.
     const std::size_t limit = 1000000 + 1000 * mesh().num_edges();
     const auto flip = [this](Halfedge_index h) {
       m_surface.flip(h);
@@ -219,7 +219,7 @@ private:
         "edge " + std::to_string(e.idx()) + " has no positive finite length after scaling");
   }
 
-  // Tangents of circles that touch are zero.
+  // Returns whether `length` is the length of an edge. Tangents of circles that touch are zero.
   bool is_length(Halfedge_index h, const FT& length) const
   {
     const typename Intrinsic_triangulations::Ideal_geometry_traits<FT>::Is_length condition;

@@ -57,7 +57,7 @@ struct Spherical_layout
   }
 
 private:
-  // For a disk, the mirror plane is turned into the plane of the equator.
+  // Turns a point. For a disk, the mirror plane becomes the plane of the equator.
   template <typename Number>
   std::array<Number, 3> turned(const std::array<Number, 3>& p) const
   {

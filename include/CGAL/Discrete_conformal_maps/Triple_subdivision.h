@@ -159,8 +159,7 @@ private:
     return first <= v.idx() && v.idx() < end;
   }
 
-  // Returns the position of `v` on C. If an edge of C leaves `v`, it is in the face on the left of
-  // this edge.
+  // Returns a location in a face on the left of an edge of C that leaves `v`, if one exists.
   Surface_point<FT> place_on_C(Vertex_index v) const
   {
     Halfedge_index along;

@@ -98,7 +98,8 @@ private:
         find_pairs(e, marks);
   }
 
-  // Edges of one family do not cross: the order of their own ends follows from integers.
+  // Finds pairs of ends from two families. Edges of one family do not cross, so the order of their
+  // own ends follows from integers.
   void find_pairs(Edge_index e, const Intrinsic_triangulations::Edge_marks& marks)
   {
     const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);

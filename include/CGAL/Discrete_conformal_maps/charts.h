@@ -62,7 +62,7 @@ public:
       std::sort(partners.begin(), partners.end());
   }
 
-  // Each point counts for the first piece that covers it.
+  // Returns the area. Each point counts for the first piece that covers it.
   double operator()()
   {
     double sum = 0;
@@ -78,7 +78,7 @@ private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   // Returns the area of piece `i` that at least one partner covers. Only partners that overlap each
-  // other are treated together.
+  // other are processed together.
   double covered_part(std::size_t i, const std::vector<std::size_t>& partners)
   {
     for(std::size_t k = 0; k < partners.size(); ++k)
@@ -105,7 +105,7 @@ private:
   std::vector<std::size_t> m_index;                 // of a piece among some partners
 };
 
-// Grows charts face by face, across edges that are no seams, such that no chart has two faces that
+// Grows charts face by face, across edges that are not seams, such that no chart has two faces that
 // are kept apart. Charts are numbered in the order of their first faces.
 class Chart_growth
 {
@@ -126,7 +126,7 @@ public:
       }
   }
 
-  // the number of charts
+  // Returns the number of charts.
   std::size_t size() const { return m_size; }
 
   // Returns the charts of the faces of T_3.
@@ -138,7 +138,7 @@ private:
 
   const Delta_complex& mesh() const { return m_map.ideal().mesh(); }
 
-  // to all sides at once
+  // Grows a chart from `root` to all sides at once.
   void grow(Face_index root)
   {
     std::deque<Face_index> waiting{root};

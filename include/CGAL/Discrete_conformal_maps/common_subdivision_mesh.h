@@ -102,7 +102,7 @@ template <typename Map>
 void check_layout(const Map&)
 {}
 
-// Puts `images()(h)` to the map that `np` has for `Tag`, if there is one, for the corners of faces.
+// Puts `images()(h)` into the map that `np` has for `Tag`, if it has one, for the corners of faces.
 template <typename Tag, typename Copy, typename Images, typename NamedParameters>
 void put_corners(const Input_part& part, const Copy& copy, const Images& images,
                  const NamedParameters& np)
@@ -121,7 +121,7 @@ void put_corners(const Input_part& part, const Copy& copy, const Images& images,
   }
 }
 
-// whether `np` has texture coordinates
+// Returns whether `np` has texture coordinates.
 template <typename NamedParameters>
 constexpr bool has_corners()
 {

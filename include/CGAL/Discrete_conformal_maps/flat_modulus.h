@@ -89,7 +89,7 @@ inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
   const std::vector<std::complex<double>> translation = internal::seam_translations(map);
   CGAL_precondition(!translation.empty());
   std::complex<double> a = translation.front(), b = 0;
-  // along the seams there are two generators, and perhaps their sum
+  // Translations along the seams have two generators, and possibly their sum.
   for(const auto& t : translation)
     if(b == 0. && std::abs((t / a).imag()) > internal::tolerance::translation)
       b = t;

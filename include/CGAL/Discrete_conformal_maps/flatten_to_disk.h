@@ -74,7 +74,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
 
 } // namespace CGAL::Discrete_conformal_maps
 
-// The compiled library has what these headers define.
+// The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Circular_boundary.h>
 #endif

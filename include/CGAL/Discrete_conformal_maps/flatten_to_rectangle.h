@@ -101,7 +101,7 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
 
 } // namespace CGAL::Discrete_conformal_maps
 
-// The compiled library has what these headers define.
+// The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Rectangular_boundary.h>
 #endif

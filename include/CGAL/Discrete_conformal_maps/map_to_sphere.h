@@ -74,7 +74,7 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
 
 } // namespace CGAL::Discrete_conformal_maps
 
-// The compiled library has what these headers define.
+// The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
 #endif

@@ -32,7 +32,7 @@ namespace CGAL::Discrete_conformal_maps {
 namespace internal {
 
 // Returns the image of a circle under z -> factor / (z - pole) + shift.
-// Precondition: the pole is outside
+// \pre the pole is outside
 inline Planar_circle inverted(const Planar_circle& circle, const std::complex<double>& pole,
                               const std::complex<double>& factor, const std::complex<double>& shift)
 {
@@ -41,7 +41,7 @@ inline Planar_circle inverted(const Planar_circle& circle, const std::complex<do
   return {shift + factor * (std::conj(z) / power), std::abs(factor) * circle.radius / power};
 }
 
-// Holds the circles of a packing in the plane, and the points at which they touch.
+// Stores the circles of a packing in the plane, and the points at which they touch.
 class Packed_circles
 {
 public:
@@ -74,7 +74,7 @@ public:
     }
   }
 
-  // Returns all circles except the circle of the apex.
+  // Returns the circles without the circle of the apex.
   std::vector<Planar_circle> circles() const
   {
     return {m_circles.begin(), m_circles.end() - (m_complex.apex().is_valid() ? 1 : 0)};
@@ -94,7 +94,7 @@ private:
   // Squares of positions are in the range of `double`.
   static constexpr double greatest_log_radius = 345;
 
-  // Lays the circles out. The greatest and the least logarithm of a radius become opposite, so that
+  // Lays out the circles. The greatest and the least logarithm of a radius become opposite, so that
   // most radii are in the range of `double`.
   void lay_out(const Planar_conformal_map& map)
   {
@@ -124,8 +124,8 @@ private:
            m_complex.rest().vertex(e, 1) == m_complex.apex();
   }
 
-  // On the sphere, or in the disk, where the circle of the apex has become the unit circle, which
-  // others touch from inside.
+  // Returns the tangency error, on the sphere or in the disk. In the disk, the circle of the apex
+  // has become the unit circle, which others touch from inside.
   double tangency_error(Edge_index e) const
   {
     const Planar_circle &a = at_end(e, 0), &b = at_end(e, 1);
@@ -143,8 +143,8 @@ private:
     return a.center + (b.center - a.center) * (a.radius / (a.radius + b.radius));
   }
 
-  // Returns the points at which circles of edges touch, including the circle of the apex if there
-  // is one.
+  // Returns the points at which circles of edges touch, including the circle of the apex if it
+  // exists.
   std::vector<Point> touching_points() const
   {
     std::vector<Point> result;
@@ -167,8 +167,9 @@ private:
     }
   }
 
-  // An inversion turns the circle of the apex inside out. The point that balances the unit circle
-  // lies on the hemisphere above the disk; a motion of the disk moves it above the origin.
+  // Moves the circles to the disk. An inversion turns the circle of the apex inside out. The point
+  // that balances the unit circle lies on the hemisphere above the disk. A motion of the disk moves
+  // it above the origin.
   void move_to_disk()
   {
     const Planar_circle apex = m_circles.back();
@@ -181,7 +182,7 @@ private:
                                               points.size());
     const std::complex<double> base(center.base()[0], center.base()[1]),
       a = base / (1 + center.height());
-    // z -> (w - a) / (1 - conj(a) w) for w = r / (z - apex)
+    // The map is z -> (w - a) / (1 - conj(a) w) for w = r / (z - apex).
     const std::complex<double> pole = apex.center + std::conj(a) * apex.radius;
     for(Planar_circle& c : m_circles)
       c = inverted(c, pole, (1 - std::norm(a)) * apex.radius, -a);

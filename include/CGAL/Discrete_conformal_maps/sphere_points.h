@@ -32,7 +32,7 @@ homogeneous_coordinates(const Spherical_conformal_map& map, const Input_part& pa
 
 namespace internal {
 
-// Returns the images of the vertices of a part; vertices of the input have their positions.
+// Returns the images of the vertices of a part. Vertices of the input have their positions.
 inline std::vector<std::array<double, 3>>
 images_of_vertices(const Spherical_conformal_map& map, const Input_part& part,
                    const std::vector<std::array<double, 4>>& homogeneous)

@@ -33,7 +33,7 @@ public:
 
 namespace internal {
 
-// calls `f` with the faces of the subdivision that are on the input
+// Calls `f` with the faces of the subdivision that are on the input.
 template <typename Function>
 void for_each_original_face(const Planar_conformal_map& map, const Function& f)
 {
@@ -46,6 +46,7 @@ void for_each_original_face(const Planar_conformal_map& map, const Function& f)
 class Whole_faces
 {
 public:
+  // Finds the halfedges of faces.
   // \pre the faces of the input are whole
   explicit Whole_faces(const Planar_conformal_map& map) : m_map(map)
   {
@@ -53,7 +54,7 @@ public:
     for_each_original_face(map, [&](Face_index f) { add(f); });
   }
 
-  // Returns the halfedge of the subdivision that `h`, a halfedge of the input, is.
+  // Returns the halfedge of the subdivision for the halfedge `h` of the input.
   Halfedge_index part(Halfedge_index h) const { return m_part[h.idx()]; }
 
 private:

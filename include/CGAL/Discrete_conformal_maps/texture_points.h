@@ -37,8 +37,8 @@ struct Rounded_points
 
 namespace internal {
 
-// Moves points until no face of a part is reversed, if that is possible. `index(h)` is the number
-// of the point at the target of `h`.
+// Moves points until no face of a part is reversed, if this is possible. `index(h)` is the index of
+// the point at the target of `h`.
 template <std::size_t dimension, typename Index>
 Rounded_points<std::array<double, dimension>>
 without_reversed_faces(std::vector<std::array<double, dimension>> points, const Input_part& part,
@@ -56,7 +56,7 @@ without_reversed_faces(std::vector<std::array<double, dimension>> points, const 
   return result;
 }
 
-// the images of the corners of a part, `image(z)` for homogeneous coordinates `z`
+// Returns the images of the corners of a part, `image(z)` for homogeneous coordinates `z`.
 template <typename Map, typename Image>
 auto rounded_corners(const Map& map, const Input_part& part, const Texture_corners& corners,
                      const Image& image)

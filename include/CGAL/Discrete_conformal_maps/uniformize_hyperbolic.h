@@ -89,7 +89,7 @@ uniformize_hyperbolic(const Graph& g,
 
 } // namespace CGAL::Discrete_conformal_maps
 
-// The compiled library has what these headers define.
+// The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
 #endif

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The named parameters of this package and of Intrinsic_triangulations; see
+// Lists the named parameters of this package and of Intrinsic_triangulations; see
 // `define_named_parameters.h`. The file has no include guard.
 
 // clang-format off

@@ -20,8 +20,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Positions of circles with given radii that touch along the edges of a triangulated disk. The
-// layout starts at the face with the smallest circles, at the origin, where `double` has most
+// Computes positions of circles with given radii that touch along the edges of a triangulated disk.
+// The layout starts at the face with the smallest circles, at the origin, where `double` has most
 // digits. Directions of edges are rotated from face to face, and need no positions.
 class Circle_layout
 {
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // a halfedge with its direction; its ends are placed
+  // Stores a halfedge with its direction. The positions of its ends are known.
   struct Directed
   {
     Halfedge_index halfedge;
@@ -95,7 +95,7 @@ private:
     return half * half / std::norm(half);
   }
 
-  // Places the third corner of a face, unless another face has placed it.
+  // Computes the position of the third corner of a face, unless another face has determined it.
   void lay_out(const Directed& side)
   {
     const Halfedge_index h = side.halfedge;

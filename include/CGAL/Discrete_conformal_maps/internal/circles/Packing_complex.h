@@ -19,13 +19,14 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A triangulated sphere without one face. The circles of the corners of this face touch each
-// other, and all other circles lie between them. A disk becomes a sphere by an apex, which is
+// Represents a triangulated sphere without one face. The circles of the corners of this face touch
+// each other, and all other circles lie between them. A disk becomes a sphere by an apex, which is
 // joined to its boundary: the outside of the circle of the apex is the disk.
 class Packing_complex
 {
 public:
-  // `size` has known sizes of circles at the vertices of `mesh`; without it, degrees replace them.
+  // `size` contains known sizes of circles at the vertices of `mesh`. Without it, degrees replace
+  // them.
   // \throws Invalid_input if `mesh` is not a simplicial sphere or disk
   explicit Packing_complex(const Delta_complex& mesh, std::vector<double> size = {})
   {
@@ -54,11 +55,11 @@ public:
       m_rest.add_face(f[0], f[1], f[2]);
   }
 
-  // the disk without the outer face
+  // Returns the disk without the outer face.
   const Delta_complex& rest() const { return m_rest; }
-  // the corners of the outer face
+  // Returns the corners of the outer face.
   const std::array<Vertex_index, 3>& outer_corners() const { return m_outer; }
-  // the apex of a disk; invalid for a sphere
+  // Returns the apex of a disk, which is invalid for a sphere.
   Vertex_index apex() const { return m_apex; }
 
 private:
@@ -87,8 +88,8 @@ private:
     return result;
   }
 
-  // The one with the greatest product of sizes: circles that many others touch, so that all others
-  // are not far. With an apex it is one of its faces.
+  // Removes the face with the greatest product of sizes as outer face. Many circles touch its
+  // circles, so that no circle is far from them. With an apex it is one of the faces at the apex.
   void remove_outer_face(std::vector<std::array<Vertex_index, 3>>& faces,
                          const std::vector<double>& size)
   {

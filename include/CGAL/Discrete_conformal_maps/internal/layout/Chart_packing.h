@@ -22,8 +22,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns the corners of the convex hull counterclockwise, from the lowest of the leftmost points
-// on (Andrew's algorithm).
+// Returns the convex hull by Andrew's algorithm, beginning with the lowest of the leftmost points.
 inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<double>> points)
 {
   typedef std::complex<double> Complex;
@@ -51,8 +50,8 @@ inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<do
   return hull;
 }
 
-// The points of a chart that have come one after the other, without most of those inside their
-// convex hull. Memory: linear in the corners of the hull.
+// Stores the points of a chart that are added one by one, without most points inside their convex
+// hull. Memory: linear in the corners of the hull.
 class Hull_points
 {
   typedef std::complex<double> Complex;
@@ -74,7 +73,7 @@ private:
   std::size_t m_limit = 1024;
 };
 
-// Motions of the plane that put charts beside each other. Each chart lies in its smallest
+// Computes motions of the plane that arrange charts side by side. Each chart lies in its smallest
 // enclosing rectangle, with the longer side below. Rectangles stand on shelves, the highest first,
 // with gaps of a hundredth of the total width. The first stands at the origin.
 class Chart_packing
@@ -89,7 +88,7 @@ public:
     Complex operator()(const Complex& z) const { return turn * z + shift; }
   };
 
-  // the points of each chart; there may be none
+  // Packs charts, given by their points. A chart may have no points.
   explicit Chart_packing(const std::vector<Hull_points>& chart)
     : m_motion(chart.size()), m_size(chart.size(), 0)
   {
@@ -102,7 +101,7 @@ public:
   const Motion& motion(std::size_t chart) const { return m_motion[chart]; }
 
 private:
-  // turns the chart and moves its rectangle to the origin
+  // Turns the chart and moves its rectangle to the origin.
   void lay_down(std::size_t c, const std::vector<Complex>& points)
   {
     Motion& motion = m_motion[c];
@@ -126,8 +125,8 @@ private:
     m_size[c] = high - low;
   }
 
-  // Returns the unit vector, in the second quadrant, along a side of the smallest rectangle that
-  // holds the points.
+  // Returns the unit direction of one side of the smallest rectangle that contains the points, the
+  // first one if several are equal. It is the direction in the second quadrant.
   static Complex direction_of_rectangle(const std::vector<Complex>& points)
   {
     const std::vector<Complex> hull = convex_hull(points);
@@ -170,8 +169,8 @@ private:
     return result;
   }
 
-  // Returns the side of a square with the area of all rectangles, or the width of the widest chart
-  // if that is greater.
+  // Returns a width that is at least the width of the widest chart, and about the side of a square
+  // for all charts.
   double width_of_shelves() const
   {
     double widest = 0, area = 0;

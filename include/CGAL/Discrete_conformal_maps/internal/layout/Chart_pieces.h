@@ -25,9 +25,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image of the input in the plane as convex polygons. They are faces of T_3 that belong to the
-// input as a whole, and the parts of other faces that do. Polygons that rounding has left without
-// area are left out.
+// Stores the image of the input in the plane as convex polygons. They are faces of T_3 that belong
+// to the input as a whole, and parts of other faces. Polygons that rounding has left without area
+// are omitted.
 class Chart_pieces
 {
 public:
@@ -38,7 +38,7 @@ public:
     double area;
   };
 
-  // two pieces, the first before the second, and the area that both cover
+  // Stores two pieces, the first before the second, and the area that both cover.
   struct Overlap
   {
     std::size_t first, second;
@@ -115,7 +115,8 @@ private:
     return result;
   }
 
-  // Corners at equal positions up to rounding are not in convex position: their hull is.
+  // Returns the part of a face. Corners at equal positions up to rounding are not in convex
+  // position, but their hull is.
   Convex_polygon part(Face_index f) const
   {
     Convex_polygon result;

@@ -27,15 +27,15 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// The edges of a short tree that joins all terminals of each component. They are the shortest
-// paths that a minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at cut
-// edges are joined already. Complexity: O(n log n).
+// Computes the edges of a short tree that joins all terminals of each component. They are the
+// shortest paths that a minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at
+// cut edges are joined already. Complexity: O(n log n).
 class Cone_tree
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `length` has lengths of edges; a cut edge is not passed
+  // `length` contains lengths of edges. Paths do not cross cut edges.
   Cone_tree(const Delta_complex& mesh, const std::vector<double>& length,
             const std::vector<char>& is_cut_edge, const std::vector<char>& is_terminal)
     : m_mesh(mesh),
@@ -69,7 +69,7 @@ private:
       });
   }
 
-  // Kruskal's algorithm on the edges between the regions of terminals
+  // Joins the regions of terminals by Kruskal's algorithm on the edges between them.
   void join()
   {
     std::vector<std::tuple<double, Edge_index>> bridges;
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  // All boundaries count as one: a cut from one to another is not needed.
+  // Joins all boundaries, so that no cut leads from one to another.
   void join_cut_edges(boost::disjoint_sets_with_storage<>& sets) const
   {
     Edge_index first;
@@ -121,9 +121,9 @@ private:
   std::vector<char> m_contains;
 };
 
-// Returns an order in which edges of these lengths are crossed, the greatest first. Without many
-// digits, the longest edges are first: positions are passed on through large triangles. With
-// enough digits, the shortest edges are first. Then no small face is reached from another one
+// Returns an order in which edges of these lengths are crossed, the greatest number first. With few
+// digits, the longest edges come first, so that positions are propagated through large triangles.
+// With enough digits, the shortest edges come first. Then no small face is reached from another one
 // across large ones, and errors are small in proportion to both.
 template <typename FT>
 std::vector<double> crossing_order(const std::vector<FT>& length)
@@ -137,10 +137,10 @@ std::vector<double> crossing_order(const std::vector<FT>& length)
   return result;
 }
 
-// Cuts a surface into pieces that can be unfolded into the plane. `length` has lengths of edges,
-// which are crossed in the order of `order`. `is_cut_edge` determines which edges are not passed,
-// and `is_used` which faces are used. Every vertex where faces cannot close up, a cone or an end
-// of a cut edge, is a terminal.
+// Cuts a surface into pieces that can be unfolded into the plane. `length` contains lengths of
+// edges, which are crossed in the order of `order`. `is_cut_edge` determines which edges are not
+// crossed, and `is_used` which faces are used. Every vertex whose faces cannot close up, a cone or
+// an end of a cut edge, is a terminal.
 inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
                                const std::vector<double>& order,
                                const std::vector<char>& is_cut_edge,

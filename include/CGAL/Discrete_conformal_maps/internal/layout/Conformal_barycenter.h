@@ -24,13 +24,13 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The point of hyperbolic space from which masses at infinity are seen in balance: where the
-// weighted sum of directions vanishes (Baden et al. 2018). One mass is at infinity of the upper
-// half-space, the others are in its boundary plane.
+// Computes the point of hyperbolic space at which masses at infinity are balanced: the weighted sum
+// of their directions vanishes (Baden et al. 2018). One mass is at infinity of the upper
+// half-space. The others are in its boundary plane.
 //
-// It minimizes the weighted sum of the distances to horospheres, which is convex along geodesics,
-// by Newton's method. A step leads from the center of the sphere of directions. After each step
-// the plane is shifted and scaled such that the center is the present point.
+// Newton's method minimizes the weighted sum of the distances to horospheres, which is convex along
+// geodesics. A step leads from the center of the sphere of directions. After each step the plane is
+// shifted and scaled such that the center is the present point.
 template <typename FT>
 class Conformal_barycenter
 {
@@ -39,10 +39,10 @@ class Conformal_barycenter
 public:
   typedef std::array<FT, 2> Point;
 
-  // Complexity: linear for each iteration; there are about five, and more by the
-  // hyperbolic distance from the start to the result, or less.
-  // \throws Numerical_error if rounding keeps it from an end
-  // \pre no mass is half of all or more
+  // Computes the barycenter. Complexity: linear for each iteration. About five iterations are
+  // needed, plus at most the hyperbolic distance from the start to the result.
+  // \throws Numerical_error if the iteration does not converge because of rounding
+  // \pre no mass is half of all masses or more
   Conformal_barycenter(const std::vector<Point>& position, const std::vector<double>& mass,
                        std::size_t at_infinity)
     : m_position(position), m_mass(mass), m_at_infinity(at_infinity), m_direction(mass.size())
@@ -59,12 +59,12 @@ public:
     throw Intrinsic_triangulations::Numerical_error("the center of the sphere cannot be found");
   }
 
-  // the point above the plane
+  // Returns the point above the plane.
   const Point& base() const { return m_base; }
   const FT& height() const { return m_height; }
 
-  // the position if the plane is shifted and scaled such that the point is at height one above the
-  // origin
+  // Returns the position if the plane is shifted and scaled such that the point is at height one
+  // above the origin.
   Point centered(const Point& p) const
   {
     return {(p[0] - m_base[0]) / m_height, (p[1] - m_base[1]) / m_height};
@@ -72,10 +72,10 @@ public:
 
 private:
   static constexpr double longest_step = 8;
-  // the number of steps in which the point can move over the range of the digits of `FT`
+  // The limit grows with the digits of `FT`.
   static constexpr int iteration_limit = 10 * (std::numeric_limits<FT>::digits10 + 100);
 
-  // Starts above the mean of the points, at a height that is their mean distance from it.
+  // Starts above the mean, at the mean distance.
   void start()
   {
     m_base = {FT(0), FT(0)};
@@ -97,7 +97,7 @@ private:
       m_height = distance / total;
   }
 
-  // Returns whether that is the end.
+  // Makes one step, and returns whether it was the last one.
   bool iterate()
   {
     Vector sum = Vector::Zero();
@@ -107,11 +107,12 @@ private:
       sum += m_mass[v] * p;
       hessian += m_mass[v] * (Eigen::Matrix3d::Identity() - p * p.transpose());
     }
-    // near the center, convergence is quadratic until rounding of the point stops it
+    // If a quadratically convergent iteration stops to converge, the rounding of the point is the
+    // limit.
     const double last = std::exchange(m_norm, sum.norm());
     if(m_norm <= tolerance::center || (m_norm <= tolerance::near_center && m_norm > last / 2))
       return true;
-    // masses in two points have no curvature along the line through both
+    // Masses in two points have no curvature along the line through both.
     hessian += tolerance::least_curvature * Eigen::Matrix3d::Identity();
     const Vector step = hessian.ldlt().solve(sum);
     const double length = step.norm();
@@ -127,7 +128,7 @@ private:
         function(v);
   }
 
-  // Returns the direction in which `v` is seen. Infinity is seen straight below.
+  // Returns the direction of `v` as seen from the center; infinity is below.
   Vector direction(std::size_t v) const
   {
     if(v == m_at_infinity)
@@ -141,7 +142,8 @@ private:
             static_cast<double>((1 - square) * scale)};
   }
 
-  // The slope of the distances along the geodesic with unit direction `d`, after length `t`.
+  // Returns the slope of the distances along the geodesic with unit direction `d`, after length
+  // `t`.
   double slope(const Vector& d, double t) const
   {
     double result = 0;
@@ -153,8 +155,8 @@ private:
     return result;
   }
 
-  // Returns a length of a step at whose end the slope is at most half of its absolute value at the
-  // start.
+  // Returns a length of the step. It exceeds the minimum only as far as the slope is at most half
+  // of the initial slope.
   double step_length(const Vector& d, double t) const
   {
     const double first = slope(d, 0);

@@ -19,7 +19,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The corners of a convex polygon in the plane, counterclockwise.
+// Stores the corners of a convex polygon in the plane, counterclockwise.
 typedef std::vector<std::complex<double>> Convex_polygon;
 
 inline double cross_product(const std::complex<double>& a, const std::complex<double>& b)
@@ -27,7 +27,7 @@ inline double cross_product(const std::complex<double>& a, const std::complex<do
   return a.real() * b.imag() - a.imag() * b.real();
 }
 
-// negative if it is clockwise
+// Returns the area, which is negative if the polygon is clockwise.
 inline double signed_area(const Convex_polygon& polygon)
 {
   double sum = 0;
@@ -36,7 +36,7 @@ inline double signed_area(const Convex_polygon& polygon)
   return sum / 2;
 }
 
-// whether the line through a side of `a` separates it from `b`
+// Returns whether the line through a side of `a` separates it from `b`.
 inline bool separates(const Convex_polygon& a, const Convex_polygon& b)
 {
   for(std::size_t n = 0; n < a.size(); ++n) {
@@ -48,7 +48,7 @@ inline bool separates(const Convex_polygon& a, const Convex_polygon& b)
   return false;
 }
 
-// the part of a polygon on the left of the line from `p` to `q` (Sutherland and Hodgman)
+// Returns the part of a polygon on the left of the line from `p` to `q` (Sutherland and Hodgman).
 inline Convex_polygon left_part(const Convex_polygon& polygon, const std::complex<double>& p,
                                 const std::complex<double>& q)
 {
@@ -65,7 +65,7 @@ inline Convex_polygon left_part(const Convex_polygon& polygon, const std::comple
   return result;
 }
 
-// empty if they do not meet
+// Returns the intersection, which is empty if the polygons are disjoint.
 inline Convex_polygon intersection(Convex_polygon a, const Convex_polygon& b)
 {
   for(std::size_t n = 0; n < b.size() && a.size() > 2; ++n)
@@ -81,10 +81,10 @@ inline Bbox_2 bounding_box(const Convex_polygon& polygon)
   return result;
 }
 
-// The area that at least one of some convex polygons covers. A vertical line sweeps over slabs
-// between all corners and crossings, in which the covered height is linear. Complexity: O(n log n)
-// for n corners and crossings. For each of these it is linear, up to a logarithm, in the polygons
-// that the line meets.
+// Computes the area that at least one of some convex polygons covers. A vertical line sweeps over
+// slabs between all corners and crossings, in which the covered height is linear. Complexity: O(n
+// log n) for n corners and crossings. For each of these it is linear, up to a logarithm, in the
+// polygons that the line meets.
 class Covered_area
 {
   typedef std::complex<double> Complex;
@@ -160,7 +160,7 @@ private:
       x.push_back((a + at_a / (at_a - at_b) * (b - a)).real());
   }
 
-  // Returns the length of the part of a vertical line that lies in some of these polygons.
+  // Returns the covered height of a vertical line that meets some polygons.
   double covered_height(const std::vector<Box>& met, double x) const
   {
     std::vector<Interval> intervals;

@@ -23,17 +23,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The positions of the vertices of a doubled disk in the plane, with one vertex of the boundary at
-// infinity. The other vertices of the boundary are on the real line, the disk is above it, and
-// copies are mirror images. So only vertices of the disk are unknowns.
+// Computes the positions of the vertices of a doubled disk in the plane, with one vertex of the
+// boundary at infinity. The other vertices of the boundary are on the real line, the disk is above
+// it, and copies are mirror images. So only vertices of the disk are unknowns.
 template <typename FT>
 class Half_plane_layout
 {
 public:
   typedef Plane_vector<FT> Vector;
 
-  // `unfolded` has the positions anywhere in the plane; some copies may have none. Distances do
-  // not change.
+  // `unfolded` contains the positions in the plane up to a motion. Some copies may have none.
+  // Distances do not change.
   Half_plane_layout(const Delta_complex& mesh, const Doubled_problem& problem,
                     const std::vector<std::optional<Vector>>& unfolded)
     : m_mesh(mesh), m_problem(problem), m_position(problem.size(), Vector{FT(0), FT(0)})
@@ -54,8 +54,8 @@ public:
         m_position[v.idx()].y = 0;
   }
 
-  // Minimizes a sum over all sides of faces of the double, among symmetric positions. A term is
-  // the squared change of the side, compared with `unfolded`, relative to its length.
+  // Minimizes a sum over all sides of faces of the double, among symmetric positions. A term is the
+  // squared change of the side, compared with `unfolded`, relative to its length.
   void distribute_errors(const Unfolded_faces<FT>& unfolded)
   {
     for(const auto coordinate : {&Vector::x, &Vector::y})
@@ -80,7 +80,8 @@ private:
       p = FT(-1) * p;
   }
 
-  // By two points of it that are far apart, or by a vertex and its mirror image.
+  // Finds the axis from two of its points that are far apart, or from a vertex and its mirror
+  // image.
   void find_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
     std::vector<Vector> on_axis;
@@ -116,7 +117,7 @@ private:
       m_direction = FT(1 / length) * v;
   }
 
-  // a way for the shift of a point on the axis to a vertex
+  // Stores a shortest path by which a vertex gets the shift of a point on the axis.
   struct Shift
   {
     FT size; // the square of the greatest length on the way
@@ -130,10 +131,9 @@ private:
   };
   typedef std::priority_queue<Shift> Shifts;
 
-  // Errors of positions are in proportion to the greatest length between them, and faces beside
-  // the axis may be smaller than such errors. So every vertex moves together with a vertex on the
-  // axis, the one that can be reached by the shortest edges. It is shifted as this vertex is
-  // shifted to the axis.
+  // Shifts every vertex together with a vertex on the axis. Errors of positions are proportional to
+  // the greatest length between them, and faces beside the axis may be smaller than such errors. So
+  // each vertex gets the shift of the vertex on the axis that is reached by the shortest edges.
   void shift_to_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
     Shifts queue = shifts_of_axis(unfolded);
@@ -154,8 +154,8 @@ private:
     }
   }
 
-  // Returns the positions of vertices on the boundary, and of others whose axis is halfway to
-  // their copy.
+  // Returns the shifts to the axis of vertices on the boundary, and of other points halfway between
+  // a vertex and its copy.
   Shifts shifts_of_axis(const std::vector<std::optional<Vector>>& unfolded) const
   {
     Shifts result;
@@ -170,13 +170,14 @@ private:
     return result;
   }
 
-  // Mirror images have the same abscissa and the opposite ordinate.
+  // Returns the sign of a coordinate. Mirror images have the same abscissa and the opposite
+  // ordinate.
   int sign(Vertex_index v, FT Vector::*coordinate) const
   {
     return is_copy(v) && coordinate == &Vector::y ? -1 : 1;
   }
 
-  // With more digits than a shift has, there is a second one.
+  // Fits a coordinate. If it has more digits than a shift, a second shift follows.
   void fit(const Unfolded_faces<FT>& unfolded, FT Vector::*coordinate)
   {
     const auto for_each_side = [&](const auto& visit) {

@@ -21,11 +21,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// For each edge, a distance of its faces: in each, a third of the median. Lengths are sinh(x/2).
+// Returns for each edge a distance of its faces: a third of the median in each face. Lengths are
+// sinh(x/2).
 inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
                                             const std::vector<double>& length)
 {
-  // cosh m = (cosh a + cosh b) / (2 cosh(c/2)) for the median m on the side c, without cancellation
+  // The median m on the side c satisfies cosh m = (cosh a + cosh b) / (2 cosh(c/2)), without
+  // cancellation.
   const auto median = [&](Halfedge_index h) {
     const auto squared = [&](Halfedge_index x) {
       return length[Edge_index(x).idx()] * length[Edge_index(x).idx()];
@@ -41,16 +43,16 @@ inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
   return result;
 }
 
-// The faces of closed hyperbolic surfaces in the Poincare disk, beside each other along a tree.
-// Each corner of a face has a frame. This is the motion that maps the origin to the corner, and
-// the real direction to the halfedge that starts at it.
+// Lays out the faces of closed hyperbolic surfaces in the Poincare disk, side by side along a tree.
+// Each corner of a face has a frame. This is the motion that maps the origin to the corner, and the
+// real direction to the halfedge that starts at it.
 template <typename FT>
 class Hyperbolic_faces
 {
 public:
   typedef Disk_motion<FT> Motion;
 
-  // `length` has sinh(x/2) for all edges with lengths x
+  // `length` contains sinh(x/2) for all edges with lengths x.
   Hyperbolic_faces(const Delta_complex& mesh, const std::vector<FT>& length, const Cut_graph& cut)
     : m_mesh(mesh), m_cut(cut), m_frame(mesh.num_halfedges()), m_along(mesh.num_edges())
   {
@@ -60,17 +62,17 @@ public:
       place(step, length);
   }
 
-  // the frame at the source of `h`, in the face of `h`
+  // Returns the frame at the source of `h`, in the face of `h`.
   const Motion& frame(Halfedge_index h) const { return m_frame[h.idx()]; }
 
-  // the motion that maps the face beyond `h` to its position beside the face of `h`
+  // Returns the motion that maps the face beyond `h` to its position beside the face of `h`.
   Motion gluing(Halfedge_index h) const
   {
     return beyond(h) * m_frame[m_mesh.opposite(h).idx()].inverse();
   }
 
-  // How far the motions that map the faces around `v` to their positions, one after the other, are
-  // from closing up.
+  // Returns the error of the product of the motions around `v`. They map the faces around `v` to
+  // their positions, one after the other, and must close up.
   double gluing_error(Vertex_index v) const
   {
     Motion product;
@@ -85,7 +87,7 @@ public:
   }
 
 private:
-  // the frame of the opposite halfedge of `h` in the face beside the face of `h`
+  // Returns the frame of the opposite halfedge of `h` in the face beside the face of `h`.
   Motion beyond(Halfedge_index h) const
   {
     return m_frame[h.idx()] * m_along[Edge_index(h).idx()] * Motion::rotation(FT(0), FT(1));
@@ -107,13 +109,14 @@ private:
       move_to_origin(side);
   }
 
-  // the rotation by pi less an angle
+  // Returns the rotation by pi minus an angle.
   static Motion turn(const Corner<FT>& angle)
   {
     using std::sqrt;
     const FT norm = sqrt(angle.cosine * angle.cosine + angle.sine * angle.sine);
     const bool is_obtuse = angle.cosine < 0;
-    // cosine and sine of half the angle, or sine and cosine if it is obtuse
+    // These are the cosine and the sine of half the angle, or the sine and the cosine if it is
+    // obtuse.
     const FT greater = sqrt((norm + (is_obtuse ? FT(-angle.cosine) : angle.cosine)) / (2 * norm)),
              lesser = angle.sine / (2 * norm * greater);
     return is_obtuse ? Motion::rotation(greater, lesser) : Motion::rotation(lesser, greater);

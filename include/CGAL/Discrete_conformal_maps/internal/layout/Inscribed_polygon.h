@@ -28,18 +28,19 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image of a disk all of whose vertices are on the boundary. The mirror symmetry of its double
-// fixes all vertices of the ideal polyhedron. So it is the reflection in a plane that has them
-// all, and the polyhedron is an ideal polygon seen from both sides. Its boundary consists of the
-// geodesics of the boundary of the disk, and every triangulation of it is one of the convex hull.
+// Computes the image of a disk with all vertices on the boundary. The mirror symmetry of its double
+// fixes all vertices of the ideal polyhedron. So it is the reflection in a plane that contains all
+// vertices, and the polyhedron is an ideal polygon seen from both sides. Its boundary consists of
+// the geodesics of the boundary of the disk, and every triangulation of it is one of the convex
+// hull.
 //
-// So nothing is minimized. Edges of T_2 that cross the boundary are flipped. The chords from the
-// vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
-// quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
+// So no minimization is necessary. Edges of T_2 that cross the boundary are flipped. The chords
+// from the vertex at infinity follow from face to face by Ptolemy's relation, from sums, products
+// and quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
 //
 // Positions near infinity and near the origin have all digits, whatever their scale. So these two
-// are as far from each other as possible: a strip with ends of 1e-60 of its size keeps its vertices
-// apart.
+// points are as far from each other as possible. Even a strip whose ends are 1e-60 of its size then
+// keeps its vertices apart.
 //
 // `FT` is the number type of lengths and positions.
 template <typename FT>
@@ -48,7 +49,7 @@ class Inscribed_polygon
   typedef std::array<FT, 2> Point;
 
 public:
-  // `mass` has the mass of each vertex; `start` is one of them.
+  // `mass` contains the mass of each vertex; `start` is one of the vertices.
   // \pre every vertex of the problem that is not isolated is on the boundary
   template <typename Visitor>
   Inscribed_polygon(Doubled_problem& problem, const std::vector<double>& mass, Vertex_index start,
@@ -99,8 +100,8 @@ public:
     return result;
   }
 
-  // Returns the lengths of the edges on the boundary of the surface with these scale factors; zero
-  // for others.
+  // Returns the lengths of the edges on the boundary of the surface with these scale factors, and
+  // zero for other edges.
   std::vector<double> side_lengths_in_disk() const
   {
     const std::vector<More_extended> u = log_scales_in_disk();
@@ -112,7 +113,7 @@ public:
     return result;
   }
 
-  // whether a face of T_3 is one of the polygon, not of its back
+  // Returns whether a face of T_3 is a face of the polygon, not of its back.
   bool is_original(Face_index f) const { return m_is_original[f.idx()]; }
 
 private:
@@ -121,8 +122,8 @@ private:
 
   void clear_positions() { m_position.assign(m_problem.size(), Point{FT(0), FT(0)}); }
 
-  // Scale factors need no search: every vertex is a neighbor of infinity, so that no angle is
-  // prescribed.
+  // Completes the result. Scale factors need no search: every vertex is a neighbor of infinity, so
+  // that no angle is prescribed.
   void complete_result()
   {
     m_result.layout.at_infinity = m_at_infinity;
@@ -134,7 +135,7 @@ private:
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
   }
 
-  // Flips until the edges of the boundary exist, and notes which halfedges of T_3 have the
+  // Flips until the edges of the boundary exist, and records which halfedges of T_3 have the
   // boundary on their right.
   void flip_to_boundary()
   {
@@ -159,7 +160,7 @@ private:
         }
   }
 
-  // the faces of T_3 that triangulate the polygon, not its mirror image
+  // Collects the faces of T_3 that triangulate the polygon, not its mirror image.
   void collect_original_faces()
   {
     m_is_original.assign(mesh().num_faces(), 0);
@@ -177,8 +178,8 @@ private:
     }
   }
 
-  // The lengths of the chords from the vertex at infinity. Chords of its faces come first, and
-  // then, beyond each side, the chord to the opposite corner.
+  // Computes the lengths of the chords from the vertex at infinity. Chords of its faces come first,
+  // and then, beyond each side, the chord to the opposite corner.
   void measure_chords()
   {
     m_chord.assign(m_problem.size(), FT(1));
@@ -203,7 +204,7 @@ private:
     }
   }
 
-  // the sides of the polygon from one neighbor of infinity to the other, counterclockwise
+  // Returns the sides of the polygon from one neighbor of infinity to the other, counterclockwise.
   std::vector<Halfedge_index> sides_in_plane() const
   {
     std::vector<Halfedge_index> side_from(m_problem.size());
@@ -217,13 +218,14 @@ private:
     return result;
   }
 
-  // the distance of the ends of a side in the plane (Equation 4.15: a horocyclic arc at infinity)
+  // Returns the distance of the ends of a side in the plane (Equation 4.15: a horocyclic arc at
+  // infinity).
   FT gap(Halfedge_index h) const
   {
     return length(h) / m_chord[mesh().source(h).idx()] / m_chord[mesh().target(h).idx()];
   }
 
-  // the side in the plane that is farthest from infinity
+  // Returns the side in the plane that is farthest from infinity.
   Halfedge_index smallest_side() const
   {
     const std::vector<Halfedge_index> sides = sides_in_plane();
@@ -232,8 +234,8 @@ private:
       [this](Halfedge_index h, Halfedge_index o) { return gap(h) < gap(o); });
   }
 
-  // The center of mass is in the center. If 32 digits are too few for the vertices then, the
-  // origin and infinity are at both ends: positions beside the origin have all digits.
+  // Lays out the polygon with the center of mass in the center. If this needs more than 32 digits,
+  // the origin and infinity are at both ends, because positions beside the origin have all digits.
   void lay_out(const std::vector<double>& mass)
   {
     const std::vector<Halfedge_index> sides = sides_in_plane();
@@ -254,7 +256,7 @@ private:
       place(sides, end, FT(0));
   }
 
-  // whether products of distances keep their digits
+  // Returns whether products of distances keep their digits.
   bool is_in_range(const std::vector<Halfedge_index>& sides) const
   {
     if(std::is_same<FT, Long_number>::value)
@@ -265,7 +267,7 @@ private:
     return least > tolerance::least_distance && greatest < 1 / tolerance::least_distance;
   }
 
-  // the side with its source next to `x`
+  // Returns the side whose source is nearest to `x`.
   std::size_t nearest_side(const std::vector<Halfedge_index>& sides, const FT& x) const
   {
     using std::abs;
@@ -287,7 +289,7 @@ private:
       mesh(), [this](Edge_index e) { return m_surface.length(e); }, m_position, m_at_infinity);
   }
 
-  // Puts the source of a side at `x`, and all others beside it. Sums that start at this side lose
+  // Places the source of a side at `x`, and all others beside it. Sums that start at this side lose
   // the fewest digits.
   void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const FT& x)
   {
@@ -301,8 +303,9 @@ private:
   FT& at(Vertex_index v) { return m_position[v.idx()][0]; }
   const FT& at(Vertex_index v) const { return m_position[v.idx()][0]; }
 
-  // The corners of each face must be in cyclic order on the line through infinity. This decides
-  // all: faces on both sides of an edge do not overlap then, and all edges lie in one plane.
+  // Certifies the result. The corners of each face must be in cyclic order on the line through
+  // infinity. This suffices: faces on both sides of an edge do not overlap then, and all edges lie
+  // in one plane.
   void certify()
   {
     Convexity_certificate& certificate = m_result.layout.certificate = Convexity_certificate();
@@ -322,7 +325,7 @@ private:
     return ascents == 2 && descents == 1;
   }
 
-  // 1 if `v` comes before `w`, with infinity after all others
+  // Returns 1 if `v` comes before `w`, where infinity comes after all others.
   int order_of(Vertex_index v, Vertex_index w) const
   {
     if(v == m_at_infinity || w == m_at_infinity)
@@ -334,7 +337,7 @@ private:
   Vertex_index m_at_infinity;
   Ptolemy_surface<FT> m_surface;      // in T_3
   std::vector<char> m_is_on_boundary; // of edges
-  // the sides of the polygon, which is on their left, with their edges of the surface
+  // Stores the sides of the polygon, which is on their left, and their edges of the surface.
   std::vector<std::pair<Halfedge_index, Edge_index>> m_sides;
   std::vector<char> m_is_original; // of faces
   std::vector<FT> m_chord;

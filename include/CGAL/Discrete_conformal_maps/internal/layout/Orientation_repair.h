@@ -24,10 +24,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // triangles. A triangle without area is not reversed. Points are in the plane, or vectors in space
 // that are seen from the origin.
 //
-// Exact predicates decide. A move is made only if it reduces the number of triples that turn
-// right, so the search ends; its work is bounded beside that. No coordinate of a point changes by
-// more than `maximum_move` units in the last place of the greatest one. Points stay in their
-// bounding box, and points on a side of it stay on this side.
+// Exact predicates decide. A move is made only if it reduces the number of triples that turn right,
+// so the search ends. Moreover, its work is bounded. No coordinate of a point changes by more than
+// `maximum_move` units in the last place of the greatest one. Points stay in their bounding box,
+// and points on a side of it stay on this side.
 template <std::size_t dimension>
 class Orientation_repair
 {
@@ -36,7 +36,7 @@ public:
 
   static constexpr int maximum_move = 32;
 
-  // `polygons` has the numbers of the points that are the corners of each polygon.
+  // `polygons` contains the indices of the points that are the corners of each polygon.
   Orientation_repair(std::vector<Point>& points, const Number_lists& polygons)
     : m_points(points),
       m_polygons(polygons),
@@ -104,7 +104,8 @@ private:
     m_is_in_cluster.assign(m_points.size(), 0);
   }
 
-  // Returns the reversed polygons among these polygons and among others that a move has reversed.
+  // Returns the polygons that remain reversed, among these polygons and others that a move has
+  // reversed.
   std::vector<std::size_t> mended(std::vector<std::size_t> polygons)
   {
     for(std::size_t n = 0; n < polygons.size(); ++n)
@@ -118,8 +119,8 @@ private:
     return polygons;
   }
 
-  // Makes a move for polygon `i`, at first one that flattens no triangle, and adds the polygons
-  // around that are reversed to a list. Returns false if there is none.
+  // Makes a move for polygon `i`, if possible one that flattens no triangle. Adds reversed polygons
+  // around it to a list. Returns false if no move exists.
   bool improve(std::size_t i, std::vector<std::size_t>& reversed)
   {
     return m_work < m_maximum_work &&
@@ -127,7 +128,7 @@ private:
             merge_corners(i, reversed) || slide_corners(i, reversed));
   }
 
-  // The shortest steps come first.
+  // Moves a corner of polygon `i`. The shortest steps come first.
   bool move_corner(std::size_t i, bool may_flatten, std::vector<std::size_t>& reversed)
   {
     for(int exponent = -2; (1 << (exponent + 2)) <= 4 * maximum_move; ++exponent) {
@@ -150,8 +151,8 @@ private:
       reversed.push_back(i);
   }
 
-  // Takes the best move of a corner by 2^exponent units that is better than `best` and makes
-  // polygon `i` better.
+  // Finds the best move of a corner by 2^exponent units that is better than `best` and improves
+  // polygon `i`.
   void find_move(std::size_t i, std::size_t corner, int exponent, bool may_flatten, Move& best)
   {
     const Point from = m_points[corner];
@@ -176,7 +177,8 @@ private:
     });
   }
 
-  // the vectors of length one in the maximum norm with multiples of one half, or in space of one
+  // Calls `f` with the vectors of length one in the maximum norm whose coordinates are multiples of
+  // one half, or of one in space.
   template <typename Function>
   static void for_each_direction(const Function& f)
   {
@@ -210,8 +212,8 @@ private:
     return true;
   }
 
-  // Moves points close to each other to one corner of polygon `i`: their triangles have no area
-  // then. As few points as possible.
+  // Moves points close to each other to one corner of polygon `i`, so that their triangles have no
+  // area. Merges as few points as possible.
   bool merge_corners(std::size_t i, std::vector<std::size_t>& reversed)
   {
     for(int size = 1; size <= maximum_move; size *= 2)
@@ -229,7 +231,8 @@ private:
     return move_together(std::move(to), reversed);
   }
 
-  // Puts corners at other points, if this reduces the number of triples that turn right.
+  // Moves corners to the positions of other points, if this reduces the number of triples that turn
+  // right.
   bool move_together(Positions points, std::vector<std::size_t>& reversed)
   {
     std::vector<std::size_t> polygons;
@@ -285,8 +288,8 @@ private:
     return result;
   }
 
-  // Moves several corners, one after the other and from polygon `i` on, each to where the polygons
-  // around it reach least beyond their sides.
+  // Moves several corners, one after the other, beginning with polygon `i`. Each moves to the
+  // position at which the polygons around it extend least beyond their sides.
   bool slide_corners(std::size_t i, std::vector<std::size_t>& reversed)
   {
     std::vector<std::size_t> waiting;

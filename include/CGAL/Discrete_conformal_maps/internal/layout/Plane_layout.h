@@ -23,9 +23,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The positions of the vertices of a sphere in the plane, one vertex of it at infinity. `length`
-// has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5). The
-// existing part of a doubled disk has its axis on the real line, with the disk above it.
+// Computes the positions of the vertices of a sphere in the plane, one of them at infinity.
+// `length` contains the lengths of edges in the plane; the remaining surface is flat (Section
+// 4.4.5). The existing part of a doubled disk has its axis on the real line, with the disk above
+// it.
 template <typename FT>
 class Plane_layout
 {
@@ -49,7 +50,7 @@ public:
       lay_out_edges();
   }
 
-  // the position of the vertex at infinity has no meaning
+  // Returns the positions. The position of the vertex at infinity is unspecified.
   std::vector<Point> positions() const
   {
     std::vector<Point> result;
@@ -59,12 +60,12 @@ public:
   }
 
 private:
-  // Weights of sides are squares in `double`. If sizes of faces are beyond its range, positions do
-  // not change, and have digits enough.
+  // Errors are distributed with weights of sides that are squares in `double`. If sizes of faces
+  // are beyond its range, positions do not change, and have enough digits.
   static constexpr bool distributes_errors = !std::is_same<FT, Long_number>::value;
 
-  // The finite faces that can be reached from a vertex inside the surface itself. Some copies are
-  // missing if more copies would be needed to reach them.
+  // Returns the finite faces that can be reached from a vertex inside the surface itself. Some
+  // copies are missing if more copies would be needed to reach them.
   std::vector<char> faces_in_plane() const
   {
     std::vector<char> is_finite(m_mesh.num_faces(), 1), is_reached(is_finite.size(), 0);
@@ -129,7 +130,7 @@ private:
       m_position[v.idx()] = layout.position(v);
   }
 
-  // No face remains: a path of edges, from one end to the other, on a line.
+  // Lays out a surface without finite faces: a path of edges on a line, from one end to the other.
   void lay_out_edges()
   {
     FT x(0);
@@ -157,7 +158,7 @@ private:
     return m_mesh.source(h) != m_at_infinity && m_mesh.target(h) != m_at_infinity;
   }
 
-  // null at the end
+  // Returns the next halfedge of the path, or null at its end.
   Halfedge_index after_on_path(Halfedge_index h) const
   {
     Halfedge_index result;

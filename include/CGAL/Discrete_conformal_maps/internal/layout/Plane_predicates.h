@@ -22,8 +22,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Exact predicates on points with coordinates of type `double` or `Extended`: a filter first, then
-// numbers with all digits. A point that is not finite is on every line, circle and plane.
+// Evaluates exact predicates on points with coordinates of type `double` or `Extended`, first by a
+// filter, then with all digits. A point that is not finite is on every line, circle and plane.
 template <typename FT>
 class Plane_predicates
 {
@@ -31,7 +31,7 @@ public:
   typedef std::array<FT, 2> Point;
   typedef Intrinsic_triangulations::Exact_ring Exact_ring;
 
-  // 1 if `p`, `q`, `r` turn left, 0 if they are on a line
+  // Returns 1 if `p`, `q`, `r` turn left, 0 if they are on a line, and -1 otherwise.
   int orientation(const Point& p, const Point& q, const Point& r) const
   {
     const FT unit = std::numeric_limits<FT>::epsilon();
@@ -44,13 +44,13 @@ public:
     return sign_of(cross(row<Exact_ring>(q, p), row<Exact_ring>(r, p)));
   }
 
-  // 1 if `s` is inside the circle through `p`, `q`, `r`, if these turn left
+  // Returns 1 if `s` is inside the circle through `p`, `q`, `r`, if these turn left.
   int in_circle(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
     return sign_of_determinant(p, q, r, s);
   }
 
-  // 1 if `p`, `q`, `r` turn left as seen from `s` in space
+  // Returns 1 if `p`, `q`, `r` turn left as seen from `s` in space.
   int orientation(const std::array<FT, 3>& p, const std::array<FT, 3>& q,
                   const std::array<FT, 3>& r, const std::array<FT, 3>& s) const
   {
@@ -67,7 +67,7 @@ private:
   static Exact_ring exact(double x) { return x; }
   static Exact_ring exact(const Extended& x) { return Exact_ring(x.high()) + Exact_ring(x.low()); }
 
-  // An integer times a power of two.
+  // Returns an integer times a power of two exactly.
   template <typename Number>
   static Exact_ring exact(const Number& x)
   {
@@ -125,7 +125,7 @@ private:
             difference<T>(p[2], origin[2])};
   }
 
-  // Returns the point of the paraboloid above `p`, seen from the point above `origin`.
+  // Returns the row of a point in the plane, lifted to a paraboloid above it.
   template <typename T>
   static Row<T> row(const Point& p, const Point& origin)
   {
@@ -156,7 +156,7 @@ private:
     return x > 0 ? 1 : x < 0 ? -1 : 0;
   }
 
-  // A product too small for a number is not to be trusted.
+  // Returns whether the sign is certain. A product that underflows is not reliable.
   static bool is_certain(const FT& det, const FT& bound)
   {
     const FT least = (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();
@@ -172,8 +172,8 @@ private:
     return (is_finite(point) && ...);
   }
 
-  // Whether four points of the plane are two pairs of mirror images: they are on a circle. The
-  // double of a disk has many of these ties, and exact numbers would take long for them.
+  // Returns whether four points of the plane are two pairs of mirror images, hence on a circle. The
+  // double of a disk has many of these ties, for which exact numbers are slow.
   template <typename Coordinates>
   static bool is_trapezoid(const Coordinates& p, const Coordinates& q, const Coordinates& r,
                            const Coordinates& s)

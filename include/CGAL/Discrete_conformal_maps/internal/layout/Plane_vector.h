@@ -11,8 +11,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A vector in the plane that is multiplied as a complex number; `std::complex` is for built-in
-// numbers only.
+// Represents a vector in the plane that is multiplied as a complex number. `std::complex` supports
+// only built-in numbers.
 template <typename FT>
 struct Plane_vector
 {

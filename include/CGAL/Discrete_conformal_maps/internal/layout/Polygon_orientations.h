@@ -20,16 +20,16 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Which corners of polygons turn left and right. Points are in the plane, or vectors in space that
-// are seen from the origin.
+// Determines which corners of polygons turn left and right. Points are in the plane, or vectors in
+// space that are seen from the origin.
 template <std::size_t dimension>
 class Polygon_orientations
 {
 public:
   typedef std::array<double, dimension> Point;
 
-  // how many triples of corners, in the order of the boundary, turn right, and how many are on a
-  // line
+  // Counts the triples of corners, in the order of the boundary, that turn right, and the triples
+  // on a line.
   struct Defects
   {
     std::size_t reversed = 0, flat = 0;
@@ -41,12 +41,12 @@ public:
     }
   };
 
-  // `polygons` has the numbers of the points that are the corners of each polygon.
+  // `polygons` contains the indices of the points that are the corners of each polygon.
   Polygon_orientations(const std::vector<Point>& points, const Number_lists& polygons)
     : m_points(points), m_polygons(polygons)
   {}
 
-  // exactly
+  // Returns the exact defects of polygon `i`.
   Defects defects(std::size_t i) const
   {
     Defects result;
@@ -97,7 +97,7 @@ private:
 
   const Point& at(std::size_t i, std::size_t k) const { return m_points[m_polygons(i, k)]; }
 
-  // whether the polygon turns left at each corner, and is seen from the first
+  // Returns whether the polygon turns left at each corner, and is visible from the first corner.
   bool is_strictly_convex(std::size_t i) const
   {
     const std::size_t n = m_polygons.size(i);
@@ -120,7 +120,7 @@ private:
           f(at(i, a), at(i, b), at(i, c));
   }
 
-  // Returns the height of the triangle pqr over its longest side, from its doubled area.
+  // Returns the least height of the triangle with the sides q - p and r - p, from its doubled area.
   static double height(const std::array<double, 2>& p, const std::array<double, 2>& q,
                        const std::array<double, 2>& r)
   {
@@ -130,7 +130,7 @@ private:
     return over_longest_side(static_cast<double>(area), p, q, r);
   }
 
-  // on the sphere
+  // Returns the least height of a triangle on the sphere.
   static double height(const std::array<double, 3>& p, const std::array<double, 3>& q,
                        const std::array<double, 3>& r)
   {

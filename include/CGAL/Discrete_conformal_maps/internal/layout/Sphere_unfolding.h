@@ -33,7 +33,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Sphere_unfolding
 {
 public:
-  // `mass` has the mass of each vertex of the surface itself.
+  // `mass` contains the mass of each vertex of the surface itself.
   Sphere_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
                    Vertex_index at_infinity)
     : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  // Rounding alone stays far below that.
+  // Returns whether the result is good. Rounding errors alone are far below the tolerance.
   bool is_good() const { return m_result.is_good(tolerance::good_cross_ratio); }
 
   template <typename Visitor>
@@ -81,7 +81,7 @@ private:
       search_beyond_range({}, visitor);
   }
 
-  // Returns whether there is a good result, with needles of the exact surface.
+  // Searches with needles of the exact surface, and returns whether the result is good.
   template <typename Visitor>
   bool search_on_exact_surface(Visitor& visitor)
   {
@@ -99,7 +99,7 @@ private:
     return descend(most_precise, visitor);
   }
 
-  // Returns whether there is a good result.
+  // Minimizes the energy of `scale`, and returns whether the result is good.
   template <typename FT, typename Visitor>
   bool descend(Spherical_scale_factors<FT>& scale, Visitor& visitor)
   {
@@ -110,15 +110,16 @@ private:
     return is_good();
   }
 
-  // whether the minimization has ended far from a minimum, so that more digits alone do not help
+  // Returns whether the minimization has ended far from a minimum, so that more digits alone do not
+  // help.
   static bool is_lost(const Minimization_result& result)
   {
     return result.status != Minimization_status::converged &&
            result.status != Minimization_status::rounding_limit;
   }
 
-  // Finds scale factors beyond the range of `double`, from these on or from a guess. Returns
-  // whether there is a good result.
+  // Finds scale factors beyond the range of `double`, from `start` on or from a guess. Returns
+  // whether the result is good.
   template <typename Visitor>
   bool search_beyond_range(const std::vector<Extended>& start, Visitor& visitor)
   {
@@ -132,7 +133,7 @@ private:
     return search(precise, tolerance::extended_gradient, visitor);
   }
 
-  // Returns whether there is a good result.
+  // Searches scale factors up to `tolerance`, and returns whether the result is good.
   template <typename FT, typename Visitor>
   bool search(Spherical_scale_factors<FT>& scale, double tolerance, Visitor& visitor)
   {
@@ -163,7 +164,7 @@ private:
     }
   }
 
-  // With as many digits as are enough.
+  // Lays out with as many digits as necessary.
   template <typename FT>
   void lay_out(const Partially_decorated_surface<FT>& surface,
                const Spherical_scale_factors<FT>& scale)
@@ -195,7 +196,7 @@ private:
     return is_good();
   }
 
-  // the scaled lengths of the edges
+  // Returns the scaled lengths of the edges.
   template <typename Length, typename FT>
   static std::vector<Length> lengths(const Partially_decorated_surface<FT>& surface)
   {
@@ -205,9 +206,9 @@ private:
     return result;
   }
 
-  // Lays the vertices out in the plane. The inverse of the stereographic projection must have
-  // their center of mass in the center of the sphere. The triangulation is convex on the sphere.
-  // `flips` have led to the triangulation `mesh`.
+  // Lays out the vertices in the plane. The inverse of the stereographic projection must have their
+  // center of mass in the center of the sphere. The triangulation is convex on the sphere. `flips`
+  // have led to the triangulation `mesh`.
   template <typename FT>
   void lay_out(const Delta_complex& mesh, const std::vector<Halfedge_index>& flips,
                const std::vector<FT>& length)
@@ -232,9 +233,9 @@ private:
     compare(position);
   }
 
-  // Moves the center of mass of all vertices to the center of the sphere, and returns by how much
-  // the plane is scaled down. The mirror images of the vertices of a disk have mass, too: its axis
-  // stays the real line.
+  // Moves the center of mass of all vertices to the center of the sphere, and returns the factor by
+  // which the plane is scaled down. The mirror images of the vertices of a disk have mass, too: its
+  // axis stays the real line.
   template <typename Point>
   auto center(std::vector<Point>& points) const
   {

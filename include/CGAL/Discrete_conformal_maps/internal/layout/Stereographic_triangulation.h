@@ -21,10 +21,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A triangulated sphere with vertices in the plane and one at infinity: the stereographic
-// projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the
-// sphere. Of a symmetric sphere, a part of one half may be missing if edges from the other half do
-// not reach it. Beyond its border, it is the mirror image of the other half.
+// Represents a triangulated sphere with vertices in the plane and one at infinity: the
+// stereographic projection of an inscribed polyhedron. It can be made exactly Delaunay, which is
+// convex on the sphere. A part of one half of a symmetric sphere may be missing if edges from the
+// other half do not reach it. Beyond its border, it is the mirror image of the other half.
 template <typename FT>
 class Stereographic_triangulation
 {
@@ -50,8 +50,8 @@ public:
     return true;
   }
 
-  // Flips edges that are not convex, as far as possible; rounding has left a few. There is an end
-  // even if triangles are flipped: the surface of the polyhedron only grows outwards.
+  // Flips edges that are not convex, as far as possible; rounding has left a few. The loop ends
+  // even if triangles are flipped, because the surface of the polyhedron only grows outwards.
   std::vector<Halfedge_index> make_convex()
   {
     std::vector<Halfedge_index> flips;
@@ -67,8 +67,8 @@ public:
     return flips;
   }
 
-  // A surface without a face in the plane is a flat polygon, seen from both sides, and counts as
-  // convex.
+  // Returns the certificate. A surface without a face in the plane is a flat polygon, seen from
+  // both sides, and counts as convex.
   Convexity_certificate certificate() const
   {
     Convexity_certificate result;
@@ -91,8 +91,9 @@ public:
 private:
   const Point& at(Vertex_index v) const { return m_position[v.idx()]; }
 
-  // Whether the edge ij of the faces ijk and jil is concave from outside: whether l is inside the
-  // circle ijk. A border has the mirror image of another edge beside it, and is not.
+  // Returns whether the edge ij of the faces ijk and jil is concave from outside, because l is
+  // inside the circle ijk. A border has the mirror image of another edge beside it, and is not
+  // concave.
   bool is_concave(Halfedge_index h) const
   {
     if(m_mesh.is_border(Edge_index(h)))
@@ -102,7 +103,8 @@ private:
                       m_mesh.target(m_mesh.next(o))}) > 0;
   }
 
-  // A circle through infinity is a line: exchanging two points changes the sign.
+  // Returns the predicate for a circle or, through infinity, a line. An exchange of two points
+  // changes the sign.
   int in_circle(const std::array<Vertex_index, 4>& v) const
   {
     for(std::size_t a = 0; a < 4; ++a)
@@ -117,8 +119,8 @@ private:
     return m_predicates.in_circle(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
   }
 
-  // Returns the number of local maxima of the height on the boundary of the part in the plane. A
-  // closed curve that always turns left has as many as turns.
+  // Returns the number of local maxima of the boundary of the part in the plane. A closed curve
+  // that always turns left has as many as turns.
   std::size_t number_of_local_maxima() const
   {
     std::size_t result = 0;

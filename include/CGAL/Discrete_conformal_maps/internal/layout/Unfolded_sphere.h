@@ -23,14 +23,14 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The logarithmic scale factor of a vertex in the plane.
+// Stores the logarithmic scale factor of a vertex in the plane.
 struct Scale_in_plane
 {
   Extended value;
   bool is_at_bound;
 };
 
-// A sphere, or the double of a disk, unfolded into the plane from one of its vertices.
+// Stores a sphere, or the double of a disk, unfolded into the plane from one of its vertices.
 struct Unfolded_sphere
 {
   Spherical_layout layout;
@@ -47,13 +47,13 @@ struct Unfolded_sphere
     return layout.exists && layout.certificate.is_convex() && layout.bound_violations == 0;
   }
 
-  // Returns whether the result is certified and no cross ratio has a greater error.
+  // Returns whether the result is good with this bound on the error of cross ratios.
   bool is_good(double greatest_error) const
   {
     return is_certified() && cross_ratio_error <= greatest_error;
   }
 
-  // Certified results come first, then results with less error.
+  // Compares results. Certified results come first, then results with less error.
   bool operator<(const Unfolded_sphere& other) const
   {
     return is_certified() != other.is_certified() ? is_certified()
@@ -83,10 +83,10 @@ double log_of_one_plus(const Number& x)
   return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
 }
 
-// Returns the logarithmic scale factors of lengths on the sphere. The first part are the factors
-// of the plane, `u`, which is scaled down by `plane_scale` to `position`. The second part are the
+// Returns the logarithmic scale factors of lengths on the sphere. The first part are the factors of
+// the plane, `u`, which is scaled down by `plane_scale` to `position`. The second part are the
 // factors of the stereographic projection. At infinity, where neighbors have the distance one of
-// horocycles, only the second part exists. Isolated vertices of `surface` have zero.
+// horocycles, only the second part exists. The factors of isolated vertices of `surface` are zero.
 template <typename FT>
 std::vector<double> spherical_log_scales(const std::vector<double>& u, const FT& plane_scale,
                                          const std::vector<std::array<FT, 2>>& position,

@@ -40,7 +40,7 @@ inline std::vector<double> vertex_areas(const Doubled_problem& problem)
 }
 
 // Returns the vertices from which a surface is unfolded best, the best first. They are vertices
-// with much area, since all others can be seen from them. If the surface has a boundary, they are
+// with much area, because all others are visible from them. If the surface has a boundary, they are
 // on it.
 inline std::vector<Vertex_index> vertices_at_infinity(const Doubled_problem& problem,
                                                       const std::vector<double>& area)

@@ -81,10 +81,10 @@ public:
     m_flips = flips;
   }
 
-  // whether there are scale factors
+  // Returns whether there are scale factors.
   bool has_succeeded() const { return m_scale.status() == Map_status::success; }
 
-  // the last minimization
+  // Returns the last minimization.
   const Minimization_result& minimization() const { return m_scale.result(); }
 
   Visitor& visitor() const { return m_visitor; }
@@ -99,7 +99,7 @@ public:
 
   // at the vertices of the surface
   const Eigen::VectorXd& log_scales() const { return m_scale.values(); }
-  // whether lengths with them may be beyond the range of `double`
+  // Returns whether lengths with them may be beyond the range of `double`.
   bool is_wide() const { return m_scale.is_wide(); }
   bool has_bounded_differences() const { return m_scale.has_bounded_differences(); }
 
@@ -184,7 +184,7 @@ private:
         m_layout.is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
   }
 
-  // the vertices around which faces do not close up: cones and ends of cut edges
+  // Returns the vertices around which faces do not close up: cones and ends of cut edges.
   std::vector<char> terminals() const
   {
     std::vector<char> result = m_problem.cones();

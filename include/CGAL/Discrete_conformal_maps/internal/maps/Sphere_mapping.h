@@ -182,7 +182,8 @@ private:
     return exact_promises(m_problem, [&] { return errors(sphere); });
   }
 
-  // the greatest distance from the equator of a vertex on the boundary, and of others below it
+  // Returns the greatest distance from the equator of a vertex on the boundary, and of others below
+  // it.
   double hemisphere_error() const
   {
     double result = 0;
@@ -214,7 +215,7 @@ private:
     return std::size_t(std::count_if(faces.begin(), faces.end(), predicate));
   }
 
-  // whether the predicate is true of a corner of a face
+  // Returns whether the predicate is true of a corner of a face.
   template <typename Predicate>
   bool has_corner(Face_index f, const Predicate& predicate) const
   {
@@ -236,7 +237,8 @@ private:
     });
   }
 
-  // whether a face is not flipped as seen from the center, and no face beside it is above it
+  // Returns whether a face is not flipped as seen from the center, and no face beside it is above
+  // it.
   bool is_convex(Face_index f) const
   {
     const Delta_complex& mesh = m_builder.mesh();

@@ -22,8 +22,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The side of a face, along one axis: `x[to] - sign * x[from]` is to change by `change`. If the
-// sign is -1, one end is the mirror image of a point.
+// Stores the change of a side of a face, along one axis: `x[to] - sign * x[from]` is to change by
+// `change`. If the sign is -1, one end is the mirror image of a point.
 struct Side_change
 {
   int from, to, sign;
@@ -54,11 +54,11 @@ public:
     });
   }
 
-  // Point `i` stays, and so do points without sides. One of every component that sides connect
-  // must be held, unless one of its signs is -1.
+  // Fixes point `i`. Points without sides are fixed, too. One point of each component that sides
+  // connect must be fixed, unless one of its signs is -1.
   void fix(int i) { m_is_held[static_cast<std::size_t>(i)] = 1; }
 
-  // `order` is the order of the points
+  // `order` is the elimination order of the points.
   void factorize(const std::shared_ptr<Shared_order>& order)
   {
     for(Eigen::Index i = 0; i < m_diagonal.size(); ++i)
@@ -98,15 +98,15 @@ private:
   std::optional<Dirichlet_solver> m_solver;
 };
 
-// how much a side counts: changes are relative to its length
+// Returns the weight of a side: changes are relative to its length.
 template <typename FT>
 double side_weight(const FT& length)
 {
   return static_cast<double>(1 / (length * length));
 }
 
-// Shifts the points such that the sum over all sides of faces of the squared change of the side,
-// relative to its length, is least.
+// Shifts the points such that the sum of the squared changes of all sides of faces, relative to
+// their lengths, is least.
 struct Least_squares_layout
 {
   explicit Least_squares_layout(Layout /* kind */ = Layout::least_squares) {}
@@ -137,7 +137,7 @@ struct Least_squares_layout
     shift.factorize(order.refined(faces.vertices));
     shift.shift(x, faces.positions, &Vector::x);
     shift.shift(y, faces.positions, &Vector::y);
-    // shifts have the digits of `double`: if positions have more, a second shift corrects the rest
+    // With more digits than shifts have, a second shift removes the remaining errors.
     if(!std::is_same<FT, double>::value) {
       shift.shift(shift.right_side(along_x), faces.positions, &Vector::x);
       shift.shift(shift.right_side(along_y), faces.positions, &Vector::y);

@@ -15,7 +15,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The layout that `kind` names.
+// Calls the layout that `kind` names.
 struct Named_layout
 {
   template <typename FT>

@@ -25,17 +25,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008). It is the
+// Computes the spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008). It is the
 // eigenvector of L z = lambda B z with the least eigenvalue beside the constants. Here z^* L z is
-// the conformal energy, Dirichlet's energy less the area, and z^* B z the mean square on the
+// the conformal energy, the Dirichlet energy minus the area, and z^* B z is the mean square on the
 // boundary.
 //
 // L is a sum over faces of |r|^2 / (8 area). Here r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0)
-// vanishes if the image is similar to the face. Faces may differ by twenty orders of size, and an
-// eigenvector as a whole has no digits for the small ones. So the inverse iteration z <- L^-1
-// (lambda B z), with Rayleigh's quotient lambda, is computed as z - L^-1 (L z - lambda B z). The
-// unknown is the correction of a layout, and r comes from differences. On a flat chart L has one
-// more vector in its kernel, the layout; its scale is left unchanged.
+// vanishes if the image is similar to the face. Sizes of faces may differ by a factor of 1e20, and
+// an eigenvector as a whole has no digits for the small ones. So the inverse iteration z <- L^-1
+// (lambda B z), with the Rayleigh quotient lambda, is computed as z - L^-1 (L z - lambda B z). The
+// unknown is the correction of a layout, and r is computed from differences. On a flat chart L has
+// one more vector in its kernel, the layout; its scale is left unchanged.
 template <typename FT>
 class Spectral_chart
 {
@@ -64,7 +64,7 @@ public:
 
   // Improves a layout of the chart as long as corrections get smaller and, up to rounding, the
   // energy does not rise. The area of the result is the area of the faces. A chart with a face
-  // without area does not change. `order` is the order of the points.
+  // without area does not change. `order` is the elimination order of the points.
   // \throws Numerical_error if L has no factorization
   void improve(std::vector<Vector>& z, const Shared_order& order = {}) const
   {
@@ -95,7 +95,7 @@ private:
     Sides side;
     FT weight; // 1 / (8 area)
 
-    // The factor of point `s` in r.
+    // Returns the factor of point `s` in r.
     const Vector& opposite(std::size_t s) const { return side[(s + 1) % 3]; }
   };
 
@@ -144,7 +144,7 @@ private:
     return result;
   }
 
-  // B z, lumped, for a translate of `z` with mean zero on the boundary
+  // Returns the lumped B z, for a translate of `z` with mean zero on the boundary.
   Eigen::VectorXd boundary_moment(const std::vector<Vector>& z) const
   {
     std::complex<double> mean(0);
@@ -163,7 +163,7 @@ private:
     return result;
   }
 
-  // L z - lambda B z
+  // Returns L z - lambda B z.
   Eigen::VectorXd residual(const Energy& energy, const std::vector<Vector>& z) const
   {
     const Eigen::VectorXd moment = boundary_moment(z);
@@ -198,7 +198,8 @@ private:
     return result;
   }
 
-  // Against the kernel of L, two points: the first and the one farthest from it.
+  // Returns two points that are fixed because L has a kernel: the first one and the point farthest
+  // from it.
   static std::vector<char> held_points(const std::vector<Vector>& z)
   {
     std::size_t far = 0;

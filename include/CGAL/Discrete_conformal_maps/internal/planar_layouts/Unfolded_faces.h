@@ -22,14 +22,14 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// The faces of a flat surface with cones, unfolded into the plane one after the other. Directions
-// are turned by the angles of faces, so that small faces beside large ones do not suffer from
-// differences of positions. Corners that are not apart at a seam are one point.
+// Unfolds the faces of a flat surface with cones into the plane one after the other. Directions are
+// turned by the angles of faces, so that differences of positions beside large faces do not affect
+// small faces. Corners without a seam between them are one point.
 //
 // A planar layout is a function object. `layout(faces, order)` moves the points of unfolded faces.
-// Rounding has shifted them where faces meet that were reached on different ways. `order` is the
-// order in which the vertices are eliminated. Models: `Incremental_layout`, `Least_squares_layout`
-// and `Spectral_layout`.
+// Rounding has shifted them between faces that were reached on different paths. `order` is the
+// elimination order of the vertices. Models: `Incremental_layout`, `Least_squares_layout` and
+// `Spectral_layout`.
 template <typename FT_>
 class Unfolded_faces
 {
@@ -37,7 +37,7 @@ public:
   typedef FT_ FT;
   typedef Plane_vector<FT> Vector;
 
-  // `length` has the lengths of all edges
+  // `length` contains the lengths of all edges.
   Unfolded_faces(const Delta_complex& mesh, const std::vector<FT>& length, const Cut_graph& cut)
     : m_mesh(mesh),
       m_length(length),
@@ -59,16 +59,16 @@ public:
   const Delta_complex& mesh() const { return m_mesh; }
   const Cut_graph& cut() const { return m_cut; }
 
-  // the index of the point at the source of `h` in the face of `h`
+  // Returns the index of the point at the source of `h` in the face of `h`.
   Delta_complex::size_type point(Halfedge_index h) const { return m_point[h.idx()]; }
   const Vector& position(Halfedge_index h) const { return positions[point(h)]; }
 
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
-  // the vector of `h` in its face, without the errors of positions
+  // Returns the vector of `h` in its face, without the errors of positions.
   Vector side(Halfedge_index h) const { return length(h) * m_direction[h.idx()]; }
 
-  // Frees the memory of the directions of sides, which are not available afterwards.
+  // Frees the memory of directions, so that sides no longer exist.
   void drop_sides() { std::vector<Vector>().swap(m_direction); }
 
   // Calls `visit(h)` for the sides of all faces, in the order in which they are joined.
@@ -84,7 +84,7 @@ public:
   std::vector<Vertex_index> vertices; // the vertex of each point
 
 private:
-  // Puts the source of the halfedge `h` where the face beyond it has it, or at the origin.
+  // Places the source of the halfedge `h` at its position in the face beyond it, or at the origin.
   void start(Halfedge_index h, bool is_entry, std::vector<Vector>& position)
   {
     const Halfedge_index o = m_mesh.opposite(h);
@@ -93,20 +93,20 @@ private:
     m_direction[h.idx()] = is_entry ? FT(-1) * m_direction[o.idx()] : Vector{FT(1), FT(0)};
   }
 
-  // the rest of the face
+  // Places the other corners of the face.
   void place(Halfedge_index h, std::vector<Vector>& position)
   {
     const Halfedge_index n = m_mesh.next(h), p = m_mesh.prev(h);
     position[n.idx()] = position[h.idx()] + length(h) * m_direction[h.idx()];
     m_direction[n.idx()] = m_direction[h.idx()] * turn(n);
     m_direction[p.idx()] = m_direction[n.idx()] * turn(p);
-    // along the shorter way
+    // The position is computed along the shorter side.
     position[p.idx()] = length(n) < length(p)
                           ? position[n.idx()] + length(n) * m_direction[n.idx()]
                           : position[h.idx()] + (-length(p)) * m_direction[p.idx()];
   }
 
-  // Returns the turn of the boundary of a face at the source of `h`: pi minus the angle.
+  // Returns the turn of the boundary of a face at the source of `h`, which is pi minus its angle.
   Vector turn(Halfedge_index h) const
   {
     using std::sqrt;
@@ -119,7 +119,7 @@ private:
     return {-cosine / norm, sine / norm};
   }
 
-  // Rounding has made corners a little different between which there is no seam.
+  // Unites corners without a seam between them, which differ slightly by rounding.
   void unite_corners(Vertex_index v, const std::vector<Vector>& position)
   {
     m_cut.for_each_corner(v, [&](Halfedge_index h, Halfedge_index first) {
@@ -138,7 +138,7 @@ private:
   std::vector<Delta_complex::size_type> m_point; // at the source of each halfedge
 };
 
-// Leaves the points where unfolding has put them: errors add up from face to face.
+// Leaves the points at their unfolded positions. Errors add up from face to face.
 struct Incremental_layout
 {
   template <typename FT>

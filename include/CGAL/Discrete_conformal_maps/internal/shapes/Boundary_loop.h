@@ -24,11 +24,11 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The border halfedges of a loop, in their order; the surface is on their right.
+// Stores the border halfedges of a loop, in their order. The surface is on their right.
 typedef std::vector<Halfedge_index> Boundary_loop;
 
 // Returns the boundary of each component with faces.
-// Throws Invalid_input unless every such component has one loop of at least `least_size` edges.
+// \throws Invalid_input unless every such component has one loop of at least `least_size` edges
 inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mesh,
                                                         std::size_t least_size, const char* shape)
 {
@@ -54,7 +54,7 @@ inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mes
   return result;
 }
 
-// Returns pi less the sum of angles of faces at `v`.
+// Returns pi minus the sum of angles of faces at `v`.
 template <typename EdgeLengthMap>
 double exterior_angle(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
 {
@@ -68,7 +68,7 @@ double exterior_angle(Vertex_index v, const Delta_complex& mesh, const EdgeLengt
   return result;
 }
 
-// Returns the lengths in the plane of the boundary edges of the input; zero for others.
+// Returns the lengths in the plane of the boundary edges of the input, and zero for other edges.
 inline std::vector<double> flat_boundary_lengths(const Planar_conformal_map& map)
 {
   const auto& subdivision = map.subdivision();

@@ -43,7 +43,8 @@ inline std::vector<double> angles_between(const std::vector<double>& half_arc)
 // Returns the exterior angles of the polygon in a circle whose edges have these lengths, at the
 // start of each edge. In a circle with the diameter 1 / x, the center sees an edge of length l
 // under twice the angle asin(l x). If the center is outside, the half angle of the longest edge is
-// pi less this. Precondition: no length is zero, none is greater than the others together.
+// pi minus this angle. Precondition: no length is zero, and none is greater than the sum of the
+// others.
 inline std::vector<double> circle_angles(const std::vector<double>& length)
 {
   constexpr double pi = boost::math::constants::pi<double>();
@@ -70,16 +71,16 @@ inline std::vector<double> circle_angles(const std::vector<double>& length)
   return angles_between(arcs);
 }
 
-// The exterior angles of a boundary whose components are circles. They are found by repetition,
-// since the angles of a circle depend on the lengths in the plane.
+// Prescribes the exterior angles of a boundary whose components are circles. They are found by
+// iteration, because the angles of a circle depend on the lengths in the plane.
 class Circular_boundary : public Free_shape
 {
   typedef Eigen::VectorXd Vector;
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
 
 public:
-  // The angles of circles with the lengths that the boundary has on the surface come first.
-  // \throws Invalid_input if there are circles at the vertices
+  // The first angles are the angles of circles with the lengths of the boundary on the surface.
+  // \throws Invalid_input if vertices have circles
   Circular_boundary(const Surface& surface, const Map_parameters& parameters)
     : m_components(surface.mesh()), m_rounds(parameters.number_of_rounds)
   {
@@ -99,8 +100,8 @@ public:
     for_each_condition([&](Vertex_index v, const Vertex_condition& c) { conditions[v.idx()] = c; });
   }
 
-  // Finds scale factors until the angles are the angles of circles, or have been changed often
-  // enough.
+  // Finds scale factors until the angles are the angles of circles, or the number of rounds is
+  // reached.
   template <typename Flattening, typename Find>
   void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
@@ -111,8 +112,8 @@ public:
       take_polygon(problem, flattening);
   }
 
-  // Angles have changed by little in the end, and vertices have the same distance from the center
-  // if the disk is not cut.
+  // Returns the promises: angles have changed little in the last round. If the disk is not cut,
+  // vertices have the same distance from the center.
   std::vector<Map_promise> promises(const Planar_conformal_map& map,
                                     const std::vector<char>& is_whole) const
   {
@@ -130,7 +131,8 @@ public:
   }
 
 private:
-  // Calls `set(v, condition)` with what the angles prescribe at each vertex of the boundary.
+  // Calls `set(v, condition)` with the condition that the angles prescribe at each vertex of the
+  // boundary.
   template <typename Set>
   void for_each_condition(const Set& set) const
   {
@@ -149,17 +151,18 @@ private:
   };
   typedef std::vector<Side> Circle;
 
-  // The angles of most disks need no more rounds than that.
+  // The angles of most disks need no more rounds.
   static constexpr std::size_t usual_rounds = 20;
-  // Beyond the range of `double`, rounds take long, and only the angles of the hemisphere are
-  // close enough to the angles of the circle.
+  // Beyond the range of `double`, rounds are slow, and only the angles of the hemisphere are close
+  // enough to the angles of the circle.
   static constexpr std::size_t greatest_number_of_wide_rounds = 10;
 
   // Beyond this range of scale factors, faces lose their shape in the picture.
   static constexpr double usual_range = 18;
 
-  // If the first angles are far from the angles of the surface, the next ones are far off, too.
-  // Searches with bounded differences are long, and searches for a hemisphere longer.
+  // Returns whether the first angles are far from the angles of the surface. Then the next ones are
+  // far away, too. Searches with bounded differences take long, and searches for a hemisphere take
+  // longer.
   template <typename Flattening>
   static bool is_far_off(const Flattening& flattening)
   {
@@ -178,7 +181,7 @@ private:
     return m_circles.size() == 1 &&
            problem.topology()[m_components[m_circles[0][0].source.idx()]].genus == 0;
   }
-  // whether nothing but a flat metric is prescribed inside
+  // Returns whether only a flat metric is prescribed inside.
   static bool is_flat(const Doubled_problem& problem)
   {
     const Vector target = problem.target_defect();
@@ -193,7 +196,7 @@ private:
     return is_disk(problem) && is_flat(problem) && !has_vertices_inside(problem);
   }
 
-  // Few digits suffice for others.
+  // Returns whether a polygon is crowded. Few digits suffice for other disks.
   bool is_crowded_polygon(Doubled_problem& problem) const
   {
     if(!is_polygon(problem))
@@ -202,7 +205,7 @@ private:
     return !polygon || range(polygon->log_scale) > usual_range;
   }
 
-  // the vertices of the only circle
+  // Returns the vertices of the only circle.
   std::vector<Vertex_index> sources() const
   {
     std::vector<Vertex_index> result;
@@ -211,7 +214,7 @@ private:
     return result;
   }
 
-  // Takes the scale factors of an inscribed polygon. It must have its exterior angles with rounded
+  // Uses the scale factors of an inscribed polygon. It must have its exterior angles with rounded
   // lengths, or else with the lengths of the exact surface.
   template <typename Flattening>
   bool take_polygon(Doubled_problem& problem, Flattening& flattening)
@@ -246,7 +249,7 @@ private:
     for_each_condition([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
   }
 
-  // Takes the angles of a disk, if they are less than a half turn.
+  // Uses the angles of a disk, if they are less than pi.
   bool take_angles(const Round_disk& disk)
   {
     const std::vector<double> angle = angles_between(disk.half_arc);
@@ -283,10 +286,10 @@ private:
     }
   }
 
-  // Takes angles and scale factors of the map of the disk to a hemisphere. Unless edges of T_3
-  // cross the boundary, this map is its stereographic projection. If they do, the angles are close
-  // to these. Others are good enough if they succeed and scale factors differ by little. Returns
-  // whether it has taken them.
+  // Uses angles and scale factors of the map of the disk to a hemisphere. Unless edges of T_3 cross
+  // the boundary, this map is its stereographic projection. Otherwise, the angles are close to the
+  // projected ones. These are good enough if the search succeeds and scale factors differ by
+  // little. Returns whether the angles are used.
   template <typename Flattening>
   bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
   {
@@ -309,7 +312,7 @@ private:
   }
 
   // Moves the angles towards the angles of circles with the lengths of the image, and returns the
-  // greatest difference of both before.
+  // greatest previous difference of both.
   double update(const std::vector<double>& length)
   {
     const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
@@ -317,7 +320,7 @@ private:
       return std::numeric_limits<double>::infinity();
     const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
     const Vector next = closed(m_acceleration.next(m_angle, image));
-    // pi and above are too great for a boundary
+    // Angles of pi and above are too great for a boundary.
     m_angle = (next.array() < pi()).all() ? next : image;
     return change;
   }
@@ -336,8 +339,8 @@ private:
     return Eigen::Map<const Vector>(result.data(), Eigen::Index(result.size()));
   }
 
-  // Scales the angles of each circle so that they sum up to a whole turn: combinations of many of
-  // them lose digits.
+  // Scales the angles of each circle so that they sum up to 2 pi, because combinations of many
+  // angles lose digits.
   Vector closed(Vector angle) const
   {
     Eigen::Index begin = 0;

@@ -24,7 +24,8 @@ class Corner_choice
 public:
   typedef std::vector<std::size_t> Corners; // places on the loop
 
-  // `angle` holds the exterior angles, `length` the lengths of the edges that start at the vertices
+  // `angle` contains the exterior angles, and `length` the lengths of the edges that start at the
+  // vertices.
   Corner_choice(std::vector<double> angle, const std::vector<double>& length)
     : m_length(std::accumulate(length.begin(), length.end(), 0.)),
       m_angle(std::move(angle)),
@@ -38,7 +39,7 @@ public:
   }
 
   // Returns four positions in ascending order, as far apart along the loop as possible. The sum of
-  // their exterior angles must be at least nine tenths of the sum of the four sharpest.
+  // their exterior angles must be at least 90 % of the sum of the four sharpest.
   Corners corners() const
   {
     Corners result = sharpest_at_distance(0);
@@ -53,7 +54,7 @@ public:
   }
 
 private:
-  // Returns up to four vertices. Each is the sharpest one at this distance from the earlier ones.
+  // Returns up to four positions. Each is the sharpest one at this distance from the previous ones.
   Corners sharpest_at_distance(double distance) const
   {
     Corners result;

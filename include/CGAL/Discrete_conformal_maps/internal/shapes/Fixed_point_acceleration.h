@@ -15,15 +15,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Finds a fixed point of a function in fewer evaluations than by repeating it. It goes to the
-// fixed point of the linear function through the last evaluations (Anderson's method).
+// Finds a fixed point of a function in fewer evaluations than by iteration. A step leads to the
+// fixed point of the linear function through the last evaluations (Anderson acceleration).
 class Fixed_point_acceleration
 {
 public:
   typedef Eigen::VectorXd Vector;
 
-  // Returns where to evaluate the function after its value at `x` is `image`. The sum of entries
-  // is the sum of the entries of the images.
+  // Returns the next argument of the function, whose value at `x` is `image`. The sum of entries is
+  // the sum of the entries of the images.
   Vector next(const Vector& x, const Vector& image)
   {
     remember(image, image - x);
@@ -59,7 +59,7 @@ private:
     m_residual = residual;
   }
 
-  // differences of consecutive images and of consecutive residuals
+  // Stores differences of consecutive images and of consecutive residuals.
   std::deque<Vector> m_image_steps, m_residual_steps;
   Vector m_image, m_residual;
 };

@@ -15,7 +15,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The boundary of a surface that has no prescribed shape.
+// Represents the boundary of a surface without prescribed shape.
 struct Free_shape
 {
   Free_shape() = default;
@@ -23,17 +23,17 @@ struct Free_shape
              const Map_parameters& /* parameters */)
   {}
 
-  // Changes the conditions of vertices on the boundary to what the shape prescribes.
+  // Changes the conditions of vertices on the boundary as the shape requires.
   void prescribe(std::vector<Vertex_condition>& /* conditions */) const {}
 
-  // Calls `find()`, which finds the scale factors, until the problem is what it should be.
+  // Calls `find()`, which finds the scale factors, until the conditions of the problem are final.
   template <typename Flattening, typename Find>
   void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)
   {
     find();
   }
 
-  // Returns further promises of this shape, about components whose charts are not cut.
+  // Returns further promises about a map, for components whose charts are whole.
   std::vector<Map_promise> promises(const Planar_conformal_map& /* map */,
                                     const std::vector<char>& /* is_whole */) const
   {

@@ -22,12 +22,12 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Boundaries that are rectangles.
+// Prescribes boundaries that are rectangles.
 class Rectangular_boundary : public Free_shape
 {
 public:
-  // \throws Invalid_input if the boundary of a component has not four vertices for which
-  //   `is_corner` is true
+  // \throws Invalid_input unless the boundary of each component has four vertices for which
+  // `is_corner` is true
   Rectangular_boundary(const Intrinsic_triangulations::Intrinsic_triangulation<>& surface,
                        const Map_parameters& parameters)
     : m_mesh(Intrinsic_triangulations::internal::without_maps(surface.mesh()))
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  // Makes corners right angles, and the rest straight.
+  // Prescribes right angles at corners, and a straight boundary at other vertices.
   void prescribe(std::vector<Vertex_condition>& conditions) const
   {
     constexpr double right_angle = boost::math::constants::half_pi<double>();

@@ -30,18 +30,18 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image of a hemisphere in the plane of its equator, which is the unit circle. It is the
+// Stores the image of a hemisphere in the plane of its equator, which is the unit circle. It is the
 // stereographic projection from the pole of the other hemisphere.
 struct Round_disk
 {
-  // half of the angles under which the center sees the sides of the boundary
+  // `half_arc` contains half of the angles under which the center sees the sides of the boundary.
   std::vector<double> half_arc;
-  // the logarithmic scale factors of lengths in the plane, at the vertices of the surface
+  // `log_scale` contains the factors of lengths in the plane, at the vertices of the surface.
   std::vector<More_extended> log_scale;
 };
 
-// Such a disk without vertices inside. Its corners are on one circle, so that a flip of edges
-// changes nothing: all that a map to a disk needs is known.
+// Stores a round disk without vertices inside. Its corners are on one circle, so that a flip of
+// edges changes nothing. All data of a map to a disk are known.
 struct Round_polygon : Round_disk
 {
   std::vector<Halfedge_index> flips; // from T_2 to T_3
@@ -50,8 +50,8 @@ struct Round_polygon : Round_disk
 
 // Returns half of the angles under which the center of the unit disk, the image of the half plane,
 // sees the sides of its boundary. They lead from each vertex of `boundary` to the next. Returns
-// nothing if their sum is not half a turn, or if some are negative. Sides that are too short for
-// their positions have the angle zero.
+// nothing if their sum is not pi, or if some are negative. Sides that are too short for their
+// positions have the angle zero.
 inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layout,
                                                     const std::vector<Vertex_index>& boundary)
 {
@@ -72,7 +72,7 @@ inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layo
                                                    : 1 + x * y;
       result.push_back(std::atan2(static_cast<double>(sine), static_cast<double>(cosine)));
     }
-    // against the direction of the boundary, angles between finite vertices are negative
+    // Against the direction of the boundary, angles between finite vertices are negative.
     if(*std::min_element(result.begin(), result.end()) >= 0 &&
        std::abs(std::accumulate(result.begin(), result.end(), -pi)) < 1e-6)
       return result;
@@ -96,7 +96,7 @@ inline std::vector<More_extended> log_scales_in_disk(const Spherical_layout& hal
   return result;
 }
 
-// Calls `find()`; a numerical error means that there is nothing.
+// Returns the result of `find()`, or nothing if it throws a numerical error.
 template <typename Find>
 auto unless_numbers_fail(const Find& find) -> decltype(find())
 {
@@ -107,7 +107,7 @@ auto unless_numbers_fail(const Find& find) -> decltype(find())
   }
 }
 
-// Maps a disk without vertices inside to an inscribed polygon, in numbers of type `FT`; returns
+// Maps a disk without vertices inside to an inscribed polygon, in numbers of type `FT`. Returns
 // nothing if they have too few digits.
 template <typename FT>
 std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
@@ -129,9 +129,9 @@ std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
   });
 }
 
-// Returns the greatest error of an exterior angle of a polygon, against the prescribed angles, on
-// both sides of the double. Lengths that rounding has changed differ on both, by much if there are
-// needles.
+// Returns the greatest error of an exterior angle of a polygon, compared with the prescribed
+// angles, on both sides of the double. Lengths changed by rounding differ on both sides, by much if
+// the surface has needles.
 inline std::optional<double> exterior_angle_error(const Doubled_problem& problem,
                                                   const Round_polygon& polygon)
 {
@@ -151,8 +151,8 @@ inline std::optional<double> exterior_angle_error(const Doubled_problem& problem
   });
 }
 
-// Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing
-// if there is no such map.
+// Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing if
+// no such map exists.
 // \pre the surface is a disk; `boundary` are the vertices of its boundary in cyclic order
 template <typename Visitor>
 std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,

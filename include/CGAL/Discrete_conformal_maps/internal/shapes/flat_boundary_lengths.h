@@ -27,8 +27,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// T_3 with its lengths in the plane, and the crossings of T_1. The boundary of the surface is the
-// axis of the flat double, and its edges are straight lines on it.
+// Stores T_3 with its lengths in the plane, and the crossings of T_1. The boundary of the surface
+// is the axis of the flat double, and its edges are straight lines on it.
 class Flat_strips
 {
   typedef Intrinsic_triangulations::Intrinsic_triangulation<
@@ -36,8 +36,8 @@ class Flat_strips
     Triangulation;
 
 public:
-  // `FT` has the range of the lengths. Lengths beyond the range of `double` are in proportion to
-  // the longest.
+  // `FT` has the range of the lengths. Lengths beyond the range of `double` are stored relative to
+  // the longest one.
   template <typename FT>
   Flat_strips(Doubled_problem& problem, const std::vector<FT>& scale)
   {
@@ -51,12 +51,12 @@ public:
       m_triangulation.flip(h);
   }
 
-  // for `lay_out_strip()`
+  // These members are needed by `lay_out_strip()`.
   const Delta_complex& mesh() const { return m_triangulation.mesh(); }
   const std::vector<double>& length_map() const { return m_length; }
 
-  // The length of the edge of `h`, a halfedge of T_1, as a straight line. It is zero if squares of
-  // the lengths that it crosses are out of range.
+  // Returns the length of the edge of `h`, a halfedge of T_1, as a straight line. It is zero if
+  // squares of the lengths that it crosses are out of range.
   double length(Halfedge_index h) const
   {
     const auto trace = trace_input_edge(m_triangulation, h);
@@ -88,7 +88,7 @@ private:
 };
 
 // Returns the lengths in the plane of the edges on the boundary of the surface, for these scale
-// factors; zero for others. With `is_wide`, lengths may be beyond the range of `double`.
+// factors, and zero for other edges. With `is_wide`, lengths may be beyond the range of `double`.
 inline std::vector<double> flat_boundary_lengths(Doubled_problem& problem,
                                                  const Eigen::VectorXd& scale, bool is_wide)
 {

@@ -16,26 +16,28 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The crossings of chords of a disk, from the order of their ends on the boundary alone. There are
-// two families; chords of one family do not cross. A chord leads from its first end to its last.
+// Computes the crossings of chords of a disk, from the order of their ends on the boundary alone.
+// Chords have two families, and chords of one family do not cross. A chord leads from its first end
+// to its last.
 //
-// Along the boundary, the open chords of one family are a stack. When a chord closes, it crosses
-// the chords of the other family that have been opened since it was.
+// Along the boundary, the open chords of one family form a stack. When a chord closes, it crosses
+// the chords of the other family that have been opened after it.
 class Chord_crossings
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 public:
-  // the chord that opens and closes first, and the one that the other crosses from its right to its
-  // left
+  // Stores the chord that opens and closes first, and the chord that the other one crosses from
+  // right to left.
   struct Crossing
   {
     std::size_t earlier, later;
     std::array<std::size_t, 2> rank; // its index along either
   };
 
-  // Chords 0, ..., n[0] - 1 are the first family, the next n[1] the second; `ends` has the chord of
-  // every end, in counterclockwise order. Complexity: linear in the ends and crossings.
+  // Computes the crossings. Chords 0, ..., n[0] - 1 are the first family, and the next n[1] chords
+  // are the second family. `ends` contains the chord of every end, in counterclockwise order.
+  // Complexity: linear in the ends and crossings.
   void compute(const std::array<std::size_t, 2>& n, const std::vector<std::size_t>& ends)
   {
     m_chords.assign(n[0] + n[1], Chord());
@@ -51,13 +53,13 @@ public:
 
   std::size_t number_on(std::size_t chord) const { return m_chords[chord].count; }
 
-  // crossing number `rank` on a chord
+  // Returns the crossing with number `rank` on a chord.
   std::size_t on(std::size_t chord, std::size_t rank) const
   {
     return m_order[m_chords[chord].first + rank];
   }
 
-  // whether `position` is the first end of its chord
+  // Returns whether `position` is the first end of its chord.
   bool is_first_end(std::size_t chord, std::size_t position) const
   {
     return m_chords[chord].begin == position;
@@ -98,8 +100,8 @@ private:
     ++m_chords[later].count;
   }
 
-  // If two chords cross, an end of one lies beside the other. Crossings along the latter are in the
-  // order of these ends.
+  // Orders the crossings along each chord. If two chords cross, one has an end beside the other.
+  // Along the latter, crossings are in the order of these ends.
   void order(const std::vector<std::size_t>& ends)
   {
     std::size_t first = 0;

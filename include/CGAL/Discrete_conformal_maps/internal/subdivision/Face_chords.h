@@ -20,7 +20,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// the part of an edge of A or C in a face of B, from its first end to its last
+// Represents the part of an edge of A or C in a face of B, from its first end to its last.
 template <typename FT>
 struct Chord
 {
@@ -31,14 +31,16 @@ struct Chord
   std::array<std::array<FT, 3>, 2> place;  // in the face of B
 };
 
-// an end of a chord: mark `mark` of side `side`, or the corner at which that side starts
+// Represents an end of a chord: mark `mark` of side `side`, or the corner at which that side
+// starts.
 struct Chord_end
 {
   std::size_t chord, side, mark;
   bool is_first;
 };
 
-// All chords in a face of B, and where they cross. To be used for many faces, one after the other.
+// Computes all chords in a face of B, and their crossings. An object is used for many faces, one
+// after the other.
 template <typename FT>
 class Face_chords
 {
@@ -48,7 +50,7 @@ class Face_chords
 public:
   explicit Face_chords(const Marked_edges<FT>& edges) : m_edges(edges) {}
 
-  // Complexity: linear in the marks and crossings.
+  // Computes the chords of a face. Complexity: linear in the marks and crossings.
   void set_face(Face_index f)
   {
     const std::array<std::size_t, 2> n = order_ends(f);
@@ -56,7 +58,7 @@ public:
     intersect();
   }
 
-  // Determines the chords of each family, whose numbers are returned, and which of them cross.
+  // Determines the chords of each family, and which of them cross. Returns the numbers of chords.
   std::array<std::size_t, 2> order_ends(Face_index f)
   {
     m_side = Intrinsic_triangulations::sides(f, m_edges.mesh());
@@ -78,7 +80,8 @@ public:
   const std::array<Halfedge_index, 3>& sides() const { return m_side; }
   const std::vector<Mark<FT>>& marks(std::size_t s) const { return m_marks[s]; }
 
-  // Returns the number of ends at corner `s`. They are counted counterclockwise along the boundary.
+  // Returns the number of ends at corner `s`. They are ordered counterclockwise along the boundary,
+  // from the side before the corner to the side after it.
   std::size_t number_at_corner(std::size_t s) const
   {
     return m_first_on_side[s] - m_first_at_corner[s];
@@ -96,13 +99,13 @@ public:
   const Chord<FT>& operator[](std::size_t chord) const { return m_chords[chord]; }
   const Chord_crossings& crossings() const { return m_crossings; }
 
-  // the positions of a crossing on the earlier and the later of its chords
+  // Returns the positions of a crossing on the earlier and the later of its chords.
   const std::array<FT, 2>& places(std::size_t crossing) const { return m_places[crossing]; }
 
 private:
   static constexpr std::size_t at_corner = static_cast<std::size_t>(-1);
 
-  // Sets the chord of every mark, and whether that ends at the corner opposite to its side.
+  // Sets the chord of every mark, and whether this chord ends at the corner opposite to its side.
   std::array<std::size_t, 2> number_chords()
   {
     const std::array<Face_regions, 2> regions{this->regions(0), this->regions(1)};
@@ -134,7 +137,8 @@ private:
     return Face_regions(n);
   }
 
-  // Chords that do not cross: the first of them at the corner is the last on the opposite side.
+  // Adds the ends at a corner. Chords do not cross, so the first one at the corner is the last one
+  // on the opposite side.
   void add_ends_at_corner(std::size_t s)
   {
     const std::size_t opposite = (s + 1) % 3;
@@ -181,7 +185,8 @@ private:
     return Intrinsic_triangulations::barycentric_coordinates(s, t);
   }
 
-  // Rounding may move a crossing along a chord, but never past another.
+  // Computes the crossings. Rounding may move a crossing along a chord, but never reorders
+  // crossings.
   void intersect()
   {
     m_places.resize(m_crossings.size());
@@ -197,9 +202,9 @@ private:
     }
   }
 
-  // The position on the shorter one comes from areas. The position on the longer one is the
-  // projection of the point so found. So both positions are the same point, however flat the
-  // angle.
+  // Returns the positions of an intersection. Areas determine the position on the shorter chord.
+  // The position on the longer chord is the projection of this point. So both positions are the
+  // same point, however flat the angle is.
   static std::array<FT, 2> intersection(const Chord<FT>& earlier, const Chord<FT>& later)
   {
     if(squared_length(earlier) < squared_length(later)) {
@@ -215,14 +220,14 @@ private:
     return Intrinsic_triangulations::internal::dot(c.place[0], c.place[1], c.place[0], c.place[1]);
   }
 
-  // positive if `p` is left of the chord
+  // Returns an area that is positive if `p` is left of the chord.
   static FT area(const Chord<FT>& c, const std::array<FT, 3>& p)
   {
     return Intrinsic_triangulations::internal::orientation(c.place[0], c.place[1], p);
   }
 
-  // the position of a line on a chord whose ends have these distances from it, which should not be
-  // negative
+  // Returns the position of a line on a chord whose ends have these distances from it, which should
+  // not be negative.
   static FT place_between(FT first, FT last)
   {
     first = (std::max)(first, FT(0));

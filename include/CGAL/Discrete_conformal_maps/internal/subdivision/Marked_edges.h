@@ -32,7 +32,7 @@ using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_point;
 using Intrinsic_triangulations::Vertex_location;
 
-// whether two meshes have the same connectivity, with the same numbers
+// Returns whether two meshes have the same connectivity, with the same indices.
 inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
 {
   if(a.num_vertices() != b.num_vertices() || a.num_halfedges() != b.num_halfedges() ||
@@ -53,7 +53,8 @@ std::array<FT, n> between(const std::array<FT, n>& a, const std::array<FT, n>& b
   return result;
 }
 
-// a point where an edge of triangulation A (family 0) or C (family 1) crosses a halfedge of B
+// Stores a point where an edge of triangulation A (family 0) or C (family 1) crosses a halfedge of
+// B.
 template <typename FT>
 struct Mark
 {
@@ -66,8 +67,8 @@ struct Mark
   Surface_point<FT> other; // in the other family's triangulation
 };
 
-// The marks of both families on the edges of B, in one order. The order of either family is exact.
-// Between the two families their positions decide, and if these are equal, A comes first along the
+// Stores the marks of both families on the edges of B, in one order. The order of each family is
+// exact. Positions decide between the two families. If they are equal, A comes first along the
 // first halfedge.
 template <typename FT>
 class Marked_edges
@@ -95,7 +96,7 @@ public:
           locate_others(family, e);
   }
 
-  // the connectivity of B, and of A or C
+  // Returns the connectivity of B, and of A or C.
   const Delta_complex& mesh() const { return m_mesh; }
   const Delta_complex& mesh(std::size_t family) const { return *m_other[family]; }
 
@@ -105,7 +106,7 @@ public:
     return family == 0 ? m_count_of_A[e] : m_numbers.size(e) - m_count_of_A[e];
   }
 
-  // mark `p` on the halfedge `h`, counted from its source
+  // Returns mark `p` on the halfedge `h`, counted from its source.
   Mark<FT> mark(Halfedge_index h, size_type p) const
   {
     Mark<FT> m = m_marks[m_numbers(h, p)];
@@ -117,7 +118,8 @@ public:
     return m;
   }
 
-  // the last halfedge of the family's triangulation at or clockwise from `h` around its source
+  // Returns the last halfedge of the family's triangulation at or clockwise from `h` around its
+  // source.
   Halfedge_index outgoing(std::size_t family, Halfedge_index h) const
   {
     return m_outgoing[family][h];
@@ -169,8 +171,8 @@ private:
                        {}});
   }
 
-  // Between two marks of one family, or an end of the edge, the edge is straight in that
-  // triangulation.
+  // Locates marks of the other family. Between two marks of one family, or an end of the edge, the
+  // edge is straight in the triangulation of this family.
   void locate_others(std::size_t family, Edge_index e)
   {
     const Halfedge_index h = first_halfedge(e);

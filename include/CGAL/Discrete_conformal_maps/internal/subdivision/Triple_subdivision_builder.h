@@ -23,8 +23,8 @@
 
 namespace CGAL::Discrete_conformal_maps {
 
-// Cuts each face of B along its chords. The pieces of edges of B come first; a chord with n
-// crossings consists of n + 1 pieces too.
+// Cuts each face of B along its chords. The pieces of edges of B come first. A chord with n
+// crossings also consists of n + 1 pieces.
 template <typename FT, typename Point>
 class Triple_subdivision<FT, Point>::Builder
 {
@@ -35,7 +35,7 @@ class Triple_subdivision<FT, Point>::Builder
   typedef Intrinsic_triangulations::Vertex_location Vertex_location;
   typedef std::array<Surface_point<FT>, 2> On_A_and_C;
 
-  // numbers of elements inside faces of B
+  // Counts elements inside faces of B.
   struct Size
   {
     std::uint64_t vertices, edges, faces;
@@ -72,7 +72,7 @@ private:
     Intrinsic_triangulations::for_each_in_chunks<Index>(m_concurrency, m_b, f);
   }
 
-  // Calls `f(builder, f)` for the faces of B. One builder serves for the faces of a chunk.
+  // Calls `f` for all faces with a builder that is used for all faces of a chunk.
   template <typename Function>
   void for_each_face(const Function& f)
   {
@@ -120,7 +120,8 @@ private:
       [&] { m_result.resize_mesh(vertices, edges, faces); });
   }
 
-  // Vertices of several faces have positions in the last of these faces.
+  // Returns whether `f` is the last face at the source of `h`. Vertices of several faces have
+  // positions in the last of these faces.
   bool is_last_at_source(Face_index f, Halfedge_index h) const
   {
     return m_last_face[m_b.source(h)] == f;
@@ -134,7 +135,7 @@ private:
   static Layer layer(std::size_t family) { return family == 0 ? Layer::A : Layer::C; }
   static Halfedge_index opposite(Halfedge_index h) { return Intrinsic_triangulations::opposite(h); }
 
-  // piece `p` of the halfedge `h` of B, counted from its source
+  // Returns piece `p` of the halfedge `h` of B, counted from its source.
   Halfedge_index piece_of_side(Halfedge_index h, std::size_t p) const
   {
     return m_numbers.piece(h, static_cast<size_type>(p));
@@ -159,7 +160,7 @@ private:
         m_result.set_parent(layer(family), piece, m_marks.outgoing(family, h));
   }
 
-  // edges on the boundary have no marks, hence are one piece each
+  // Edges on the boundary have no marks, hence they are one piece each.
   void link_border(Halfedge_index h)
   {
     if(m_b.is_border(h))
@@ -181,7 +182,7 @@ private:
   typename Base::Mesh& m_mesh;
 };
 
-// Cuts one face after the other.
+// Cuts faces one after the other.
 template <typename FT, typename Point>
 class Triple_subdivision<FT, Point>::Builder::Face_builder
 {
@@ -194,8 +195,8 @@ public:
       m_chords(builder.m_marks)
   {}
 
-  // Lines that meet at the boundary only cut a disk into one part more than there are of them, and
-  // each crossing adds one.
+  // Returns the numbers of elements in a face. Lines that meet only at the boundary cut a disk into
+  // one part more than their number. Each crossing adds one part.
   Size size(Face_index f)
   {
     m_chords.order_ends(f);
@@ -221,7 +222,7 @@ public:
   }
 
 private:
-  // a halfedge and the faces of A and C on its left
+  // Stores a halfedge and the faces of A and C on its left.
   struct Linked
   {
     Halfedge_index halfedge;
@@ -236,7 +237,7 @@ private:
     return m_builder.piece_of_side(h, p);
   }
 
-  // piece `i` of a chord, counted from its first end
+  // Returns piece `i` of a chord, counted from its first end.
   Halfedge_index piece_of_chord(std::size_t chord, std::size_t i) const
   {
     return Halfedge_index(2 * (m_first_piece[chord] + static_cast<size_type>(i)));
@@ -285,7 +286,7 @@ private:
     }
   }
 
-  // Each part has one of the halfedges that have been linked, at first.
+  // Adds the parts. Each part is found by one of the linked halfedges.
   void add_parts()
   {
     auto part = static_cast<size_type>(m_builder.m_first[m_face].faces);
@@ -294,7 +295,7 @@ private:
         m_result.set_face(Face_index(part++), h, {face_of_A, m_face, face_of_C});
   }
 
-  // At the target of `in`, `out` is the next halfedge around the face on their left.
+  // Links `in` with `out`, the next halfedge around the face on their left.
   void link(Halfedge_index in, Halfedge_index out, const On_A_and_C& on_A_and_C, bool is_last)
   {
     m_mesh.set_next(in, out);
@@ -322,8 +323,8 @@ private:
     }
   }
 
-  // From the side after the corner to the side before it. Each region between chords is in the face
-  // on the left of the last outgoing halfedge passed.
+  // Links the halfedges at a corner, from the side after it to the side before it. Each region
+  // between chords is in the face on the left of the last outgoing halfedge passed.
   void link_corner(std::size_t s)
   {
     const Halfedge_index before = m_chords.sides()[(s + 2) % 3], after = m_chords.sides()[s];
@@ -353,7 +354,7 @@ private:
         m_builder.place(Layer::B, mark.vertex) = Edge_location{h, {1 - mark.here, mark.here}};
   }
 
-  // The later chord crosses the earlier one from right to left.
+  // Links the halfedges at a crossing. The later chord crosses the earlier one from right to left.
   void link_crossing(std::size_t x)
   {
     const auto& crossing = m_chords.crossings()[x];
@@ -374,7 +375,7 @@ private:
     link(opposite(d_out), c_out, place(true, false), true);
   }
 
-  // a point of a chord, in the face of A or C on one of its sides
+  // Returns a point of a chord, in the face of A or C on one of its sides.
   Edge_location place_on_chord(std::size_t c, const FT& t, bool is_left) const
   {
     const auto& chord = m_chords[c];

@@ -23,7 +23,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The image in the plane of the boundary of a surface, and how far it is from a shape.
+// Represents the image in the plane of the boundary of a surface, and measures its distance from a
+// shape.
 class Boundary_image
 {
 public:
@@ -89,7 +90,8 @@ public:
 private:
   const Point& position(Vertex_index v) const { return m_position[v.idx()]; }
 
-  // Points z = x + iy of a circle obey |z|^2 = a x + b y + c; distances are from their mean.
+  // Returns the center of the circle that fits vertices best. Points z = x + iy of a circle satisfy
+  // |z|^2 = a x + b y + c; distances are from their mean.
   Point center_of(const Vertices& vertices) const
   {
     Point mean = 0;

@@ -22,7 +22,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The positions of the faces of T_3 in the plane.
+// Stores the positions of the faces of T_3 in the plane.
 struct Planar_layout
 {
   bool exists = false;
@@ -32,15 +32,14 @@ struct Planar_layout
   double scale = 1;                           // by which positions have been multiplied since then
 };
 
-// The faces of T_3 in the plane as positions in `double` show them, compared with their scaled
-// lengths.
+// Compares the faces of T_3 in the plane, with positions in `double`, with their scaled lengths.
 //
-// A side or a face is crowded if the picture has not its shape, and rounding of its corners alone
-// can be the reason. Errors are errors of all others.
+// A side or a face is crowded if it has another shape in the picture, and rounding of its corners
+// alone can be the reason. Errors are the errors of all other sides and faces.
 class Plane_picture
 {
 public:
-  // The picture refers to both.
+  // The picture refers to both arguments.
   Plane_picture(const Map_data& data, const Planar_layout& layout)
     : m_data(data),
       m_layout(layout),
@@ -56,7 +55,7 @@ public:
 
   bool is_laid_out(Face_index f) const { return f.is_valid() && m_layout.is_laid_out[f.idx()]; }
 
-  // whether the side `h` of a face that is laid out is crowded
+  // Returns whether the side `h` of a face that is laid out is crowded.
   bool is_crowded(Halfedge_index h) const { return m_is_crowded[h.idx()] != 0; }
 
   bool is_crowded(Face_index f) const
@@ -66,7 +65,7 @@ public:
            (!is_positive(f) && height(f) <= m_rounding);
   }
 
-  // for each face of T_3
+  // Returns for each face of T_3 whether it is crowded.
   std::vector<char> crowded_faces() const
   {
     std::vector<char> result(mesh().num_faces(), 0);
@@ -75,7 +74,7 @@ public:
     return result;
   }
 
-  // Returns the number of faces that are turned over or have no area, exactly.
+  // Returns the number of faces that are reversed or have no area, exactly.
   std::size_t number_of_collapsed_faces() const
   {
     const auto faces = mesh().faces();
@@ -85,7 +84,7 @@ public:
   }
 
   // Returns the greatest relative difference of a length in the plane from the scaled length. The
-  // two sides of a seam have the same scaled length: without a difference, the charts close up.
+  // two sides of a seam have the same scaled length. If it is zero, the charts close up.
   double edge_length_error() const
   {
     double result = 0;
@@ -95,8 +94,9 @@ public:
     return result;
   }
 
-  // With circles, the error of the Gram coordinates, hence of inversive distances. Radii are
-  // scaled by their factors, and distances of centers are distances of positions.
+  // Returns the greatest error of a cross ratio. With circles, it is the error of the Gram
+  // coordinates, hence of inversive distances. Radii are scaled by their factors, and distances of
+  // centers are distances of positions.
   double max_cross_ratio_error() const
   {
     if(m_data.bc.traits().has_radii())
@@ -112,7 +112,7 @@ public:
       mesh(), counts, [this](Halfedge_index h) { return length_of(h); }, ideal);
   }
 
-  // whether every difference from the scaled lengths is rounding
+  // Returns whether every difference from the scaled lengths is a rounding error.
   bool is_faithful() const
   {
     return edge_length_error() <= tolerance::promised_length / 8 &&
@@ -135,7 +135,7 @@ private:
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
   const std::complex<double>& at(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
-  // in the plane
+  // Returns the length in the plane.
   double length_of(Halfedge_index h) const
   {
     return std::abs(at(mesh().next(h)) - at(h)) / m_layout.scale;
@@ -143,16 +143,16 @@ private:
 
   double scaled_length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
-  // Returns whether rounding of positions changes a length by too much for a cross ratio, which has
-  // the errors of four lengths. A length of zero is out of range.
+  // Returns whether rounding has changed a cross ratio, which has the errors of four lengths. A
+  // length of zero is a length out of range.
   bool has_changed_by_rounding(Halfedge_index h) const
   {
     const double length = scaled_length(h), error = std::abs(length_of(h) - length);
     return (length == 0 || error > tolerance::promised_length / 8 * length) && error <= m_rounding;
   }
 
-  // Returns the greatest coordinate. Charts have been moved, so small positions can have the
-  // rounding of large ones.
+  // Returns the greatest coordinate. Charts have been moved, so positions that are small now have
+  // the rounding errors of their earlier positions.
   double size() const
   {
     double result = 0;
@@ -172,7 +172,7 @@ private:
            0;
   }
 
-  // Returns the height of a face with the scaled lengths over its longest side.
+  // Returns the height above the longest side of a triangle with the scaled lengths.
   double height(Face_index f) const
   {
     const auto side = sides(f, mesh());

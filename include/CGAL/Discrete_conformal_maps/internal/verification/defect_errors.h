@@ -21,14 +21,16 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The greatest differences of curvatures and exterior angles from those prescribed, in radians.
+// Stores the greatest differences of curvatures and exterior angles from the prescribed ones, in
+// radians.
 struct Defect_errors
 {
   double curvature = 0, exterior_angle = 0;
 
   double greatest() const { return greater_error(curvature, exterior_angle); }
 
-  // The first that are made of any map. Without a layout, lengths can be too small to be measured.
+  // Returns the first promises about any map. Without a layout, lengths can be too small to be
+  // measured.
   std::vector<Map_promise> promises(bool is_laid_out,
                                     double bound = tolerance::promised_angle) const
   {
@@ -39,8 +41,8 @@ struct Defect_errors
 };
 
 // Measures the angles of `mesh`, which is T_3, with these lengths of edges. Compares their sums at
-// the vertices of the surface with the conditions of the problem. Precondition: the problem has
-// its surface yet.
+// the vertices of the surface with the conditions of the problem. Precondition: the problem still
+// stores its surface.
 template <typename Triangle, typename FT>
 Defect_errors defect_errors(const Doubled_problem& problem, const Delta_complex& mesh,
                             const std::vector<FT>& length)
@@ -59,7 +61,7 @@ Defect_errors defect_errors(const Doubled_problem& problem, const Delta_complex&
   for(Vertex_index v : problem.surface().vertices()) {
     if(problem.is_fixed()[v.idx()])
       continue;
-    // the double has twice the exterior angle
+    // The double has twice the exterior angle.
     const bool is_outside = problem.is_on_boundary(v);
     double& error = is_outside ? result.exterior_angle : result.curvature;
     error = greater_error(error, problem.part(v.idx()) * std::abs(defect[v.idx()].value()));
@@ -67,7 +69,7 @@ Defect_errors defect_errors(const Doubled_problem& problem, const Delta_complex&
   return result;
 }
 
-// Returns the errors of a surface that cannot be measured, since lengths are out of range.
+// Returns the errors of a surface that has not been measured, because lengths are out of range.
 inline Defect_errors unknown_defect_errors()
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

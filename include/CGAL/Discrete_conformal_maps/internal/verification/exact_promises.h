@@ -25,7 +25,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// How far scale factors are from the minimum of an energy.
+// Stores the errors of scale factors at a point, compared with the minimum of an energy.
 struct Scale_errors
 {
   double gradient = 0, step = 0; // the greatest derivative, and change in a step of Newton's method
@@ -66,10 +66,9 @@ Scale_errors scale_errors(const Energy& energy, const Minimization_domain& domai
   return {max_norm(gradient), has_Laplacian ? newton_step(energy, variables, gradient) : 0};
 }
 
-// Returns the promises of rounded lengths and scale factors on the exact surface; nothing if 1024
-// bits are too few for that. `measure()` returns the errors of the scale factors, while the
-// problem has lengths of the exact surface. Nothing is promised if the problem has had them
-// before.
+// Returns the promises of rounded lengths and scale factors on the exact surface. Returns nothing
+// if 1024 bits do not suffice. `measure()` returns the errors of the scale factors, while the
+// problem has lengths of the exact surface. Nothing is promised if the problem has had them before.
 template <typename Measure>
 std::vector<Map_promise> exact_promises(Doubled_problem& problem, const Measure& measure)
 {

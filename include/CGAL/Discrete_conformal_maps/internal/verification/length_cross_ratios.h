@@ -21,8 +21,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h
-// is ij.
+// Returns the length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj),
+// where h is ij.
 template <typename Length>
 auto length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
 {
@@ -31,9 +31,9 @@ auto length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Lengt
          (length(mesh.next(o)) / length(mesh.prev(o)));
 }
 
-// The greatest relative error of a length cross ratio, of the edges of halfedges that count. It
-// compares the lengths of halfedges in an image with their lengths on the surface, up to scale
-// factors.
+// Returns the greatest relative error of a length cross ratio, for the edges of halfedges that
+// count. It compares the lengths of halfedges in an image with their lengths on the surface, up to
+// scale factors.
 template <typename Counts, typename In_image, typename Ideal>
 double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& counts,
                                   const In_image& in_image, const Ideal& ideal)
@@ -47,8 +47,8 @@ double greatest_cross_ratio_error(const Delta_complex& mesh, const Counts& count
   return result;
 }
 
-// The error for points in the plane, and one at infinity, whose distances are all the same.
-// `length` gives the prescribed length of an edge. An edge of a border does not count. Neither
+// Returns the greatest error for points in the plane, and one at infinity, whose distances are all
+// equal. `length` returns the prescribed length of an edge. Edges on a border do not count. Neither
 // does an edge if `is_known()` is false for a side of its faces.
 template <typename FT, typename Length, typename Is_known>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
@@ -79,8 +79,8 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
     [&](Halfedge_index h) { return converted<Distance>(length(Edge_index(h))); });
 }
 
-// Whether stored positions in the plane, in the range of squares, determine their distance with
-// the digits that a cross ratio is promised to have.
+// Returns whether stored positions in the plane, in the range of squares, determine their distance
+// with the digits promised for a cross ratio.
 inline bool has_known_distance(const std::array<Extended, 2>& p, const std::array<Extended, 2>& q)
 {
   double size = 0, distance = 0;

@@ -20,7 +20,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns the angle opposite to `h` in its face, with the cosine and the sine themselves.
+// Returns the angle opposite to `h` in its face. Its cosine and sine are normalized.
 template <typename FT>
 Corner<FT> unit_corner_facing(Halfedge_index h, const Delta_complex& mesh,
                               const std::vector<FT>& length)
@@ -33,10 +33,10 @@ Corner<FT> unit_corner_facing(Halfedge_index h, const Delta_complex& mesh,
   return {corner.cosine / size, corner.sine / size};
 }
 
-// Returns by how much the length of the other diagonal by Ptolemy's relation exceeds its length in
-// the plane, relatively. For opposite angles of a sum t, this is half of 2 a c b d (1 + cos t) /
-// (a c + b d)^2 (Bretschneider's formula). A diagonal that is Delaunay may have another length in
-// the ideal polyhedron.
+// Returns the relative excess of the length of the other diagonal by Ptolemy's relation over its
+// length in the plane. For opposite angles of a sum t, this is half of 2 a c b d (1 + cos t) / (a c
+// + b d)^2 (Bretschneider's formula). A diagonal that is Delaunay may have another length in the
+// ideal polyhedron.
 template <typename FT>
 double ideal_length_error(Halfedge_index h, const Delta_complex& mesh,
                           const std::vector<FT>& length)
@@ -50,9 +50,9 @@ double ideal_length_error(Halfedge_index h, const Delta_complex& mesh,
   return static_cast<double>(p / (p + q) * (q / (p + q)) * (1 + sum.cosine));
 }
 
-// Returns how far T_2 with lengths in `double` is from the exact surface, on which its edges have
-// the lengths `exact`. It is the greatest relative error of a length. Lengths of edges that cross
-// edges that should have been flipped count, too.
+// Returns the error of T_2 with lengths in `double`, compared with the exact surface, on which its
+// edges have the lengths `exact`. It is the greatest relative error of a length. Lengths of edges
+// that cross edges that should have been flipped count, too.
 template <typename FT>
 double metric_error(const Intrinsic_triangulations::Intrinsic_triangulation<>& t,
                     const std::vector<FT>& exact)
