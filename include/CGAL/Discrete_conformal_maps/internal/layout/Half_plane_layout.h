@@ -117,7 +117,7 @@ private:
       m_direction = FT(1 / length) * v;
   }
 
-  // Stores a shortest path by which a vertex gets the shift of a point on the axis.
+  // Stores the shift of a vertex with the greatest length on its path from the axis.
   struct Shift
   {
     FT size; // the square of the greatest length on the way
