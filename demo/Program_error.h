@@ -10,14 +10,15 @@
 #include <exception>
 #include <stdexcept>
 
-// The input or the call is wrong: exit code 2. Any other exception is a failed computation: 1.
+// Reports a wrong input or call: exit code 2. Any other exception is a failed computation: exit
+// code 1.
 class Program_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-// A map lacks something it should have.
+// Reports a map without a property that it must have.
 class Map_failure : public CGAL::Intrinsic_triangulations::Numerical_error
 {
 public:

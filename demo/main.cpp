@@ -12,8 +12,8 @@
 
 namespace {
 
-// Keeps memory that is given back for the next use of it. Where large arrays come and go, asking
-// the system for new pages and clearing them would take up to a quarter of the time.
+// Keeps freed memory for its next use. If large arrays are allocated and freed, the system would
+// spend up to a quarter of the time on new pages and their initialization.
 void keep_memory()
 {
 #ifdef __GLIBC__

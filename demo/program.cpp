@@ -23,7 +23,7 @@
 
 namespace {
 
-// Help and version are not errors.
+// Returns the exit code. Help and version are not errors.
 int exit_code(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv)
 {
   const bool is_error = e.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
@@ -40,7 +40,7 @@ int report(const std::exception& e, int code)
   return code;
 }
 
-// What can be tried if there is no map at all; empty for other commands.
+// Returns advice if no map exists at all, or an empty text for other commands.
 std::string advice(const CLI::App& app)
 {
   for(const char* map : {"flatten", "hyperbolic", "uniformize", "sphere"})
@@ -49,7 +49,8 @@ std::string advice(const CLI::App& app)
   return "";
 }
 
-// For as long as it lives, no more threads are used; 0 for no limit. Without TBB there is one.
+// Limits the number of threads during its lifetime, where 0 means no limit. Without TBB, the
+// program uses one thread.
 class Thread_limit
 {
 public:

@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-// What can stand on the command line, and the command that is called.
+// Stores the possible arguments of the command line, and the command that is called.
 class Command_line
 {
 public:
@@ -28,7 +28,7 @@ public:
   // Runs the command that is called, and returns its exit code.
   int run() const { return m_run(); }
 
-  // Adds a command with options of its own, which it returns; `help` follows their description.
+  // Adds a command with its own options, which it returns. `help` follows their description.
   template <class Own_options>
   std::pair<CLI::App&, Own_options&> add(const char* name, const char* description,
                                          int (*run)(const Common_options&, const Own_options&),
@@ -91,7 +91,7 @@ void add_output(CLI::App& command, Output_options& options, const std::string& w
                 const std::string& formats);
 void add_common_options(CLI::App& command, Common_options& options);
 void add_statistics(CLI::App& command, Common_options& options);
-// Those about the input.
+// Adds the options about the input.
 void add_input_options(CLI::App& command, Common_options& options);
 void add_save(CLI::App& command, Common_options& options);
 void add_direct(CLI::App& command, Common_options& options);
@@ -100,16 +100,18 @@ void add_exact(
   const char* what = "Decide exactly which edges are Delaunay, and certify the triangulation");
 void add_neighbors(CLI::App& command, Common_options& options);
 
-// Of the commands that map surfaces, and of those that map each component on its own.
+// Adds the option for commands that map surfaces, and for commands that map each component
+// separately.
 void add_keep_going(CLI::App& command, Common_options& options);
 void add_components(CLI::App& command, Common_options& options);
 void add_texture_output(CLI::App& command, Texture_options& options);
 
-// Of the commands whose output is the common subdivision.
+// Adds the options for commands whose output is the common subdivision.
 void add_subdivision_options(CLI::App& command, Subdivision_options& options,
                              Common_options& common);
 
-// The number of insertions, and for the commands that refine only if it is wanted, the angle.
+// Adds the option for the number of insertions, and the angle for commands that refine only
+// optionally.
 void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
                                       const std::string& exception = "");
 void add_angle(CLI::App& command, Refinement_bounds& bounds);

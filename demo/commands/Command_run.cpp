@@ -46,7 +46,7 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
   restart(options.mollification);
 }
 
-// Has no progress bar: repairs and notes are printed meanwhile.
+// Reads without a progress bar, because repairs and notes are printed meanwhile.
 void Command_run::read(bool is_quiet)
 {
   m_stage = "read";
@@ -106,7 +106,7 @@ void Command_run::end_stage()
   m_stage.clear();
 }
 
-// All vertices stay, with their indices.
+// Keeps all vertices, with their indices.
 void Command_run::keep_chosen_component()
 {
   const auto components = component_faces(m_input.mesh);
@@ -216,7 +216,7 @@ void Command_run::plan(const std::vector<Stages>& parts)
   m_progress.set_stages(std::move(all));
 }
 
-// Without what differs between runs.
+// Writes the page without data that differ between runs.
 void Command_run::write_page()
 {
   show([&](View_page& page) {
@@ -229,7 +229,7 @@ void Command_run::write_page()
 
 namespace {
 
-// Says that a result is not what was asked for with --exact.
+// Returns a message if a result is not certified although --exact requires it.
 std::string certificate_summary(const Statistics& s)
 {
   if(!s.contains("certified") || s["certified"] == true)

@@ -19,25 +19,25 @@
 #include <string>
 #include <vector>
 
-// Names of stages, in their order.
+// Stores names of stages, in their order.
 using Stages = std::vector<std::string>;
 
-// What the commands on intrinsic triangulations do alike: they read a mesh, go through stages, each
-// of them timed, gather statistics, and let all files appear together at the end.
+// Provides the common parts of commands on intrinsic triangulations. They read a mesh, run timed
+// stages, gather statistics, and let all files appear together at the end.
 class Command_run
 {
 public:
-  // Reads the input, after the paths of the command, `outputs`, and the common ones are checked. It
-  // must be a surface, unless soups are allowed.
+  // Reads the input, after the paths of the command, `outputs`, and the common paths are checked.
+  // It must be a surface, unless soups are allowed.
   // Throws Program_error as `Output` and `read_input()` do.
   Command_run(const std::string& command, const Common_options& options,
               std::vector<std::string> outputs, bool are_soups_allowed = false);
 
-  // Forgets what came after the input had been read; another result is to be computed, with
-  // lengths of edges mollified by `epsilon` unless it is zero.
+  // Discards all results since the input was read, in order to compute another result. Lengths of
+  // edges are mollified by `epsilon` unless it is zero.
   void restart(double epsilon);
 
-  // Lets a map that is no success be written.
+  // Allows the output of a map that is not a success.
   void set_failure_expected(bool is_expected) { m_options.is_failure_expected = is_expected; }
 
   // Sets the stages after the input has been read, except the last, "write".
@@ -46,17 +46,18 @@ public:
   const Common_options& options() const { return m_options; }
   Input_mesh& input() { return m_input; }
   const Input_mesh& input() const { return m_input; }
-  // Frees what the input has beside points, unless a page or a picture is wanted.
+  // Frees all data of the input except for points, unless a page or a picture is requested.
   void keep_points_only();
-  // The points and faces of the input, without the faces of its cover.
+  // Returns the points and faces of the input, without the faces of its cover.
   Output_mesh input_as_read() const;
   Progress_bar& progress() { return m_progress; }
   Statistics& statistics() { return m_statistics; }
 
-  // Begins a stage that lasts until the next. The seconds of stages with one name are added up.
+  // Begins a stage that lasts until the next one. The seconds of stages with the same name are
+  // added up.
   void start_stage(const std::string& name);
 
-  // Returns what `stage()` returns, a stage of its own.
+  // Returns the result of `stage()`, which is a separate stage.
   template <class Stage>
   auto timed(const std::string& name, const Stage& stage)
   {
@@ -70,12 +71,12 @@ public:
     return stage();
   }
 
-  // Nothing if the path is empty.
+  // Adds the output `path`, but does nothing if the path is empty.
   void add_output(const std::string& path, const std::string& content)
   {
     m_output.add(path, [&](Text& text) { text << content; });
   }
-  // Calls `write(text)`.
+  // Adds the output that `write(text)` writes.
   void add_output(const std::string& path, const std::function<void(Text&)>& write)
   {
     m_output.add(path, write);
@@ -90,7 +91,7 @@ public:
     });
   }
 
-  // Calls `add(page)` with what shows the result in a page or a picture, if one is wanted.
+  // Calls `add(page)`, which adds the result to a page or a picture, if one is requested.
   template <class Add>
   void show(const Add& add)
   {
@@ -99,7 +100,7 @@ public:
   }
 
   // Adds the statistics to the files, makes these appear and prints the summary.
-  // Throws std::logic_error if a stage that was planned has not come.
+  // Throws std::logic_error if a planned stage has not been started.
   void finish(const std::string& summary);
 
 private:
@@ -110,11 +111,11 @@ private:
   void describe_cover();
   void write_page();
 
-  // Takes faces of the cover, or those that were kept, to those of the input, and names the
-  // polygons that these are parts of.
+  // Maps faces of the cover, or faces that were kept, to faces of the input. Names the polygons
+  // that contain these faces.
   Output_mesh with_input_faces(Output_mesh mesh) const;
 
-  // Nothing if none has been started.
+  // Ends the stage, but does nothing if none has been started.
   void end_stage();
 
   const std::string m_command;

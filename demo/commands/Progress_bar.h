@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// One line on the terminal that shows which of several stages is running; nothing elsewhere.
+// Shows on one line of the terminal which of several stages is running. Shows nothing elsewhere.
 class Progress_bar
 {
 public:
@@ -22,21 +22,22 @@ public:
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
 
-  // Sets the stages to come, each with its own name.
+  // Sets the planned stages, each with its own name.
   void set_stages(std::vector<std::string> names) { m_names = std::move(names); }
   const std::vector<std::string>& stages() const { return m_names; }
 
-  // Stages may come in another order, and again. Throws std::logic_error if none has this name.
+  // Starts a stage. Stages may come in another order, and again. Throws std::logic_error if none
+  // has this name.
   void start_stage(const std::string& name);
 
-  // One more step of the stage; cheap enough for inner loops.
+  // Counts one more step of the stage; cheap enough for inner loops.
   void step()
   {
     if(++m_steps % 4096 == 0 && m_is_shown)
       draw();
   }
 
-  // One more step, which takes so long that it is worth telling.
+  // Counts one more step, which takes so long that it is shown at once.
   void long_step()
   {
     ++m_steps;
@@ -44,7 +45,7 @@ public:
       draw();
   }
 
-  // Makes room for other text.
+  // Clears the line for other text.
   void clear() const;
 
 private:

@@ -13,15 +13,15 @@
 #include <cstddef>
 #include <string>
 
-// What a command reports about its work, in the order in which it was reported.
-// Numbers that are not finite become null.
+// Stores the report of a command, in the order of additions. Numbers that are not finite become
+// null.
 using Statistics = nlohmann::ordered_json;
 
-// The keys that all commands share.
+// Returns the keys that all commands share.
 Statistics common_statistics(const std::string& command, const std::string& input,
                              const CGAL::Intrinsic_triangulations::Input_diagnosis& diagnosis);
 
-// As text; a file name that is not UTF-8 is made so.
+// Returns the statistics as text. A file name that is not UTF-8 is converted.
 std::string text_of(const Statistics& statistics);
 
 // Adds the size of a common subdivision.
@@ -35,7 +35,7 @@ class Stopwatch
   using Clock = std::chrono::steady_clock;
 
 public:
-  // Since the construction.
+  // Returns the seconds since the construction.
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
 
 private:

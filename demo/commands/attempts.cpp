@@ -21,7 +21,7 @@ struct Slack
 };
 constexpr Slack slacks[] = {{"1e-8", 1e-8}, {"1e-6", 1e-6}};
 
-// Whether the lengths of the edges may be changed.
+// Returns whether the lengths of the edges may be changed.
 bool can_be_mollified(const Common_options& options)
 {
   return !options.is_exact && !options.is_strict && options.mollification == 0;

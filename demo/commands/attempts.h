@@ -9,12 +9,13 @@
 
 #include <functional>
 
-// Returns what `compute()` returns, an exit code. What rounding makes impossible is computed again
-// with longer edges, if triangles are almost flat; if that fails, too, the error is that of the
-// surface as it is. A map that is no success is written if that is wanted and there is no other.
+// Returns the result of `compute()`, an exit code. If rounding makes it impossible because of
+// almost flat triangles, it is computed again with longer edges. If this fails, too, the error of
+// the unchanged surface is thrown. A map that is not a success is written if this is requested and
+// no other one exists.
 int attempt(Command_run& run, const std::function<int()>& compute);
 
-// Returns what a command returns that is a class.
+// Returns the result of a command that is a class.
 template <class Command, class Own_options>
 int attempted(const Common_options& common, const Own_options& options)
 {

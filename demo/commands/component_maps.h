@@ -20,23 +20,24 @@
 #include <utility>
 #include <vector>
 
-// Maps each component of the input on its own, and joins the results: plane images stand beside
-// each other, and so do spheres.
+// Maps each component of the input separately, and joins the results. Plane images and spheres are
+// arranged side by side.
 class Component_maps
 {
 public:
-  // Throws Program_error if a page or a picture is wanted, which show one component.
+  // Throws Program_error if a page or a picture is requested, because these show one component.
   explicit Component_maps(Command_run& run);
 
   std::size_t size() const { return m_components.size(); }
   Component_mesh component(std::size_t c) const;
 
-  // Calls `map(component, statistics)` for each, which adds its map and returns a summary; in the
-  // statistics is what each became. Throws the error of the first that fails, with its number:
-  // Invalid_input or Map_failure; but if failures are written, leaves it out.
+  // Calls `map(component, statistics)` for each component. This adds its map and returns a summary.
+  // The statistics contain the result of each component. Throws the first error with the number of
+  // the component: Invalid_input or Map_failure. If failures are written, omits the component
+  // instead.
   void for_each(const std::function<std::string(const Component_mesh&, Statistics&)>& map);
 
-  // Adds a map. Returns its summary. Throws Map_failure as `check_status()` does.
+  // Adds a map, and returns its summary. Throws Map_failure as `check_status()` does.
   template <class Map>
   std::string add(const Component_mesh& component, Statistics& statistics, const Map& map,
                   const Map_output& output)
@@ -51,7 +52,7 @@ public:
     return summary_of(map, statistics);
   }
 
-  // The first of the spheres has its center there, instead of in the origin.
+  // Sets the abscissa of the center of the first sphere, which is the origin by default.
   void set_first_center(double x) { m_center = x; }
 
   // Adds the mesh to the outputs, and ends the run. Returns the exit code. Throws Map_failure if no

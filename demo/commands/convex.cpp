@@ -38,7 +38,7 @@ struct Convex_options : Output_options
   std::optional<double> flatness; // the curvature up to which vertices are flat
 };
 
-// Of edges, relative to their lengths.
+// Errors of edges are relative to their lengths.
 constexpr double greatest_edge_error = 1e-9;
 
 constexpr const char* convex_help =
@@ -120,7 +120,7 @@ IT::Convex_polyhedron polyhedron_of(const Surface& surface, const Parameters& np
                   : IT::convex_polyhedron(surface, np);
 }
 
-// The surface of a net whose sides are glued.
+// Returns the surface of a net whose sides are glued.
 IT::Glued_surface glued(Command_run& run, const std::string& path)
 {
   const Mesh& mesh = run.input().mesh;
@@ -138,7 +138,8 @@ IT::Glued_surface glued(Command_run& run, const std::string& path)
   return result;
 }
 
-// The common subdivision on the polyhedron, with the places of its vertices on the input.
+// Returns the common subdivision on the polyhedron, with the positions of its vertices on the
+// input.
 Output_mesh subdivision_on(const IT::Convex_polyhedron& polyhedron, const Subdivision& subdivision)
 {
   Output_mesh result = subdivision_mesh(subdivision);

@@ -116,7 +116,7 @@ std::int64_t checked_vertex(const std::string& text, const std::string& path,
   return n;
 }
 
-// On the input.
+// Returns the sources on the input.
 Sources parsed_sources(const Distance_options& options, const std::string& path,
                        const Input_mesh& input)
 {
@@ -133,7 +133,7 @@ Sources parsed_sources(const Distance_options& options, const std::string& path,
   return result;
 }
 
-// On the triangulation T2.
+// Returns the sources on the triangulation T2.
 Sources sources_across(Sources sources, const Triangulation& triangulation)
 {
   if(sources.points.empty() && sources.curve.empty())
@@ -163,7 +163,8 @@ IT::Distance_sources<Surface> sources_on(const Surface& surface, const Sources& 
   return result;
 }
 
-// Of the input, those of a soup if there is a cover; then of inserted vertices.
+// Returns the positions of vertices of the input, or of the soup if it has a cover, and then of
+// inserted vertices.
 std::vector<Point> positions(const Triangulation& triangulation, const Input_mesh& input)
 {
   const auto& points = input.mesh.points();
@@ -176,7 +177,7 @@ std::vector<Point> positions(const Triangulation& triangulation, const Input_mes
 
 using Distances = IT::Geodesic_distances<double>;
 
-// A time for heat is a wish for heat.
+// Returns the method. A time for heat selects heat.
 IT::Distance_method library_method(const Distance_options& options)
 {
   if(options.method == "exact")
@@ -201,7 +202,7 @@ Distances rounded(const IT::Geodesic_distances<FT>& distances)
   return result;
 }
 
-// At the vertices of the input, then at inserted ones.
+// Returns the distances at the vertices of the input, then at inserted vertices.
 template <class Surface, class All_sources>
 IT::Geodesic_distances<IT::Length_of<Surface>>
 distances_on(const Surface& surface, const All_sources& sources, const Distance_options& options,
@@ -219,7 +220,8 @@ distances_on(const Surface& surface, const All_sources& sources, const Distance_
            : IT::geodesic_distances(surface, all, parameters);
 }
 
-// The heat of curves flows for longer than that of geodesic_distances().
+// Returns signed distances. The heat of curves flows for a longer time than in
+// geodesic_distances().
 std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
                                      double time_step_factor)
 {
@@ -237,7 +239,7 @@ std::vector<double> signed_distances(const Triangulation& triangulation, const S
   return {values.begin(), values.end()};
 }
 
-// The estimate compares them without their signs.
+// Returns signed distances. The estimate compares them without their signs.
 Distances signed_distances(const Triangulation& triangulation, const Sources& sources,
                            const Distance_options& options)
 {
@@ -294,7 +296,7 @@ void describe_method(Statistics& statistics, const Distances& distances)
   statistics["raised_vertices"] = distances.number_of_raised_vertices;
 }
 
-// At the vertices of the triangulation.
+// Returns the values at the vertices of the triangulation.
 std::vector<double> on_triangulation(const std::vector<double>& values,
                                      const Triangulation& triangulation,
                                      const std::optional<Covered_soup>& covered)
@@ -307,7 +309,7 @@ std::vector<double> on_triangulation(const std::vector<double>& values,
   return result;
 }
 
-// A vertex by its index.
+// Describes the sources. A vertex is described by its index.
 Statistics description(const Sources& sources, const Input_mesh& input)
 {
   Statistics result = Statistics::array();
@@ -338,8 +340,8 @@ Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
   return mesh;
 }
 
-// The subdivision with functions on the triangulation. A vertex is reachable or not like the ends
-// of its edge: both have a distance, or neither.
+// Returns the subdivision with functions on the triangulation. Vertices on an edge are reachable if
+// its ends are: both ends have a distance, or neither.
 Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdivision& subdivision)
 {
   Output_mesh result = subdivision_mesh(subdivision);
@@ -479,14 +481,14 @@ private:
     m_sources.curve = std::move(curves.segments);
   }
 
-  // These come before the inserted ones.
+  // Returns the values at vertices of the input, which come before inserted vertices.
   std::vector<double> at_input_vertices(const std::vector<double>& values)
   {
     return {values.begin(),
             values.begin() + static_cast<std::ptrdiff_t>(m_run.input().number_of_vertices())};
   }
 
-  // None if the file is not wanted.
+  // Returns the format, or nothing if the file is not requested.
   static std::optional<Mesh_format> format_of(const std::string& path,
                                               const Distance_options& options, Carried what)
   {
@@ -520,7 +522,7 @@ private:
     save(m_run, triangulation);
   }
 
-  // Ten with equal differences if none are given.
+  // Returns the levels, or ten levels with equal differences if none are given.
   std::vector<double> levels(const std::vector<double>& values) const
   {
     if(!m_options.levels.empty())
@@ -550,14 +552,14 @@ private:
     m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
   }
 
-  // Shortest paths take their time.
+  // Returns whether errors are known. Shortest paths may take too long.
   bool are_errors_known(const Triangulation& triangulation)
   {
     return m_method == IT::Distance_method::heat && !m_options.is_signed &&
            !m_run.input().covered && triangulation.mesh().number_of_vertices() <= most_vertices;
   }
 
-  // Of the heat method, at the vertices of the triangulation.
+  // Returns the errors of the heat method, at the vertices of the triangulation.
   std::vector<double> errors(std::vector<double> values, const Triangulation& triangulation) const
   {
     const auto surface = triangulation.intrinsic();
@@ -570,7 +572,7 @@ private:
     return values;
   }
 
-  // Points and curves come after the points of the subdivision.
+  // Shows the sources. Points and curves come after the points of the subdivision.
   void show_sources(View_page& page, const std::vector<Attribute>& functions,
                     const Subdivision& subdivision, const Triangulation& triangulation)
   {
@@ -592,7 +594,7 @@ private:
     page.add_marks(std::move(marks));
   }
 
-  // One for each vertex fan of the cover.
+  // Returns the sources that are vertices, one for each vertex fan of the cover.
   std::vector<std::int64_t> vertex_sources_on(const Triangulation& triangulation)
   {
     const std::optional<Covered_soup>& covered = m_run.input().covered;

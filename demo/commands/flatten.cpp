@@ -133,7 +133,7 @@ Examples:
   intrinsic flatten bunny.obj -o atlas.obj --no-overlap --unit-square
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
-// Greedy, except for shapes that need no cones.
+// Sets the default options. Cones are placed greedily, except for shapes that need no cones.
 Flatten_options with_defaults(Flatten_options options, bool is_exact)
 {
   check_boundary(options);
@@ -232,7 +232,8 @@ private:
                     .visitor(std::ref(m_visitor)));
   }
 
-  // Throws Program_error, which names the mesh, if it is not for the shape.
+  // Maps the mesh to a shape. Throws Program_error, which names the mesh, if it does not fit the
+  // shape.
   template <class Parameters>
   Planar_map shaped(const Parameters& np)
   {
@@ -249,7 +250,7 @@ private:
     }
   }
 
-  // The triangulations of the map and the order of their crossings.
+  // Certifies the triangulations of the map and the order of their crossings.
   void certify(const Planar_map& map)
   {
     check_status(m_run, map, map.is_laid_out());
@@ -272,7 +273,7 @@ private:
     statistics["undecided_crossings"] = rest.order.undecided.size();
   }
 
-  // Cuts and scales charts, if that is wanted.
+  // Cuts and scales charts, if this is requested.
   void arrange(Planar_map& map)
   {
     if(!map.is_laid_out())
@@ -283,7 +284,7 @@ private:
       m_run.statistics()["scale"] = DCM::fit_into_unit_square(map);
   }
 
-  // Those that were placed and those of the file.
+  // Returns the cones that were placed and the cones of the file.
   std::vector<Mesh::Vertex_index> cones(const Planar_map& map)
   {
     std::vector<Mesh::Vertex_index> result;
@@ -304,7 +305,7 @@ private:
   std::vector<double> m_radii;
 };
 
-// Where the image covers a part of the plane more than once.
+// Describes where the image covers a part of the plane more than once.
 void describe_overlap(Statistics& statistics, const Planar_map& map)
 {
   const DCM::Chart_overlap overlap = DCM::find_overlap(map);

@@ -25,7 +25,7 @@ bool is_inside(Mesh::Vertex_index v, const Mesh& mesh)
   return !mesh.is_isolated(v) && !mesh.is_border(v);
 }
 
-// Each value becomes a condition made by `make`; `is_allowed` says of which vertices.
+// Turns each value into a condition by `make`; `is_allowed` returns whether a vertex may have one.
 template <class Predicate>
 void set_from_file(Conditions& conditions, const Mesh& mesh, const std::string& path,
                    Vertex_condition (*make)(double), const Predicate& is_allowed,
@@ -51,7 +51,7 @@ bool has_values(const std::string& boundary)
   return boundary == "scale" || boundary == "curvature";
 }
 
-// Nothing is prescribed for the shapes of `is_shape()`, nor for a straight boundary.
+// Sets the conditions on the boundary. Shapes of `is_shape()` and a straight boundary need none.
 void set_boundary(Conditions& conditions, const Flatten_options& options, const Mesh& mesh)
 {
   if(options.boundary == "free")

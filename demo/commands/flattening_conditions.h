@@ -32,31 +32,31 @@ struct Flatten_options : Texture_options
 
 using Conditions = std::vector<CGAL::Discrete_conformal_maps::Vertex_condition>;
 
-// What the options prescribe at each vertex of the mesh; zero on the boundary where it is to have a
-// shape. Throws Program_error if the files are wrong.
+// Returns the conditions that the options prescribe at each vertex of the mesh. They are zero on a
+// boundary that gets a shape. Throws Program_error if the files are wrong.
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh);
 
-// Curvatures from a file, zero where it says nothing.
+// Returns curvatures from a file, and zero at vertices that it does not contain.
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// The radii of the circles at the vertices, from a property of vertices or a file: zero where a
-// file says nothing, and everywhere if `source` is empty. Throws Program_error if the file is
-// wrong.
+// Returns the radii of the circles at the vertices, from a property of vertices or a file. The
+// radius is zero at vertices that the file does not contain, and everywhere if `source` is empty.
+// Throws Program_error if the file is wrong.
 std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input);
 
 void add_radii(CLI::App& command, std::string& source);
 
-// Whether the word after --boundary names a shape, which the library finds the angles for.
+// Returns whether the word after --boundary names a shape, whose angles the library finds.
 bool is_shape(const std::string& boundary);
 
-// Whether the word after --cones asks for cones to be placed.
+// Returns whether the word after --cones requests that cones are placed.
 bool places_cones(const std::string& cones);
 
-// Throws Program_error if --boundary and --boundary-values make no sense.
+// Throws Program_error if --boundary and --boundary-values contradict each other.
 void check_boundary(const Flatten_options& options);
 
-// Throws Program_error if --radii does not go with other options.
+// Throws Program_error if --radii contradicts other options.
 void check_circles(const Flatten_options& options, bool is_exact);
 
 #endif // INTRINSIC_FLATTENING_CONDITIONS_H

@@ -73,7 +73,7 @@ Hyperbolic_map uniformized(Command_run& run, double epsilon, const Conditions& c
                                             .visitor(std::ref(visitor)));
 }
 
-// Digits that JSON has no numbers for.
+// Returns entries with more digits than numbers of JSON have.
 Statistics decimal_entries(const DCM::Disk_motion<DCM::Fuchsian_group::Precise_number>& motion,
                            int digits)
 {
@@ -93,8 +93,8 @@ void describe_precise_generators(Statistics& statistics, const DCM::Fuchsian_gro
     statistics["precise_generators"].push_back(decimal_entries(motion, group.known_digits));
 }
 
-// Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
-// 1, negative for inverse ones.
+// Describes generators as real and imaginary parts of a and b, and the relation as numbers of
+// generators. These start at 1, and are negative for inverse generators.
 void describe_group(Statistics& statistics, const DCM::Fuchsian_group& group)
 {
   if(!group.relation.empty())
@@ -110,7 +110,7 @@ void describe_group(Statistics& statistics, const DCM::Fuchsian_group& group)
   describe_precise_generators(statistics, group);
 }
 
-// The component itself, and the group, which with boundary is that of its double.
+// Describes the component itself, and the group. With boundary, this is the group of the double.
 Statistics description(const Hyperbolic_map& map, std::size_t component)
 {
   const auto& type = map.topology(component);
@@ -139,7 +139,7 @@ std::string summary_of(const Hyperbolic_map&, const Statistics& s)
   return text.str();
 }
 
-// Edges are straight in Klein's disk.
+// Returns the mesh. Edges are straight in the Klein disk.
 Output_mesh described_mesh(Statistics& statistics, const Hyperbolic_map& map, const Map_part& part,
                            const Map_output& output)
 {
@@ -161,7 +161,7 @@ Output_mesh described_mesh(Statistics& statistics, const Hyperbolic_map& map, co
 
 namespace {
 
-// Each component is in its own disk.
+// Returns the positions. Each component is in its own disk.
 std::vector<std::array<double, 3>> positions_in_disks(const Hyperbolic_map& map,
                                                       const Output_mesh& mesh)
 {
@@ -178,8 +178,8 @@ std::vector<std::array<double, 3>> positions_in_disks(const Hyperbolic_map& map,
 
 } // namespace
 
-// Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
-// Poincare's.
+// Shows the map. Texture coordinates are coordinates of the Klein disk, where the map is
+// projective. The picture is in the Poincare disk.
 void show(View_page& page, Command_run& run, const Hyperbolic_map& map, const Map_part& part,
           const Output_mesh&, const Map_output& output)
 {

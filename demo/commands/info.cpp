@@ -33,14 +33,14 @@ struct Info_options
 constexpr const char* info_help = "Example:\n  intrinsic info bunny.obj --json\n\n"
                                   "Exit code: 0 if the mesh can be worked on, 2 if not.";
 
-// What is wrong or worth noting about a mesh that is read by a command.
+// Stores the fatal defects and the notes about a mesh that a command reads.
 struct Verdict
 {
   IT::Input_diagnosis diagnosis;
   std::string splitting_error; // why polygons cannot be split; empty if they can, or there are none
   Cracks cracks;
 
-  // Commands split polygons.
+  // Returns whether the defect is fatal. Commands split polygons.
   static bool is_fatal(const IT::Defect_description& d)
   {
     return d.is_fatal && d.kind != IT::Defect_kind::NON_TRIANGULAR_FACE;
@@ -71,7 +71,7 @@ Verdict verdict_on(const std::string& path, Polygon_soup soup)
   return result;
 }
 
-// Several components are no defect: their number is in the statistics.
+// Calls `use` for each defect. Several components are no defect: their number is in the statistics.
 template <class Use>
 void for_each_defect(const IT::Input_diagnosis& diagnosis, const Use& use)
 {

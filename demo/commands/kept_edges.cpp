@@ -13,7 +13,7 @@ namespace {
 
 using Vector = Kernel::Vector_3;
 
-// The normal of the face of `h`, of any length.
+// Returns the normal of the face of `h`, of any length.
 Vector normal(Mesh::Halfedge_index h, const Mesh& mesh)
 {
   const Point& p = mesh.point(mesh.source(h));
@@ -21,14 +21,14 @@ Vector normal(Mesh::Halfedge_index h, const Mesh& mesh)
   return CGAL::cross_product(q - p, mesh.point(mesh.target(mesh.next(h))) - q);
 }
 
-// Zero if a vector is zero.
+// Returns the angle, or zero if a vector is zero.
 double angle_in_degrees(const Vector& a, const Vector& b)
 {
   const double sine = std::sqrt(CGAL::cross_product(a, b).squared_length());
   return std::atan2(sine, a * b) * 180 / boost::math::constants::pi<double>();
 }
 
-// The numbers of the coordinates at the sources of halfedges.
+// Returns the numbers of the coordinates at the sources of halfedges.
 std::vector<Polygons::Index> numbers_at_sources(const Corner_data& data, const Mesh& mesh)
 {
   std::vector<Polygons::Index> result(mesh.number_of_halfedges());

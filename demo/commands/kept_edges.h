@@ -13,7 +13,7 @@ using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 // A face without area has no normal and makes no edge sharp.
 void mark_sharp_edges(const Mesh& mesh, double degrees, Edge_bool_map is_kept);
 
-// Marks the edges at which the texture coordinates of the two faces differ. The data are of the
+// Marks the edges at which the texture coordinates of the two faces differ. The data belong to the
 // faces of the mesh.
 void mark_seams(const Mesh_data& data, const Mesh& mesh, Edge_bool_map is_kept);
 

@@ -28,7 +28,7 @@ const char* name_of(DCM::Flattening_stage stage)
   return names[static_cast<std::size_t>(stage)];
 }
 
-// What a user can try with this program.
+// Returns advice for a user of this program.
 std::string advice(const std::string& command, DCM::Map_status status)
 {
   using Status = DCM::Map_status;
@@ -45,7 +45,7 @@ std::string advice(const std::string& command, DCM::Map_status status)
   return "try `intrinsic flatten`, which places cones";
 }
 
-// What is wrong with a map, and what can be tried.
+// Describes the failure of a map, and possible remedies.
 std::string failure(Command_run& run, const Conformal_map& map)
 {
   const bool is_by_search = map.status() == DCM::Map_status::not_converged &&

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// What commands that map surfaces have in common.
+// This file contains the common parts of commands that map surfaces.
 
 struct Hyperbolic_options : Texture_options
 {
@@ -47,22 +47,22 @@ struct Stage_visitor
   }
 };
 
-// The stages of a map, in their order; `has_cones` says whether cones are placed.
+// Returns the stages of a map, in their order. `has_cones` states whether cones are placed.
 Stages map_stages(bool has_cones);
 
 void add_tiling(CLI::App& command, Hyperbolic_options& options);
 
-// Throws Program_error if there is no picture for the depth of its tiling.
+// Throws Program_error if no picture is requested for the depth of its tiling.
 void check_tiling(const Common_options& common, const Hyperbolic_options& options);
 
-// Throws Map_failure, with what is wrong, if a map is not a success; prints that as a warning, if
-// failures are to be written and there is a layout.
+// Throws Map_failure, with its reason, if a map is not a success. Prints a warning instead if
+// failures are to be written and a layout exists.
 void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out);
 
-// 0 for a success, 3 for a failure that is written.
+// Returns 0 for a success, 3 for a failure that is written.
 int exit_code(const Conformal_map& map);
 
-// What is written of a map, and how.
+// Stores which parts of a map are written, and how.
 struct Map_output
 {
   std::string path;
@@ -78,24 +78,25 @@ struct Map_output
 Map_output map_output(const Hyperbolic_options& options, Mesh_format format,
                       const Cones& cones = {});
 
-// Adds the numbers of cones and iterations, and what `describe_status()` adds.
+// Adds the numbers of cones and iterations, and the results of `describe_status()`.
 void describe_minimization(Statistics& statistics, const Conformal_map& map,
                            const Map_output& output);
 
-// Adds the status, the errors of what is promised and the greatest error of curvatures.
+// Adds the status, the errors of the promises and the greatest error of curvatures.
 void describe_status(Statistics& statistics, const Conformal_map& map);
 
-// Adds the faces of the input that are too small for the picture, and says so. `component` is null
-// if the map is of all of the input.
+// Adds the faces of the input that are too small for the picture, and prints a note. `component` is
+// null if the map belongs to the whole input.
 void describe_crowding(Command_run& run, Statistics& statistics, const Conformal_map& map,
                        const Component_mesh* component = nullptr);
 
-// Adds the range of the logarithmic scale factors, which vertices without faces have not, the
-// numbers of flips and the size of the output.
+// Adds the range of the logarithmic scale factors, the numbers of flips and the size of the output.
+// Vertices without faces have no scale factors.
 void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_part& part,
                     const Output_mesh& result);
 
-// Adds the radii of the circles in the image, zero at vertices of the subdivision alone.
+// Adds the radii of the circles in the image. They are zero at vertices that only the subdivision
+// has.
 template <class Radius>
 void add_radii(Output_mesh& mesh, const Map_part& part, const Radius& radius)
 {
@@ -121,7 +122,7 @@ Output_mesh described_mesh(Statistics& statistics, const Planar_map& map, const 
 Output_mesh described_mesh(Statistics& statistics, const Hyperbolic_map& map, const Map_part& part,
                            const Map_output& output);
 
-// Shows a map of which `mesh` is written.
+// Shows a map whose mesh `mesh` is written.
 void show(View_page& page, Command_run& run, const Spherical_map& map, const Map_part& part,
           const Output_mesh& mesh, const Map_output& output);
 void show(View_page& page, Command_run& run, const Planar_map& map, const Map_part& part,
@@ -129,19 +130,18 @@ void show(View_page& page, Command_run& run, const Planar_map& map, const Map_pa
 void show(View_page& page, Command_run& run, const Hyperbolic_map& map, const Map_part& part,
           const Output_mesh& mesh, const Map_output& output);
 
-// Adds other files than that of the mesh.
+// Adds all files except for the file of the mesh.
 void add_files(Command_run& run, const Spherical_map& map, const Map_output& output);
 void add_files(Command_run& run, const Planar_map& map, const Map_output& output);
 void add_files(Command_run& run, const Hyperbolic_map& map, const Map_output& output);
 
-// What `described_mesh()` has found, in one line.
+// Summarizes the results of `described_mesh()` in one line.
 std::string summary_of(const Spherical_map& map, const Statistics& statistics);
 std::string summary_of(const Planar_map& map, const Statistics& statistics);
 std::string summary_of(const Hyperbolic_map& map, const Statistics& statistics);
 
-// The end of a command: checks the map, adds it to the outputs and its properties to the
-// statistics, and finishes the run. Returns the exit code. Throws Map_failure as `check_status()`
-// does.
+// Ends a command: checks the map, adds it to the outputs and its properties to the statistics, and
+// finishes the run. Returns the exit code. Throws Map_failure as `check_status()` does.
 template <class Map>
 int finish(Command_run& run, const Map_output& output, const Map& map)
 {

@@ -17,7 +17,7 @@
 #include <string>
 #include <system_error>
 
-// Validators like those of CLI11, whose messages name a range as people write it.
+// Defines validators like the validators of CLI11, whose messages name a range as people write it.
 
 namespace Number_range_details {
 
@@ -37,7 +37,7 @@ inline bool parse(std::string& text, std::uint64_t& x)
   return is_number;
 }
 
-// NaN is in no range.
+// Returns the validator of a range, which does not contain NaN.
 template <class Number>
 CLI::Validator range(Number least, Number most, const std::string& description)
 {

@@ -52,14 +52,14 @@ The connection Laplacian is c x c.
 Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
 
-// What matrices are of: functions on the input, and vectors on the triangulation.
+// Stores the operands of matrices: functions on the input, and vectors on the triangulation.
 struct Operand
 {
   const Triangulation& triangulation;
   const Covered_soup* covered; // null if the input is a surface
 };
 
-// Returns what writes a matrix of functions, `matrix(surface)`.
+// Returns a function that writes a matrix of functions, `matrix(surface)`.
 template <class Matrix_of>
 auto of_functions(Matrix_symmetry symmetry, Matrix_of matrix)
 {
@@ -80,7 +80,7 @@ std::string connection_laplacian(const Operand&, const Surface& surface)
                        Matrix_symmetry::HERMITIAN);
 }
 
-// Takes functions on the input to the vertices of the cover.
+// Returns the matrix that maps functions on the input to the vertices of the cover.
 std::string cover_vertices(const Operand& operand)
 {
   const auto n = static_cast<int>(operand.triangulation.mesh().number_of_vertices());
@@ -103,8 +103,8 @@ struct Matrix_description
   std::function<std::string(const Operand&, const Surface&)> text;
 };
 
-// The first one refuses triangulations on which others would not be finite. The last one is for
-// covers.
+// Describes the matrices. The first one rejects triangulations on which others would not be finite.
+// The last one is for covers.
 template <class Surface>
 std::vector<Matrix_description<Surface>> matrices()
 {

@@ -11,7 +11,8 @@
 #include <string>
 #include <utility>
 
-// What all commands on intrinsic triangulations have; empty paths are outputs that are not wanted.
+// Stores the options of all commands on intrinsic triangulations. Empty paths are outputs that are
+// not requested.
 struct Common_options
 {
   std::string input;
@@ -39,7 +40,7 @@ struct Common_options
   bool is_shown() const { return !view.empty() || !picture.empty(); } // on a page or in a picture
 };
 
-// The output of a command that is a mesh.
+// Stores the options of a command whose output is a mesh.
 struct Output_options
 {
   explicit Output_options(const char* default_format) : format(default_format) {}
@@ -49,7 +50,7 @@ struct Output_options
   bool is_binary = false;
 };
 
-// Of the commands whose output is the common subdivision.
+// Stores the options of commands whose output is the common subdivision.
 struct Subdivision_options : Output_options
 {
   Subdivision_options() : Output_options("off") {}
@@ -57,7 +58,7 @@ struct Subdivision_options : Output_options
   double constrained_angle = 0; // in degrees; 0 for none
 };
 
-// Of the commands whose output has a texture.
+// Stores the options of commands whose output has a texture.
 struct Texture_options : Output_options
 {
   Texture_options() : Output_options("obj") {}
@@ -65,7 +66,7 @@ struct Texture_options : Output_options
   bool is_homogeneous = false;
 };
 
-// What the faces of a refined triangulation shall obey, and how many vertices that may take.
+// Stores the bounds for the faces of a refined triangulation, and for the number of insertions.
 struct Refinement_bounds
 {
   double minimum_angle = 0; // in degrees; 0 for none

@@ -39,7 +39,7 @@ struct Path_options : Output_options
 {
   Path_options() : Output_options("obj") {}
 
-  // points as `surface_point()` reads them
+  // These are points as `surface_point()` reads them.
   std::string from;             // empty for a homology basis
   std::string to;               // empty for a loop or a straightest path, too
   std::vector<std::string> via; // vertices where the path goes along edges before it is shortened
@@ -76,10 +76,10 @@ using Place = IT::Surface_point<double>;
 using Halfedge = IT::Halfedge_index;
 using Halfedges = std::vector<Halfedge>;
 
-// All are kept, for the statistics too.
+// All crossings are kept, also for the statistics.
 constexpr std::size_t greatest_number_of_crossings = 1000000;
 
-// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face.
+// Describes a position of a path in JSON: at a vertex, on an edge with its ends, or in a face.
 Statistics description(const Place& p, const Input_mesh& input)
 {
   Statistics result;
@@ -95,7 +95,7 @@ Statistics description(const Place& p, const Input_mesh& input)
   return result;
 }
 
-// Moves a place to a vertex that it can be told from by rounding only.
+// Moves a position to a vertex from which it differs only by rounding.
 void snap_to_vertex(Place& p, const Mesh& mesh)
 {
   Surface_location location = IT::face_location(p, mesh);
@@ -108,7 +108,7 @@ void snap_to_vertex(Place& p, const Mesh& mesh)
   }
 }
 
-// A line on the input, and what the statistics have of it.
+// Stores a line on the input, and its data for the statistics.
 struct Found_path
 {
   Path path;
@@ -190,7 +190,8 @@ private:
       throw Program_error("--via is for --flips and --loop; add one of them");
   }
 
-  // Loops of a homology basis start nowhere, and each has a triangulation of its own.
+  // Checks that the option is alone. Loops of a homology basis have no start, and each has its own
+  // triangulation.
   void check_alone() const
   {
     if(!m_options.from.empty() || !m_options.to.empty() || !m_options.via.empty() || uses_flips() ||
@@ -232,7 +233,7 @@ private:
     return found_path(std::move(path), "shortest", m_run.input());
   }
 
-  // From vertex to vertex along edges, then by flips.
+  // Returns a path from vertex to vertex along edges, shortened by flips.
   Found_path flipped_path(Triangulation& triangulation)
   {
     Halfedges path = path_along_edges(triangulation);
@@ -249,8 +250,8 @@ private:
     return result;
   }
 
-  // The shortest geodesics that are a basis, from loops along edges of a Delaunay triangulation:
-  // these are hardly longer.
+  // Returns the shortest geodesics of a basis, from loops along edges of a Delaunay triangulation,
+  // which are hardly longer.
   std::vector<Found_path> homology_loops(Triangulation& triangulation) const
   {
     IT::make_Delaunay(triangulation);
@@ -266,7 +267,8 @@ private:
     return result;
   }
 
-  // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
+  // Shortens a path along edges, whose halfedges become halfedges after flips. It is empty if it
+  // contracts.
   Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation) const
   {
     const double before =
@@ -305,7 +307,7 @@ private:
     return result;
   }
 
-  // The start, at a vertex in the first of its faces.
+  // Returns the start, which is in the first of its faces if it is a vertex.
   Surface_location start_of_straightest(const IT::Delta_complex& mesh) const
   {
     Surface_location result = m_points.front();
@@ -319,7 +321,8 @@ private:
     return result;
   }
 
-  // Angles are measured from the first side of the face, at a corner from the side that leaves it.
+  // Returns the vector. Angles are measured from the first side of the face, or at a corner from
+  // the side that leaves it.
   std::complex<double> straightest_vector(const Surface_location& start,
                                           const Triangulation& triangulation) const
   {
@@ -359,7 +362,7 @@ private:
                       m_run.input());
   }
 
-  // What stops where it starts, up to rounding, has not gone anywhere.
+  // Checks the length. A line that stops at its start, up to rounding, has no length.
   void check_length(double length, const Surface_location& start,
                     const Triangulation& triangulation) const
   {
@@ -393,7 +396,7 @@ private:
     return result;
   }
 
-  // The surface, with the points of the lines after its own.
+  // Shows the surface, with the points of the lines after its own points.
   void show(View_page& page, const Output_mesh& lines)
   {
     Output_mesh surface = output_mesh(m_run.input().mesh);

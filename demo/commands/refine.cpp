@@ -78,8 +78,8 @@ faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refi
   return {"faces below the bounds", true, parts_of(faces, "intrinsic_face", mesh), {}, {}};
 }
 
-// Data of a corner are those of the input where its face begins there, counterclockwise. No face
-// crosses a seam.
+// Returns the data of corners from the input face at each corner, counterclockwise. No face crosses
+// a seam.
 Placement placement_of(const Triangulation& triangulation)
 {
   typedef Mesh::size_type Size;
@@ -97,7 +97,7 @@ Placement placement_of(const Triangulation& triangulation)
   return {own.number_of_vertices(), weights, face};
 }
 
-// The faces of the triangulation itself, flat in space.
+// Returns the faces of the triangulation itself, flat in space.
 Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& input)
 {
   const Mesh mesh = IT::extrinsic_mesh(triangulation, input.mesh.points());

@@ -20,7 +20,7 @@ namespace IS = CGAL::Intrinsic_simplification;
 
 namespace {
 
-// The number after the equals sign.
+// Returns the number after the equals sign.
 double weight_value(const std::string& text, const std::string& value)
 {
   const double result = finite_number(value).value_or(-1);
@@ -46,7 +46,7 @@ typedef std::vector<std::vector<double>> Components;
   throw Program_error(path + ": " + what);
 }
 
-// No component if a vertex has no color.
+// Returns the colors, or no component if a vertex has no color.
 Components colors(const Mesh_data& data)
 {
   for(const std::array<const char*, 3>& names :
@@ -61,7 +61,7 @@ Components colors(const Mesh_data& data)
   return {};
 }
 
-// Coordinates are functions, too.
+// Returns a property of vertices. Coordinates are functions, too.
 std::vector<double> property(const std::string& path, const Input_mesh& input,
                              const std::string& name)
 {
@@ -85,7 +85,7 @@ std::vector<double> property(const std::string& path, const Input_mesh& input,
   fail(path, "vertices have no property '" + name + "'; they have " + known);
 }
 
-// "color" has three components, a property of .ply has one.
+// Returns the components of a function. "color" has three components, a property of .ply has one.
 Components vertex_function(const std::string& path, const Input_mesh& input,
                            const std::string& name)
 {

@@ -13,25 +13,25 @@
 #include <string>
 #include <vector>
 
-// The weights of curvature, of area and its changes, and of functions on the vertices in the cost
-// of a removal, by their names.
+// Stores the weights of curvature, of area and its changes, and of functions on the vertices in the
+// cost of a removal, by their names.
 class Cost_weights
 {
 public:
-  // From texts "name=value"; what is not among them has no weight. Without any, those of
-  // `default_cost()`.
-  // Throws Program_error if a text is not of this form, a value is negative, or no weight but those
-  // of changes is positive.
+  // Reads texts "name=value". Names that are missing have no weight. Without any text, the weights
+  // are the weights of `default_cost()`.
+  // Throws Program_error if a text is not of this form, a value is negative, or only weights of
+  // changes are positive.
   explicit Cost_weights(const std::vector<std::string>& texts);
 
-  // The positive ones, by their names.
+  // Returns the positive weights, by their names.
   const std::map<std::string, double>& values() const { return m_weights; }
 
-  // Takes the functions that have weights from the mesh, whose file is `path`.
+  // Reads the functions that have weights from the mesh, whose file is `path`.
   // Throws Program_error if it has no such function, or a value is not finite.
   void set_functions(const std::string& path, const Input_mesh& input);
 
-  // Whether there are such functions.
+  // Returns whether such functions exist.
   bool has_functions() const;
 
   // Calls `visit(values)` with each component of each function, which it may change.
@@ -43,7 +43,7 @@ public:
         visit(values);
   }
 
-  // The cost of removals from the surface.
+  // Returns the cost of removals from the surface.
   // Precondition: the functions have been set, and have values at all vertices.
   CGAL::Intrinsic_simplification::Transport_cost
   cost(const CGAL::Intrinsic_simplification::Evolving_surface& surface) const;

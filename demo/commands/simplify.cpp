@@ -53,7 +53,7 @@ struct Simplify_options : Output_options
 
   std::string coarse_mesh; // a file for the coarse triangulation in space
   std::string prolongation;
-  // one of these is given
+  // Exactly one of these values is given.
   std::optional<std::size_t> number_of_vertices;
   std::optional<double> ratio; // of the number of vertices
   std::optional<double> maximum_cost;
@@ -123,7 +123,7 @@ Examples:
   intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --prolongation P.mtx
   intrinsic simplify bunny.obj --coarse small.obj --vertices 500)";
 
-// In the order of `Removal_status`.
+// The names are in the order of `Removal_status`.
 constexpr std::array<const char*, IS::number_of_removal_statuses> removal_names = {
   "possible",  "isolated",   "protected",       "border_loop",
   "self_face", "low_degree", "not_flattenable", "not_separable"};
@@ -141,7 +141,7 @@ double area(const IS::Surface_level& level)
   return sum / 4;
 }
 
-// One for each level: the path itself if there is one only.
+// Returns one path for each level: the path itself for a single level.
 std::vector<std::string> matrix_paths(const Simplify_options& options)
 {
   const std::filesystem::path path = options.prolongation;
@@ -169,7 +169,7 @@ std::vector<std::string> outputs_of(const Simplify_options& options)
   return result;
 }
 
-// Numbers are binary in .ply only.
+// Returns the format. Only numbers in .ply are binary.
 Mesh_format format_of(const std::string& path, Simplify_options options)
 {
   if(std::filesystem::path(path).extension() != ".ply" && path != options.output)
@@ -244,7 +244,7 @@ private:
     m_weights.set_functions(m_run.options().input, m_run.input());
   }
 
-  // How that went has keys of its own in the statistics.
+  // Refines the input, and adds separate keys about it to the statistics.
   void refine()
   {
     m_triangulation = make_delaunay_triangulation(m_run);
@@ -253,7 +253,7 @@ private:
     m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
   }
 
-  // The fine level. Its first faces are those of the input, or parts of them.
+  // Returns the fine level. Its first faces are the faces of the input, or parts of them.
   Triangulation built()
   {
     if(m_triangulation)
@@ -302,8 +302,8 @@ private:
                     [&](Mesh::Vertex_index v) { return mesh.is_isolated(v); }));
   }
 
-  // How many vertices are to be left on a level, those without faces included; zero if something
-  // else is the target.
+  // Returns how many vertices are to remain on a level, including vertices without faces. Returns
+  // zero if the target is not a number.
   std::size_t target(std::size_t level)
   {
     if(m_options.maximum_cost)
@@ -366,7 +366,7 @@ private:
     statistics["operations"] = surface.history().size();
   }
 
-  // The last level gets better faces. Its vertices are described again.
+  // Refines the last level, and describes its vertices again.
   void refine_coarse(IS::Evolving_surface& surface)
   {
     Refinement_bounds bounds = m_options.refinement;
@@ -419,7 +419,7 @@ private:
     return result;
   }
 
-  // The coarse triangulation in space, with the indices of its vertices in the input.
+  // Adds the coarse triangulation in space, with the indices of its vertices in the input.
   void add_coarse_mesh(const IS::Evolving_surface& surface)
   {
     Mesh mesh;
@@ -475,7 +475,8 @@ private:
     show_angles(page, "coarse", m_levels.back().mesh(), m_levels.back().length_map());
   }
 
-  // That of the input at the vertices of the subdivision, if the fine level is the input.
+  // Sets the curvature of the input at the vertices of the subdivision, if the fine level is the
+  // input.
   void set_curvature(const Coarse_subdivision& subdivision)
   {
     if(!m_fine->is_input())
@@ -489,7 +490,7 @@ private:
                       m_curvature.begin(), get(boost::vertex_index, subdivision.mesh())));
   }
 
-  // The logarithms of the quotients of areas on both levels, of the polygons that have an area.
+  // Sets the logarithms of the quotients of areas on both levels, for polygons that have an area.
   void set_area_change(const Coarse_subdivision& subdivision)
   {
     const Mesh& mesh = subdivision.mesh();
@@ -502,7 +503,7 @@ private:
       }
   }
 
-  // where the vertices of the subdivision are in space
+  // Sets the positions of the vertices of the subdivision in space.
   void set_points(Coarse_subdivision& subdivision)
   {
     for(const Mesh::Vertex_index v : subdivision.mesh().vertices())
@@ -521,7 +522,7 @@ private:
                             p.second[1], m_points[mesh.target(mesh.next(h))], p.second[2]);
   }
 
-  // None if they are not wanted.
+  // Returns the matrices, or nothing if they are not requested.
   std::vector<std::string> prolongations(const IS::Surface_history& history)
   {
     std::vector<std::string> result;
@@ -538,7 +539,7 @@ private:
     return result;
   }
 
-  // Which vertices the rows and columns of a matrix belong to.
+  // Describes the vertices of the rows and columns of a matrix.
   std::string meaning(std::size_t level) const
   {
     const auto vertices = [&](std::size_t n) {

@@ -64,10 +64,10 @@ it, and vertices without faces stay where they are. --component K and --largest 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
 
-// A line "x y z", with all digits that the map has, for a vertex of the input.
+// Returns a line "x y z", with all digits of the map, for a vertex of the input.
 std::string precise_position(const Spherical_map& map, Mesh::Vertex_index v)
 {
-  // Digits that are computed are more than those that are written, all of which hold.
+  // More digits are computed than are written, so that all written digits are correct.
   typedef boost::multiprecision::cpp_bin_float_50 Number;
   std::ostringstream text;
   text.precision(std::numeric_limits<Spherical_map::Extended>::digits10);
@@ -130,7 +130,7 @@ Output_mesh described_mesh(Statistics& statistics, const Spherical_map& map, con
   return result;
 }
 
-// The surface is that of the input, with the sphere as its picture.
+// Shows the surface of the input, with the sphere as its image.
 void show(View_page& page, Command_run& run, const Spherical_map& map, const Map_part& part,
           const Output_mesh& on_sphere, const Map_output&)
 {
@@ -161,7 +161,7 @@ void add_files(Command_run& run, const Spherical_map& map, const Map_output& out
 
 namespace {
 
-// Positions are those on each sphere, with its center in the origin.
+// Maps the components. Positions are relative to the center of each sphere.
 int map_components(Command_run& run, const Map_output& output, double epsilon)
 {
   Component_maps maps(run);

@@ -58,7 +58,7 @@ void write(Text& text, const Surface_location& p)
        << p.second[2];
 }
 
-// The first or the last word of each line.
+// Returns the first or the last word of each line.
 std::vector<std::string> read_words(const std::string& path, bool is_last)
 {
   std::vector<std::string> result;
@@ -190,7 +190,8 @@ private:
 
   // ---- The page ----
 
-  // Points come after those of the subdivision. Pages of large meshes have one function.
+  // Shows the function. Points come after the points of the subdivision. Pages of large meshes have
+  // one function.
   void show(const Triangulation& triangulation)
   {
     m_run.show([&](View_page& page) {

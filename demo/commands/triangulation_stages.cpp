@@ -151,7 +151,7 @@ IT::Delaunay_certificate certify(Command_run& run, const Triangulation& triangul
   return certificate;
 }
 
-// Returns whether the edges are, if they are straight.
+// Returns whether the edges are certainly Delaunay, if they are straight.
 bool is_certainly_Delaunay(const IT::Delaunay_certificate& certificate)
 {
   return certificate.non_Delaunay_edges.empty() && certificate.possibly_non_Delaunay_edges.empty();

@@ -20,17 +20,18 @@ using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
 
 using Edge_length_map = Mesh::Property_map<Mesh::Edge_index, double>;
 
-// Edges of the input that stay.
+// Stores edges of the input that are not flipped.
 struct Constraints
 {
   double angle = 0;       // those at which the normals differ by it or more, in degrees; 0 for none
   bool has_seams = false; // those of the texture
 };
 
-// What mollification adds to each edge of the input; zero if it is not wanted.
+// Returns the length that mollification adds to each edge of the input, or zero if it is not
+// requested.
 double length_of_mollification(Command_run& run);
 
-// Shows flips or removals while they are made.
+// Shows flips or removals as they are made.
 struct Step_counter
 {
   Progress_bar& progress;
@@ -43,47 +44,48 @@ struct Step_counter
   void after_removal(CGAL::Intrinsic_triangulations::Vertex_index) { progress.step(); }
 };
 
-// The lengths of the edges of the input, mollified if that is wanted; what was added in the
-// statistics.
+// Returns the lengths of the edges of the input, mollified if this is requested. Adds the
+// mollification to the statistics.
 Edge_length_map edge_lengths(Command_run& run);
 
-// The named parameter for what the lengths of surfaces are to be; what is added in the statistics.
+// Returns the named parameter for the mollification of lengths. Adds the mollification to the
+// statistics.
 double mollification(Command_run& run);
 
-// The names of stages, for `Command_run::plan()`.
+// The names of stages are arguments of `Command_run::plan()`.
 inline const Stages delaunay_stages{"build", "flip"};
-// none unless decisions are exact
+// Returns the stages of the certificate, which exists only for exact decisions.
 inline Stages certificate_stages(const Common_options& options)
 {
   return options.is_exact ? Stages{"certify"} : Stages{};
 }
 inline const Stages subdivision_stages{"trace", "subdivide"};
-// none if there is no bound on the angle
+// Returns the stages of refinement, which needs a bound on the angle.
 inline Stages refinement_stages(const Refinement_bounds& bounds)
 {
   return bounds.minimum_angle > 0 ? Stages{"refine"} : Stages{};
 }
 
-// those of a page or picture, if one is wanted, where nothing else needs the subdivision
+// Returns the stages of a requested page or picture, if nothing else needs the subdivision.
 inline Stages view_stages(const Common_options& options)
 {
   return options.is_shown() ? subdivision_stages : Stages{};
 }
 
-// The triangulation T2 = T1 of the input, mollified if that is wanted.
+// Returns the triangulation T2 = T1 of the input, mollified if this is requested.
 Triangulation make_triangulation(Command_run& run, const Constraints& constraints = {});
 
-// The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, made
-// as by `make_triangulation()`.
+// Runs the stages "build" and "flip". Returns the intrinsic Delaunay triangulation of the input,
+// made as by `make_triangulation()`.
 Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& constraints = {});
 
-// The stage "refine": inserts vertices until the faces obey the bounds; how it went in the
-// statistics.
+// Runs the stage "refine", which inserts vertices until the faces satisfy the bounds. Adds its
+// result to the statistics.
 CGAL::Intrinsic_triangulations::Refinement_result
 refine_triangulation(Command_run& run, Triangulation& triangulation,
                      const Refinement_bounds& bounds);
 
-// Refines if there is a bound on the angle.
+// Refines if a bound on the angle is given.
 void refine_if_wanted(Command_run& run, Triangulation& triangulation,
                       const Refinement_bounds& bounds);
 
@@ -91,14 +93,15 @@ void refine_if_wanted(Command_run& run, Triangulation& triangulation,
 std::size_t maximum_number_of_insertions(const Refinement_bounds& bounds,
                                          std::size_t number_of_faces);
 
-// The stage "certify": the certificate, which is added to the statistics.
+// Runs the stage "certify". Returns the certificate, and adds it to the statistics.
 CGAL::Intrinsic_triangulations::Delaunay_certificate certify(Command_run& run,
                                                              const Triangulation& triangulation);
 
-// Adds what the triangulation is to the statistics, with the certificate if decisions are exact.
+// Describes the triangulation in the statistics, with the certificate if decisions are exact.
 void describe(Command_run& run, const Triangulation& triangulation);
 
-// The stages "trace" and "subdivide": the common subdivision in space, its size in the statistics.
+// Runs the stages "trace" and "subdivide". Returns the common subdivision in space, and adds its
+// size to the statistics.
 Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 
 // Shows a subdivision on the page, with the curvature of the input, and histograms of the angles of
@@ -106,22 +109,22 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 void show(View_page& page, Command_run& run, const Triangulation& triangulation,
           const Subdivision& subdivision, Output_mesh mesh);
 
-// Lets the page draw the surface that was shown last without the subdivision, if that is large or
-// it is wanted, with these functions on the triangulation; not if lengths were mollified, as the
-// page takes those of the input from its points.
+// Lets the page draw the last surface without the subdivision, with these functions on the
+// triangulation. It does so if the subdivision is large, or on request. It cannot if lengths were
+// mollified, because the page computes lengths of the input from its points.
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
                       const Subdivision& subdivision, std::vector<Attribute> vertex_data = {});
 
-// Shows the common subdivision of the triangulation, which is made for that.
+// Computes and shows the common subdivision of the triangulation.
 void show(Command_run& run, const Triangulation& triangulation);
 
-// The curvature of each vertex of the input, divided by its area; zero on the boundary.
+// Returns the curvature of each vertex of the input, divided by its area; zero on the boundary.
 std::vector<double> curvatures(Command_run& run);
 
-// Adds the file of the triangulation to the outputs, if it is wanted.
+// Adds the file of the triangulation to the outputs, if it is requested.
 void save(Command_run& run, const Triangulation& triangulation);
 
-// What flips and insertions did, for a summary.
+// Summarizes flips and insertions.
 // Precondition: the triangulation has been described.
 std::string summary_of_changes(Command_run& run);
 

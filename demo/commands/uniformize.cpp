@@ -91,7 +91,7 @@ std::string add(Component_maps& maps, const Component_mesh& component, Statistic
   return result.spherical() ? summary : type + ": " + summary;
 }
 
-// The radii at the vertices of a component.
+// Returns the radii at the vertices of a component.
 std::vector<double> part_of(const std::vector<double>& radii, const Component_mesh& component)
 {
   std::vector<double> result;
@@ -108,7 +108,7 @@ double right_end(const Mesh& mesh)
   return result;
 }
 
-// The mollification and the radii of circles.
+// Returns the mollification and the radii of circles.
 std::pair<double, std::vector<double>> built(Command_run& run, const Hyperbolic_options& options)
 {
   return run.timed("build", [&] {
@@ -116,7 +116,7 @@ std::pair<double, std::vector<double>> built(Command_run& run, const Hyperbolic_
   });
 }
 
-// Spheres stand beside the mesh, if other components are there.
+// Maps the components. Spheres are placed beside the mesh, if other components exist.
 int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_format format)
 {
   if(!options.picture.empty())
@@ -144,7 +144,7 @@ int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_for
   return maps.finish(map_output(options, format));
 }
 
-// Throws Program_error if an option is not for a surface of this type.
+// Throws Program_error if an option does not fit a surface of this type.
 void check_options(const Hyperbolic_options& options, DCM::Surface_type type)
 {
   const auto refuse = [&](const std::string& option, const char* kind) {

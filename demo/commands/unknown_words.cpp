@@ -14,7 +14,7 @@ namespace {
 
 typedef std::vector<std::string> Names;
 
-// How many letters must be inserted, removed, exchanged or swapped with the next.
+// Returns how many letters must be inserted, removed, exchanged or swapped with the next one.
 std::size_t edit_distance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> before, last, row(b.size() + 1);
@@ -32,7 +32,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-// A name that begins so, or one of which at most a third is wrong; empty if there is none.
+// Returns a name that begins with the word, or differs from it in at most a third of its letters.
+// Returns an empty text if none exists.
 std::string nearest(const std::string& word, const Names& names)
 {
   std::string result;
@@ -61,7 +62,7 @@ Names command_names(const CLI::App& app)
   return result;
 }
 
-// With those of groups, which are commands without a name.
+// Adds the names of options, also of groups, which are commands without a name.
 void add_options(const CLI::App& app, Names& names)
 {
   for(const CLI::Option* option : app.get_options())

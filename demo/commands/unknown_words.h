@@ -9,8 +9,8 @@
 
 #include <string>
 
-// After a call could not be parsed: which command or option in it does not exist, and which is
-// meant. Empty if all exist.
+// Describes, after a call could not be parsed, which command or option does not exist, and which
+// one is similar. Returns an empty text if all exist.
 std::string unknown_word(const CLI::App& app, int argc, const char* const* argv);
 
 #endif // INTRINSIC_UNKNOWN_WORDS_H

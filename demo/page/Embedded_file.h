@@ -8,15 +8,15 @@
 #include <string_view>
 #include <vector>
 
-// A text file that is part of the program, in pieces.
+// Stores a text file that is part of the program, in pieces.
 struct Embedded_file
 {
   std::string_view name;
   std::vector<std::string_view> pieces;
 };
 
-// What pages are made of; empty if three.js could not be fetched when the program was configured.
-// The source is made by CMake.
+// These files are the parts of pages. The list is empty if three.js could not be fetched when the
+// program was configured. CMake writes the source.
 extern const std::vector<Embedded_file> embedded_files;
 
 #endif // INTRINSIC_EMBEDDED_FILE_H

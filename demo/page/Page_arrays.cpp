@@ -89,7 +89,8 @@ Statistics Page_arrays::add_integers(const std::vector<std::int64_t>& values)
   return result;
 }
 
-// Seven bits in each byte, the sign last; the highest bit says that more follow.
+// Adds a number with seven bits in each byte, the sign last. The highest bit states that more bytes
+// follow.
 void Page_arrays::add_varint(std::int64_t x)
 {
   std::uint64_t rest =

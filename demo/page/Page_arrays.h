@@ -14,26 +14,26 @@
 #include <string_view>
 #include <vector>
 
-// The arrays of numbers of a page, in one sequence of bytes. Where each lies there, and how it is
-// coded, is described in JSON; arrays.js reads them.
+// Stores the arrays of numbers of a page, in one sequence of bytes. JSON describes the position and
+// the encoding of each array. arrays.js reads them.
 class Page_arrays
 {
 public:
-  // Single precision, or 16 bits between the least and the greatest of each component in long
-  // arrays. NaN stays.
+  // Adds numbers in single precision, or with 16 bits between the least and the greatest of each
+  // component in long arrays. NaN is preserved.
   Statistics add_reals(const std::vector<double>& values, std::size_t components = 1);
 
-  // Single precision.
+  // Adds numbers in single precision.
   Statistics add_singles(const std::vector<double>& values);
 
-  // Differences of one to the one before, in as few bytes as they need.
+  // Adds differences of successive integers, in as few bytes as they need.
   Statistics add_integers(const std::vector<std::int64_t>& values);
 
-  // Adds all bytes as base64.
+  // Writes all bytes as base64.
   void write(Text& text) const;
 
 private:
-  // Numbers of this size begin at a multiple of it: the page reads them where they are.
+  // Aligns numbers of this size, because the page reads them without a copy.
   void align(std::size_t size) { m_bytes.resize((m_bytes.size() + size - 1) / size * size); }
 
   void add_varint(std::int64_t x);

@@ -46,7 +46,7 @@ void add_modules(Text& text)
     }
 }
 
-// No end of a script is in it.
+// Returns JSON without the end tag of a script.
 std::string json_in_script(const Statistics& json)
 {
   std::string result;
@@ -65,7 +65,7 @@ double coordinate(const std::array<double, n>& p, std::size_t k)
   return p[k];
 }
 
-// The middle and half the greatest side of a box.
+// Stores the center and half the greatest side of a box.
 struct Frame
 {
   template <class Points>
@@ -93,7 +93,7 @@ struct Frame
   double radius;
 };
 
-// Homogeneous coordinates as positions.
+// Returns homogeneous coordinates as positions.
 std::vector<std::array<double, 3>> in_plane(const Corner_data& texture)
 {
   std::vector<std::array<double, 3>> result;
@@ -109,7 +109,8 @@ bool begins_with(const std::string& name, std::string_view begin)
 
 bool is_mark(const Attribute& a) { return begins_with(a.name, "is_"); }
 
-// Some attributes of points serve to write files, or to compute others.
+// Returns whether an attribute is shown. Some attributes of points are only used to write files, or
+// to compute others.
 bool is_shown(const Attribute& a)
 {
   for(const std::string_view name :
@@ -119,7 +120,7 @@ bool is_shown(const Attribute& a)
   return a.has_integers() ? is_mark(a) : !begins_with(a.name, "homogeneous_");
 }
 
-// How many are not negative, and how many of these differ.
+// Counts the numbers that are not negative, and the different ones among them.
 std::array<std::size_t, 2> count_owners(const std::vector<std::int64_t>& owners)
 {
   std::array<std::size_t, 2> result{};
@@ -134,8 +135,8 @@ std::array<std::size_t, 2> count_owners(const std::vector<std::int64_t>& owners)
   return result;
 }
 
-// Marked polygons of a common subdivision become intrinsic faces, and marked points are added to
-// those of the input.
+// Moves marked polygons of a common subdivision to intrinsic faces, and marked points to points of
+// the input.
 void move_to_developed(Surface_marks& marks, const Output_mesh& mesh, Developed_faces& developed)
 {
   const Attribute& owners = *find_attribute(mesh.polygon_data, "intrinsic_face");
@@ -159,7 +160,7 @@ void move_to_developed(Surface_marks& marks, const Output_mesh& mesh, Developed_
     resize(a, points.size());
 }
 
-// The description of surfaces in JSON, with their numbers in arrays.
+// Encodes surfaces in JSON, with their numbers in arrays.
 class Surface_coder
 {
 public:
@@ -202,7 +203,7 @@ private:
       are_exact ? m_arrays.add_singles(coordinates) : m_arrays.add_reals(coordinates, 3);
   }
 
-  // Edges of which nothing is known are the sides of polygons.
+  // Encodes the edges. Without data, they are the sides of polygons.
   Statistics edges(const Output_mesh& mesh)
   {
     if(mesh.edge_data.empty())
@@ -237,7 +238,8 @@ private:
     return result;
   }
 
-  // With the number of elements that are marked, or parts of others, and that of these.
+  // Encodes integers with the number of elements that are marked, or are parts of other elements,
+  // and the number of the latter.
   Statistics integers(const Attribute& a)
   {
     const std::vector<std::int64_t> values(a.kept().begin(), a.kept().end());
@@ -249,7 +251,7 @@ private:
     return result;
   }
 
-  // Its own, or that of the input if no image has other corners.
+  // Returns the texture of the mesh, or the texture of the input if no image has other corners.
   static Corner_data texture_of(const Output_mesh& mesh, Image_kind kind)
   {
     return mesh.texture.dimension > 0 || kind != Image_kind::none
@@ -257,7 +259,8 @@ private:
              : texture_on(mesh.polygons, mesh.corner_data);
   }
 
-  // Polygons have texture coordinates as their corners, and each of these has a point.
+  // Adds a texture. Polygons have texture coordinates as their corners, and each coordinate has a
+  // point.
   void add_texture(const Polygons& polygons, const Corner_data& texture, Statistics& result)
   {
     std::vector<std::int64_t> points(texture.coordinates.size(), 0);
@@ -295,7 +298,7 @@ private:
             {"outlines", outlines(surface, frame)}};
   }
 
-  // Disks are whole, and beside each other; the sphere stays.
+  // Returns the frame of the image. Disks are whole, and side by side; the sphere is unchanged.
   static Frame frame_of_image(const Shown_surface& surface)
   {
     if(surface.kind == Image_kind::plane)
@@ -339,7 +342,8 @@ private:
       {"first_edges", m_arrays.add_singles(faces.first_edges)}};
   }
 
-  // The greater halfedge of each edge in the order of the smaller ones; -1 on the boundary.
+  // Returns the greater halfedge of each edge in the order of the smaller ones, or -1 on the
+  // boundary.
   static std::vector<std::int64_t> once(const std::vector<std::int64_t>& opposites)
   {
     std::vector<std::int64_t> result;
@@ -349,7 +353,7 @@ private:
     return result;
   }
 
-  // For each attribute that of the source of each halfedge.
+  // Returns for each attribute its value at the source of each halfedge.
   Statistics values_at_sources(const Developed_faces& faces)
   {
     Statistics result = Statistics::object();
@@ -423,7 +427,7 @@ void View_page::add_to_curve(const std::string& name, double value)
   (*curve)["values"].push_back(value);
 }
 
-// The parts of the page stand in place of comments that name them.
+// Replaces comments that name parts of the page by these parts.
 void View_page::write_html(Text& text) const
 {
   Page_arrays arrays;

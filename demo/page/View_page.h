@@ -17,46 +17,47 @@
 #include <utility>
 #include <vector>
 
-// What a command shows: surfaces, charts and numbers. It is written as a page of HTML, which a
-// browser opens without a network; or the surfaces alone as a picture.
+// Stores the results that a command shows: surfaces, charts and numbers. It is written as an HTML
+// page, which a browser opens without a network. The surfaces alone are written as a picture.
 class View_page
 {
 public:
-  // Returns whether three.js, with which pages draw, was there when this was built.
+  // Returns whether three.js, which draws pages, was available at build time.
   static bool is_available() { return !embedded_files.empty(); }
   // Throws Program_error if pages are not available.
   static void check_available();
 
-  // Its last points may have no data.
+  // Adds a surface, whose last points may have no data.
   void add_surface(const std::string& name, Output_mesh mesh);
 
-  // Of the last surface: a position for each of its texture coordinates, or of its points if it has
-  // none. A surface with a texture has this as its image in the plane if no other is set.
+  // Sets the image of the last surface: a position for each of its texture coordinates, or of its
+  // points if it has none. If no image is set, the texture of a surface is its image in the plane.
   void set_image(Image_kind kind, std::vector<std::array<double, 3>> positions);
 
-  // Lines beside the image of the last surface.
+  // Sets lines beside the image of the last surface.
   void set_outlines(std::vector<std::vector<std::array<double, 2>>> lines)
   {
     m_surfaces.back().outlines = std::move(lines);
   }
 
-  // The page draws these in place of the mesh of the last surface, a common subdivision.
+  // Sets the faces that the page draws instead of the mesh of the last surface, a common
+  // subdivision.
   void set_developed(Developed_faces faces) { m_surfaces.back().developed = std::move(faces); }
 
-  // On the last surface, after what it is developed from. Nothing if there are none.
+  // Adds marks on the last surface, after its developed faces are set. Does nothing without marks.
   void add_marks(Surface_marks marks);
 
   // Adds the numbers of angles, in degrees, in intervals of five; negative ones do not count.
   void add_angles(const std::string& name, const std::vector<double>& angles);
 
-  // Continues a curve by a positive value; begins it if there is none with this name.
+  // Continues a curve by a positive value. Begins it if no curve has this name.
   void add_to_curve(const std::string& name, double value);
 
   void set_statistics(const Statistics& statistics) { m_statistics = statistics; }
 
   void write_html(Text& text) const;
 
-  // See Surface_picture.h.
+  // Writes a picture, see Surface_picture.h.
   void write_picture(Text& text, const std::string& path,
                      const std::optional<Picture_section>& section = {}) const
   {
@@ -70,8 +71,8 @@ private:
   Statistics m_statistics;
 };
 
-// Shows polygons as a file gives them, with all their defects in red. Those that name points that
-// do not exist are left out.
+// Shows the polygons of a file unchanged, with all their defects in red. Polygons that name
+// nonexistent points are omitted.
 void show(View_page& page, const std::string& name, const Polygon_soup& soup);
 
 #endif // INTRINSIC_VIEW_PAGE_H

@@ -16,7 +16,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-// The numbers of polygons stay: those that cannot be drawn have no corners.
+// Returns the polygons with the same numbers. A polygon that cannot be drawn has no corners.
 Polygons drawable(const Polygon_soup& soup)
 {
   Polygons result;
@@ -33,7 +33,7 @@ Polygons drawable(const Polygon_soup& soup)
   return result;
 }
 
-// Of the triangles.
+// Returns the angles of the triangles.
 std::vector<double> angles(const Output_mesh& mesh)
 {
   std::vector<double> result;
@@ -49,7 +49,7 @@ std::vector<double> angles(const Output_mesh& mesh)
   return result;
 }
 
-// The elements with a defect, as far as they can be drawn.
+// Returns the elements with a defect, if they can be drawn.
 Surface_marks marks(const IT::Input_diagnosis& diagnosis, const IT::Defect_description& d,
                     const Output_mesh& mesh)
 {

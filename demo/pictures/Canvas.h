@@ -22,40 +22,41 @@ struct Line_style
   double width;
 };
 
-// What a picture is drawn on, in squares beside each other. Later shapes cover earlier ones.
+// Represents the surface of a picture, with squares side by side. Later shapes cover earlier ones.
 class Canvas
 {
 public:
   virtual ~Canvas() = default;
 
-  // What follows is drawn in a square that begins there, or beyond its sides, too.
+  // Begins a square at `left`. Shapes that follow are drawn in it, and also beyond its sides unless
+  // `is_clipped`.
   virtual void begin_square(double left, double side, bool is_clipped) = 0;
 
-  // Adds a polygon that is filled, whose border has the color of the inside if there is no other,
-  // so that neighbors leave no gap; or, if `fill` is null, a line.
+  // Adds a filled polygon. Without a line, its border has the color of the inside, so that
+  // neighbors leave no gap. If `fill` is null, adds a line.
   virtual void add(const std::vector<Canvas_point>& points, const Rgb* fill,
                    const Line_style* line) = 0;
 
   // Adds a circle that is not filled.
   virtual void add_circle(const Canvas_point& center, double radius, const Line_style& line) = 0;
 
-  // Writes the picture; nothing can be added then.
+  // Writes the picture. Nothing can be added afterwards.
   virtual void finish() = 0;
 };
 
-// An SVG picture in which lines have one of the styles.
+// Returns an SVG picture in which lines have one of the styles.
 std::unique_ptr<Canvas> svg_canvas(Text& text, double width, double height,
                                    const std::vector<Line_style>& styles);
 
-// A PNG picture, or null if the program was built without Cairo. Lines are `line_scale` times as
-// wide as their styles say.
+// Returns a PNG picture, or null if the program was built without Cairo. Lines are `line_scale`
+// times as wide as their styles.
 std::unique_ptr<Canvas> png_canvas(Text& text, double width, double height, double line_scale = 1);
 
-// The picture that a path asks for: PNG if it ends with .png, else SVG.
+// Returns the picture for a path: PNG if it ends with .png, else SVG.
 std::unique_ptr<Canvas> canvas(Text& text, const std::string& path, double width, double height,
                                const std::vector<Line_style>& styles, double line_scale = 1);
 
-// Throws Program_error, with the name of the option, if the path asks for PNG and the program was
+// Throws Program_error, with the name of the option, if the path requests PNG and the program was
 // built without Cairo.
 void check_picture_available(const std::string& option, const std::string& path);
 

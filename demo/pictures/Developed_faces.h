@@ -12,26 +12,27 @@
 #include <cstdint>
 #include <vector>
 
-// An intrinsic triangulation from which a page develops the intrinsic faces over each face of the
-// input while it draws, without the common subdivision. Halfedges 3 f, 3 f + 1 and 3 f + 2 are
-// those of face f, the first its longest. Plane vectors are complex numbers.
+// Stores an intrinsic triangulation. A page draws it without the common subdivision: it develops
+// the intrinsic faces over each face of the input. Halfedges 3 f, 3 f + 1 and 3 f + 2 belong to
+// face f, the longest one first. Plane vectors are complex numbers.
 struct Developed_faces
 {
-  // Empty edges and attributes; the first corner of each face is where its development starts.
+  // The input has no edges and attributes. The first corner of each face is the start of its
+  // development.
   Output_mesh input;
   std::array<std::size_t, 2> number_of_edges{}; // of the input, and intrinsic ones
-  // For each halfedge the other one of its edge, -1 on the boundary.
+  // Stores for each halfedge the other one of its edge, or -1 on the boundary.
   std::vector<std::int64_t> opposites;
-  // For each halfedge the vertex at which it starts.
+  // Stores for each halfedge its source.
   std::vector<std::int64_t> sources;
   std::vector<Attribute> vertex_data; // real, and linear on the intrinsic faces
-  // For each intrinsic face its third corner, if its first halfedge goes from 0 to 1.
+  // Stores for each intrinsic face its third corner, if its first halfedge leads from 0 to 1.
   std::vector<double> shapes;
-  // For each face of the input, at its first corner: the intrinsic halfedge from which its first
-  // edge starts in counterclockwise direction, as 2 h + 1, or 2 h if this edge starts along that
-  // halfedge with the length that it has.
+  // Stores a start for each face of the input, at its first corner. It is 2 h + 1 for the intrinsic
+  // halfedge h from which its first edge starts in counterclockwise direction. It is 2 h if this
+  // edge starts along h with the same length.
   std::vector<std::int64_t> starts;
-  // For each odd start the first edge, if that halfedge goes from 0 to 1.
+  // Stores for each odd start the first edge, if that halfedge leads from 0 to 1.
   std::vector<double> first_edges;
 };
 

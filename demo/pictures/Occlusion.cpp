@@ -13,7 +13,7 @@ namespace {
 
 typedef Occlusion::Vector Vector;
 
-// In the picture, by the number of sides below the point.
+// Returns whether a polygon covers a point in the picture, by the number of sides below the point.
 bool covers(const std::vector<Vector>& corners, const Vector& p)
 {
   bool result = false;
@@ -25,7 +25,7 @@ bool covers(const std::vector<Vector>& corners, const Vector& p)
   return result;
 }
 
-// The least and the greatest value of a coordinate.
+// Returns the least and the greatest value of a coordinate.
 std::pair<double, double> range(const std::vector<Vector>& points, int k)
 {
   const auto [low, high] = std::minmax_element(

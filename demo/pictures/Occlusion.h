@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-// Which of some points are behind polygons. Coordinates are pixels to the right, downwards and to
-// the viewer; a point less than a pixel behind a polygon is on it.
+// Determines which points are behind polygons. Coordinates are pixels to the right, downwards and
+// to the viewer. A point less than a pixel behind a polygon is on it.
 class Occlusion
 {
 public:

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// Elements of a surface that are drawn over it. Indices are those of the mesh.
+// Stores elements of a surface that are drawn over it, by their indices in the mesh.
 struct Surface_marks
 {
   std::string name;
@@ -26,7 +26,7 @@ struct Surface_marks
   bool empty() const { return polygons.empty() && lines.empty() && points.empty(); }
 };
 
-// Where the image of a surface is.
+// States where the image of a surface is.
 enum class Image_kind
 {
   none,
@@ -35,8 +35,8 @@ enum class Image_kind
   sphere
 };
 
-// A surface to be drawn, with its image beside it. Layers come from attributes, by their names:
-// - edges with an attribute x_edge are those of triangulation x, unless it is -1;
+// Stores a surface to be drawn, with its image beside it. The names of attributes define layers:
+// - edges with an attribute x_edge belong to triangulation x, unless it is -1;
 // - polygons with x_face are parts of its faces; with red, green and blue they have this color;
 // - points with a real attribute are colored by it;
 // - points and edges at which is_x is 1 are marked.
@@ -45,7 +45,7 @@ struct Shown_surface
   std::string name;
   Output_mesh mesh;
   Image_kind kind = Image_kind::none;
-  // for each texture coordinate, or point if there are none
+  // Stores a position for each texture coordinate, or for each point if none exist.
   std::vector<std::array<double, 3>> image;
   std::vector<std::vector<std::array<double, 2>>> outlines; // beside the image
   std::vector<Surface_marks> marks;

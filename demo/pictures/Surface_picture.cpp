@@ -37,7 +37,7 @@ CGAL::Bbox_3 box_of(const std::vector<Vector>& points)
   return result;
 }
 
-// The directions to the right, upwards and to the viewer.
+// Stores the directions to the right, upwards and to the viewer.
 typedef std::array<Vector, 3> Outlook;
 
 Outlook outlook(const Vector& way, const Vector& up)
@@ -46,7 +46,8 @@ Outlook outlook(const Vector& way, const Vector& up)
   return {right, CGAL::cross_product(way, right), way};
 }
 
-// The viewer sees the broadest side, a little from above; what is flat is seen from above.
+// Returns the directions. The viewer sees the broadest side, slightly from above. A flat surface is
+// seen from above.
 Outlook outlook_on(const std::vector<Vector>& points)
 {
   const CGAL::Bbox_3 box = box_of(points);
@@ -69,7 +70,7 @@ Outlook outlook_along(const Vector& normal)
   return outlook(normal, std::abs(normal.y()) < .9 ? Vector(0, 1, 0) : Vector(0, 0, 1));
 }
 
-// Scaled into the picture, where y leads downwards.
+// Scales points into the picture, where y leads downwards.
 void fit(std::vector<Vector>& points, const CGAL::Bbox_3& box)
 {
   const double scale = (size - 2 * margin) / (std::max)({box.x_span(), box.y_span(), 1e-300});
@@ -78,7 +79,7 @@ void fit(std::vector<Vector>& points, const CGAL::Bbox_3& box)
          size / 2 - scale * (p.y() - box.ymin() / 2 - box.ymax() / 2), scale * p.z()};
 }
 
-// Lines of a kind, the last over the others.
+// Stores lines of a kind; the last layer is drawn over the others.
 struct Layer
 {
   const char* attribute;
@@ -94,7 +95,7 @@ constexpr std::array<Layer, 7> layers = {{{"input_edge", {'i', {86, 100, 115}, .
                                           {"path_edge", marked},
                                           {"is_seam", {'s', {122, 47, 160}, 1.8}}}};
 
-// With lines that are `scale` times as wide.
+// Returns the styles, with lines that are `scale` times as wide.
 std::vector<Line_style> all_styles(double scale)
 {
   std::vector<Line_style> result{plain_edge, outline};
@@ -105,7 +106,7 @@ std::vector<Line_style> all_styles(double scale)
   return result;
 }
 
-// One surface, in its place or in its image.
+// Draws one surface, or its image.
 class Surface_drawing
 {
 public:
@@ -146,7 +147,7 @@ public:
 private:
   // ---- Positions and styles ----
 
-  // All, or those that meet the section.
+  // Chooses all polygons, or the polygons that meet the section.
   void choose_polygons()
   {
     for(std::size_t i = 0; i < m_polygons.size(); ++i)
@@ -154,7 +155,7 @@ private:
         m_order.push_back(i);
   }
 
-  // From the middle of a section to the corners of its square, in radii.
+  // This is the distance from the center of a section to the corners of its square, in radii.
   static constexpr double reach = 1.6;
 
   bool meets_section(const Polygons::Polygon& p) const
@@ -196,7 +197,7 @@ private:
     }
   }
 
-  // Beside the image.
+  // Returns the outlines beside the image.
   std::vector<std::vector<Vector>> outlines() const
   {
     std::vector<std::vector<Vector>> result;
@@ -232,7 +233,7 @@ private:
     return unit(sum);
   }
 
-  // The style of the edge between two points; the last layer counts.
+  // Sets the style of the edge between two points. The last layer counts.
   void set_edges()
   {
     const Output_mesh& mesh = m_surface.mesh;
@@ -260,7 +261,7 @@ private:
     return sum / double((std::max)(m_polygons[i].size(), std::size_t(1)));
   }
 
-  // The normal, as the sum of cross products.
+  // Returns the normal, as the sum of cross products.
   Vector normal(std::size_t i) const
   {
     const Polygons::Polygon p = m_polygons[i];
@@ -288,7 +289,7 @@ private:
     return {lit * result[0], lit * result[1], lit * result[2]};
   }
 
-  // From dark to light, in twenty steps.
+  // Returns a color from dark to light, in twenty steps.
   std::array<double, 3> color_of_value(const std::vector<double>& values, std::size_t i) const
   {
     const Polygons::Polygon p = m_surface.mesh.polygons[i];
@@ -303,7 +304,7 @@ private:
 
   // ---- Shapes ----
 
-  // Its border is one shape with it if all sides have one style.
+  // Adds a polygon. Its border is part of its shape if all sides have one style.
   void add_polygon(std::size_t i)
   {
     const Polygons::Polygon p = m_polygons[i], points = m_surface.mesh.polygons[i];
@@ -320,7 +321,7 @@ private:
         m_canvas.add({polygon[k], polygon[(k + 1) % p.size()]}, nullptr, sides[k]);
   }
 
-  // A line that is marked, in parts no longer than a pixel.
+  // Represents part of a marked line that is at most a pixel long.
   typedef std::array<Vector, 2> Segment;
 
   std::vector<Segment> parts_of_marked_lines() const
@@ -333,8 +334,9 @@ private:
     return result;
   }
 
-  // Returns between which places, from 0 to 1, the line from `a` along `d` is within reach of the
-  // section; what could hide the rest of it is not there. NaN if it is nowhere.
+  // Returns the interval, within 0 to 1, in which the line from `a` along `d` is within reach of
+  // the section. Polygons that could hide the rest are not drawn. The interval is NaN if it is
+  // empty.
   std::array<double, 2> part_within_reach(const Vector& a, const Vector& d) const
   {
     if(!m_section)
@@ -360,7 +362,7 @@ private:
         {point(begin + (end - begin) * i / n), point(begin + (end - begin) * (i + 1) / n)});
   }
 
-  // As far as no polygon hides them.
+  // Adds marked lines, unless polygons hide them.
   void add_marked_lines()
   {
     const std::vector<Segment> parts = parts_of_marked_lines();

@@ -12,18 +12,18 @@
 #include <string>
 #include <vector>
 
-// The part of a surface in a ball, which is seen along the normal in the middle.
+// Stores the part of a surface in a ball, seen along the normal at the center.
 struct Picture_section
 {
   Point center;
   double radius;
 };
 
-// Adds a picture of surfaces beside each other: each in a parallel projection, polygons behind
-// before those in front of them, with the edges of its triangulations, and over them lines that are
-// marked where no polygon is in front; then its image in the plane or the disk, if there is one. It
-// is PNG if the path ends with .png, else SVG. Of a section there are only the polygons that meet
-// it, in a square of its size.
+// Adds a picture of surfaces side by side. Each is shown in a parallel projection, with polygons
+// from back to front and the edges of its triangulations. Marked lines are drawn over it if no
+// polygon hides them. Then its image in the plane or the disk follows, if it has one. The picture
+// is PNG if the path ends with .png, else SVG. A section shows only the polygons that meet it, in a
+// square of its size.
 void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path,
                    const std::optional<Picture_section>& section);
 

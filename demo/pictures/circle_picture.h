@@ -11,7 +11,7 @@
 
 #include <string>
 
-// Adds a picture of the circles of a packing, of the unit disk with its circle, or of the disk with
+// Adds a picture of the circles of a packing, with the unit disk and its circle, or the disk with
 // three times its radius. It is PNG if the path ends with .png, else SVG.
 void write_circle_picture(Text& text, const CGAL::Discrete_conformal_maps::Circle_packing& packing,
                           const std::string& path);

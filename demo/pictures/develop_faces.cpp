@@ -86,7 +86,7 @@ private:
     m_result.shapes.insert(m_result.shapes.end(), {z.real(), z.imag()});
   }
 
-  // The third corner of the face of `h`, if `h` goes from 0 to 1.
+  // Returns the third corner of the face of `h`, if `h` leads from 0 to 1.
   Complex apex(IT::Halfedge_index h) const
   {
     const double l = m_tri.length(IT::Edge_index(h));
@@ -95,8 +95,8 @@ private:
     return {.5 + IT::scaled_foot(a, b) / l / l / 2, IT::quadrupled_area(l, a, b) / l / l / 2};
   }
 
-  // Development starts at a corner whose first edge is intrinsic too, if there is one, and whose
-  // edges are crossed least.
+  // Adds a face of the input. Development starts at a corner whose first edge is intrinsic, too, if
+  // one exists, and whose edges have the fewest crossings.
   void add_input_face(IT::Face_index f)
   {
     const IT::Delta_complex& input = m_tri.input_mesh();
@@ -137,7 +137,8 @@ private:
     m_result.first_edges.insert(m_result.first_edges.end(), {z.real(), z.imag()});
   }
 
-  // That of the input halfedge `h` from the outgoing halfedge at or clockwise before it.
+  // Returns the direction of the input halfedge `h` from the outgoing halfedge at or clockwise
+  // before it.
   Complex direction_of(IT::Halfedge_index h, IT::Halfedge_index outgoing) const
   {
     const IT::Edge_index e(h);

@@ -10,8 +10,8 @@
 
 #include <optional>
 
-// Nothing if a face of the input is crossed so often that single precision could not develop the
-// intrinsic faces there.
+// Returns the developed faces. Returns nothing if a face of the input has so many crossings that
+// single precision is insufficient.
 std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input);
 
 #endif // INTRINSIC_DEVELOP_FACES_H

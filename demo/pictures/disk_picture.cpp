@@ -47,7 +47,7 @@ void add_tile(std::ostream& out, const Tile& tile, const std::vector<Complex>& c
   out << "Z\"/>\n";
 }
 
-// With cones only the domain, since its images overlap.
+// Returns the tiles. With cones, returns only the domain, because its images overlap.
 std::vector<Tile> tiles(const DCM::Hyperbolic_conformal_map& map, std::size_t component,
                         const DCM::Hyperbolic_tiling& tiling, int depth)
 {
@@ -56,7 +56,7 @@ std::vector<Tile> tiles(const DCM::Hyperbolic_conformal_map& map, std::size_t co
   return tiling.tiles(map.group(component).relation.empty() ? 0 : depth, pixel);
 }
 
-// In Klein's disk geodesics are straight.
+// Geodesics are straight in the Klein disk.
 Complex to_Klein(const Complex& z) { return 2. * z / (1 + std::norm(z)); }
 Complex from_Klein(const Complex& z)
 {

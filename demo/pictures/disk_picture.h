@@ -11,16 +11,17 @@
 #include <string>
 #include <vector>
 
-// An SVG picture of the Poincare disk for each component: the fundamental domain, and its images
-// across `depth` sides, as far as they can be seen. With cones only the domain, since its images
+// Returns an SVG picture of the Poincare disk for each component: the fundamental domain, and its
+// visible images across `depth` sides. With cones, it shows only the domain, because its images
 // overlap.
 std::string disk_picture(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                          int depth);
 
-// Between the centers of the disks of components.
+// This is the distance between the centers of the disks of components.
 constexpr double disk_distance = 2.04;
 
-// The circles, and what `disk_picture()` draws of each component, as chains of short segments.
+// Returns the circles, and the lines of `disk_picture()` for each component, as chains of short
+// segments.
 std::vector<std::vector<std::array<double, 2>>>
 disk_outlines(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map, int depth);
 

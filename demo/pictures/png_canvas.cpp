@@ -13,7 +13,7 @@
 
 namespace {
 
-// Draws with Cairo, on paper that is white.
+// Draws with Cairo on a white background.
 class Png_canvas : public Canvas
 {
 public:

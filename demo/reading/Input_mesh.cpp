@@ -23,14 +23,14 @@ IT::Input_diagnosis diagnose(const Polygon_soup& soup)
   return IT::diagnose_polygon_soup(soup.points, soup.polygons);
 }
 
-// CGAL's repair functions take numbers and indices for granted.
+// Returns whether CGAL can repair the soup. Its functions do not check numbers and indices.
 bool is_repairable(const IT::Input_diagnosis& diagnosis)
 {
   return diagnosis.count(IT::Defect_kind::NON_FINITE_COORDINATE) == 0 &&
          diagnosis.count(IT::Defect_kind::FACE_INDEX_OUT_OF_RANGE) == 0;
 }
 
-// What keeps triangles from being an oriented surface.
+// Counts the defects that prevent triangles from being an oriented surface.
 std::size_t number_of_soup_defects(const IT::Input_diagnosis& diagnosis)
 {
   return diagnosis.count(IT::Defect_kind::NON_MANIFOLD_EDGE) +
@@ -55,7 +55,7 @@ bool is_allowed(IT::Defect_kind kind, const Common_options& options)
   }
 }
 
-// What to do about what is not acceptable.
+// Returns advice about fatal defects.
 const char* advice(const IT::Input_diagnosis& diagnosis, const Common_options& options)
 {
   if(!is_repairable(diagnosis))

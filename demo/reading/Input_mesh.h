@@ -23,24 +23,24 @@
 
 using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 
-// Triangles that are not a surface, with their cover. Those of a cloud of points are around one
-// point each.
+// Stores triangles that are not a surface, with their cover. The triangles of a cloud of points
+// belong to one point each.
 struct Covered_soup
 {
   Polygon_soup soup;
   bool is_cloud;
   CGAL::Intrinsic_triangulations::Tufted_cover<Point> cover;
 
-  // The factor of operators.
+  // Returns the factor of operators.
   double share() const { return is_cloud ? 1. / 6 : 1. / 2; }
 };
 
-// A mesh that a command can work on, and what was done to it.
+// Stores a mesh that a command can process, and its changes since it was read.
 struct Input_mesh
 {
   Mesh mesh; // the cover, if there is one
   std::optional<Covered_soup> covered;
-  // The triangles that faces are, and the edges, if some of the faces have been left out.
+  // Stores the triangles of the faces, and the edges, if some of the faces have been omitted.
   std::vector<Mesh::Face_index> kept_faces;
   std::vector<Mesh::Edge_index> kept_edges;
   std::vector<std::int64_t> parents; // of the faces that were read, if polygons have been split
@@ -50,13 +50,13 @@ struct Input_mesh
   Cracks cracks;      // of the mesh, unless it is a cover
   Triangle_data data; // at the vertices and triangles of what was read; these only if there are any
 
-  // Of what was read.
+  // Returns the number of vertices that were read.
   std::size_t number_of_vertices() const
   {
     return covered ? covered->soup.points.size() : mesh.number_of_vertices();
   }
 
-  // The data of a point of the mesh.
+  // Returns the weights for the data of a point of the mesh.
   Point_weights weights(const CGAL::Intrinsic_triangulations::Vertex_weights<double>& w) const
   {
     Point_weights result{w.size, {}, w.weight};
@@ -64,11 +64,11 @@ struct Input_mesh
       result.point[c] = covered ? covered->cover.input_vertex(w.vertex[c]) : w.vertex[c].idx();
     return result;
   }
-  // The point in the face as it was read, with coordinates in the order of its corners there.
+  // Returns the point in the face that was read, with coordinates in the order of its corners.
   // Without a cover, the function is its own inverse.
   Surface_location as_read(const Surface_location& p) const;
 
-  // What was read as a face of the mesh; -1 for none.
+  // Returns the number of the triangle that was read as a face of the mesh, or -1 for none.
   std::int64_t triangle(Mesh::Face_index f) const
   {
     if(!f.is_valid())
@@ -79,8 +79,8 @@ struct Input_mesh
   }
 };
 
-// Reads the mesh of a command; repairs, and notes unless `is_quiet`, are printed on standard error.
-// Throws Program_error if the file cannot be read or if the mesh, repaired if wanted, has a fatal
+// Reads the mesh of a command. Repairs, and notes unless `is_quiet`, are printed on standard error.
+// Throws Program_error if the file cannot be read, or if the mesh, possibly repaired, has a fatal
 // defect.
 Input_mesh read_input(const Common_options& options, bool is_quiet);
 

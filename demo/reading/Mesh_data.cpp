@@ -20,7 +20,7 @@ bool is_color_name(const std::string& name)
   return name == "red" || name == "green" || name == "blue" || name == "alpha";
 }
 
-// Constants stay what they are, whatever the weights.
+// Returns the value of a linear function. Constants are reproduced exactly for all weights.
 template <class Value>
 double linear_value(const Point_weights& w, const Value& value)
 {
@@ -47,7 +47,7 @@ Point_function carried(const Point_function& from, const Placed_mesh& mesh)
   return result;
 }
 
-// The coordinates of a point of a triangle.
+// Returns the coordinates of a point of a triangle.
 Coordinates coordinates(const Corner_data& data, const Polygons& triangles, std::size_t triangle,
                         const Point_weights& w)
 {
@@ -85,7 +85,7 @@ void carry(const Corner_data& from, const Polygons& triangles, const Placed_mesh
   builder.finish(result);
 }
 
-// Whether every point has coordinates, and one.
+// Returns whether every point has exactly one coordinate.
 bool is_of_points(const Corner_data& data, std::size_t points)
 {
   return data.coordinates.size() == points &&
@@ -149,7 +149,7 @@ Index Corner_data_builder::number(Index point, const Coordinates& coordinates)
     m_first[point] = add();
   if(m_result.coordinates[m_first[point]] == coordinates)
     return m_first[point];
-  // zero has two signs
+  // Adding zero unites both signs of zero.
   const Coordinates key{coordinates[0] + 0., coordinates[1] + 0., coordinates[2] + 0.};
   const auto [other, is_new] = m_others.try_emplace(Key(point, key), Polygons::none);
   if(is_new)

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-// A number at each point.
+// Stores a number at each point.
 struct Point_function
 {
   std::string name;
@@ -28,7 +28,8 @@ struct Point_function
   bool is_color = false; // an integer up to 255, and interpolated as one
 };
 
-// Coordinates at the corners of polygons, which may differ at one point: a texture, or normals.
+// Stores coordinates at the corners of polygons, which may differ at one point: a texture, or
+// normals.
 struct Corner_data
 {
   std::string name;
@@ -37,10 +38,10 @@ struct Corner_data
   Polygons polygons; // with coordinates in place of points; none where there are no coordinates
 };
 
-// Whether it is not a list of normals.
+// Returns whether the data are not a list of normals.
 bool is_texture(const Corner_data& data);
 
-// Groups of polygons, as .obj has them: objects, groups and materials.
+// Stores groups of polygons, as .obj has them: objects, groups and materials.
 struct Polygon_groups
 {
   std::vector<std::string> libraries;      // lines that name files with materials
@@ -53,7 +54,8 @@ struct Polygon_groups
     return i < of_polygon.size() ? of_polygon[i] : Polygons::none;
   }
 
-  // Takes the groups to other polygons: number i is a part of polygon `parent(i)`; -1 for none.
+  // Maps the groups to other polygons. Number i is a part of polygon `parent(i)`, or of none for
+  // -1.
   template <class Parent>
   void carry(std::size_t size, const Parent& parent)
   {
@@ -64,7 +66,7 @@ struct Polygon_groups
   }
 };
 
-// What a mesh has beside positions.
+// Stores the data of a mesh beside positions.
 struct Mesh_data
 {
   std::vector<Point_function> functions;
@@ -73,27 +75,27 @@ struct Mesh_data
 
   bool empty() const { return functions.empty() && corners.empty() && groups.of_polygon.empty(); }
 
-  // Null if there is none with this name.
+  // Returns the function with this name, or null if none exists.
   const Point_function* function(const std::string& name) const;
 };
 
-// How many coordinates the corners of a polygon have in a list of this name; zero if it is not a
-// name of corner data, with "input_" in front or without.
+// Returns the dimension of corner coordinates in a list of this name. Returns zero if it is not a
+// name of corner data, with or without the prefix "input_".
 std::size_t corner_dimension(std::string_view name);
 
-// Numbers coordinates corner by corner. Equal ones at one point get one number, so that others are
-// at seams only.
+// Numbers coordinates corner by corner. Equal coordinates at one point get one number, so that only
+// seams have several.
 class Corner_data_builder
 {
 public:
   typedef std::array<double, 3> Coordinates;
 
-  // Where there are none.
+  // This value stands for missing coordinates.
   static constexpr Coordinates missing{std::numeric_limits<double>::quiet_NaN(), 0, 0};
 
   Corner_data_builder(std::string name, std::size_t dimension);
 
-  // The next corner of a polygon; if a coordinate is not finite, it has none.
+  // Adds the next corner of a polygon. If a coordinate is not finite, the corner has none.
   void add_corner(Polygons::Index point, const Coordinates& coordinates);
   void close() { m_result.polygons.close(); }
 
@@ -110,9 +112,9 @@ private:
   std::unordered_map<Key, Polygons::Index, boost::hash<Key>> m_others;
 };
 
-// Adds coordinates at the corners of polygons, of which some may name points that do not exist.
-// `coordinates` are those of a corner, counted over all polygons. Normals become functions nx, ny
-// and nz if each point has one.
+// Adds coordinates at the corners of polygons, some of which may name nonexistent points.
+// `coordinates` returns the coordinates of a corner, counted over all polygons. Normals become
+// functions nx, ny and nz if each point has one.
 void add_corner_data(
   const std::string& name, std::size_t dimension, const Polygons& polygons, std::size_t points,
   const std::function<Corner_data_builder::Coordinates(std::size_t)>& coordinates, Mesh_data& data);
@@ -120,13 +122,13 @@ void add_corner_data(
 // Removes functions without a value at each of `points` points, and finds the colors.
 void clean(Mesh_data& data, std::size_t points);
 
-// Data of triangles, those of the input or parts of them.
+// Stores data of triangles, which are the triangles of the input or parts of them.
 struct Triangle_data : Mesh_data
 {
   Polygons triangles;
 };
 
-// A point as a convex combination of points of one triangle.
+// Represents a point as a convex combination of points of one triangle.
 struct Point_weights
 {
   std::size_t size = 0;
@@ -134,21 +136,21 @@ struct Point_weights
   std::array<double, 3> weight{};
 };
 
-// The first texture, for these polygons: of corners without coordinates, those of one point have
-// one that is NaN. Of dimension zero if there is none.
+// Returns the first texture, for these polygons. Corners without coordinates at one point share a
+// coordinate that is NaN. Without a texture, the dimension is zero.
 Corner_data texture_on(const Polygons& polygons, const std::vector<Corner_data>& all);
 
-// Where a mesh lies on triangles.
+// Describes the position of a mesh on triangles.
 struct Placed_mesh
 {
   std::size_t number_of_points;
   const Polygons& polygons;
   std::function<Point_weights(std::size_t)> weights; // of a point
-  // The triangle in which corner k of polygon i lies; -1 if it is none.
+  // Returns the triangle that contains corner k of polygon i, or -1 if it is none.
   std::function<std::int64_t(std::size_t i, std::size_t k)> triangle;
 };
 
-// The data at the points and corners of the mesh, linear in each triangle.
+// Returns the data at the points and corners of the mesh, linear in each triangle.
 Mesh_data carried(const Triangle_data& data, const Placed_mesh& mesh);
 
 #endif // INTRINSIC_MESH_DATA_H

@@ -21,7 +21,7 @@ public:
     : m_soup(soup), m_halfedge(soup.polygons.number_of_corners())
   {}
 
-  // If the connectivity is no surface, the mesh must not be used.
+  // Returns the mesh, which must not be used if the connectivity is not a surface.
   Mesh operator()()
   {
     count_ascending_sides();
@@ -73,7 +73,8 @@ private:
     }
   }
 
-  // Branch-free, as the next loop: which sides ascend is unpredictable.
+  // Counts the sides that ascend. The loops are branch-free, because ascending sides are
+  // unpredictable.
   void count_ascending_sides()
   {
     m_first.assign(m_soup.points.size() + 2, 0);
@@ -93,7 +94,7 @@ private:
     m_edges.pop_back();
   }
 
-  // By the smaller vertex in linear time, then by the larger one if they are many.
+  // Sorts the edges by the smaller vertex in linear time, then by the larger one if they are many.
   void sort_edges()
   {
     m_sorted.resize(m_edges.size());
@@ -106,8 +107,8 @@ private:
 
   bool are_many(Index v) const { return m_first[v + 1] - m_first[v] > 8; }
 
-  // Returns the first edge from the smaller vertex `v` to `w`. If no face ascends there, the result
-  // is another edge, or the end of the edges of `v`.
+  // Returns the first edge from the smaller vertex `v` to `w`. If no face ascends along it, the
+  // result is another edge, or the end of the edges of `v`.
   std::vector<Numbered_end>::const_iterator find_edge(Index v, Index w) const
   {
     const auto first = m_sorted.begin() + m_first[v], end = m_sorted.begin() + m_first[v + 1];
@@ -116,7 +117,8 @@ private:
     return std::find_if(first, end, [w](const Numbered_end& x) { return x.first == w; });
   }
 
-  // The number of an edge from the smaller vertex `v` to `w`; a new one if no face ascends there.
+  // Returns the number of an edge from the smaller vertex `v` to `w`, which is a new one if no face
+  // ascends along it.
   Index edge(Index v, Index w)
   {
     const auto e = find_edge(v, w);
@@ -135,7 +137,7 @@ private:
                          [&](const Numbered_end& x) { return x.first == e[1]; }) <= 1;
   }
 
-  // The last side of each face comes first.
+  // Numbers the descending sides. The last side of each face comes first.
   void number_descending_sides()
   {
     std::size_t corner = 0;
@@ -149,7 +151,8 @@ private:
     }
   }
 
-  // The halfedge of a vertex is on the first edge that has it: it is written last.
+  // Sets the ends of edges. The halfedge of a vertex is on the first edge that contains it, so this
+  // is written last.
   void set_ends()
   {
     for(std::size_t e = m_edges.size(); e-- > 0;)
@@ -160,7 +163,7 @@ private:
       }
   }
 
-  // The halfedge of a face leaves its first corner.
+  // Sets the faces. The halfedge of a face leaves its first corner.
   void set_faces()
   {
     auto first = m_halfedge.begin();
@@ -176,7 +179,7 @@ private:
     }
   }
 
-  // At most one border halfedge leaves a vertex of a surface.
+  // Links the border. At most one border halfedge leaves a vertex of a surface.
   void link_border()
   {
     if(m_halfedge.size() == m_mesh.num_halfedges())
@@ -193,7 +196,7 @@ private:
         m_mesh.set_next(h, leaving[m_mesh.target(h)]);
   }
 
-  // Counts those that the turn around a vertex meets, from its halfedge on.
+  // Counts the halfedges that a turn around each vertex meets, starting from its halfedge.
   static std::size_t number_of_halfedges_in_fans(const Mesh& mesh)
   {
     std::size_t result = 0;

@@ -21,7 +21,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-// A mesh as a file gives it: indices are as they stand there.
+// Stores a mesh with the indices of its file.
 struct Polygon_soup
 {
   std::vector<Point> points;
@@ -35,23 +35,25 @@ struct Polygon_soup
   Mesh_data data;
 };
 
-// Takes corner data and groups from polygons to their parts: part i is one of polygon `parents[i]`,
-// with corners of that.
+// Copies corner data and groups from polygons to their parts. Part i is part of polygon
+// `parents[i]`, and has corners of this polygon.
 void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& parents,
                     const Polygons& parts, Mesh_data& data);
 
-// Vertices and faces keep their indices, isolated vertices too. Edges are numbered in the order of
-// faces: first those that a face runs along from the smaller to the larger index, then the others.
-// The first halfedge of an edge leads to the larger index. The halfedge of a face leaves its first
-// corner: barycentric coordinates are in the order of the soup.
+// Builds the mesh of a soup. Vertices and faces keep their indices, isolated vertices too. Edges
+// are numbered in the order of faces: first the edges that a face follows from the smaller to the
+// larger index, then the others. The first halfedge of an edge leads to the larger index. The
+// halfedge of a face leaves its first corner, so barycentric coordinates are in the order of the
+// soup.
 // Precondition: the diagnosis of the soup is valid, except for faces that are not triangles.
 Mesh mesh_of(const Polygon_soup& soup);
 
-// Returns `mesh_of(soup)` if the soup is a surface of triangles. Otherwise, returns none: a
-// diagnosis names the defects of connectivity, and takes longer. Lengths are not looked at.
+// Returns `mesh_of(soup)` if the soup is a surface of triangles. Otherwise, returns nothing: a
+// diagnosis names the defects of connectivity, and takes longer. Lengths are not checked.
 std::optional<Mesh> surface_of(const Polygon_soup& soup);
 
-// The corners of a face in the order of barycentric coordinates, from the source of its halfedge.
+// Returns the corners of a face in the order of barycentric coordinates, from the source of its
+// halfedge.
 template <class Any_mesh, class Faces>
 Polygons polygons_of(const Any_mesh& mesh, const Faces& faces)
 {

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-// Polygons, or lines, as indices of points: all in one array.
+// Stores polygons, or lines, as indices of points in one array.
 class Polygons
 {
 public:
@@ -55,7 +55,7 @@ public:
   Polygons() = default;
 
   // Makes triangles of integers. Negative ones name no point.
-  // Throws std::length_error if there are more corners than numbers for them.
+  // Throws std::length_error if indices do not suffice for the corners.
   template <class Integer>
   static Polygons of_triangles(const Integer* first, const Integer* last)
   {
@@ -75,12 +75,13 @@ public:
   std::size_t size() const { return m_ends.size() - 1; }
   bool empty() const { return size() == 0; }
   std::size_t number_of_corners() const { return m_indices.size(); }
-  // The polygon of a corner, counted over all polygons. Complexity: logarithmic in their number.
+  // Returns the polygon of a corner, counted over all polygons. Complexity: logarithmic in their
+  // number.
   std::int64_t polygon_of_corner(std::size_t corner) const
   {
     return std::upper_bound(m_ends.begin(), m_ends.end(), corner) - m_ends.begin() - 1;
   }
-  // Those of all polygons, in their order.
+  // Returns the corners of all polygons, in their order.
   const std::vector<Index>& corners() const { return m_indices; }
 
   Polygon operator[](std::size_t i) const
@@ -100,7 +101,7 @@ public:
   // Adds a corner to the polygon that is not closed yet.
   void add_corner(std::size_t index) { m_indices.push_back(index_of(index)); }
 
-  // Throws std::length_error if there are more corners than numbers for them.
+  // Closes the polygon. Throws std::length_error if indices do not suffice for the corners.
   void close() { m_ends.push_back(end_of(m_indices.size())); }
 
   template <class Range>

@@ -19,16 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// In place of the end of a line that goes on, which counts as one.
+// This character replaces the end of a continued line, which counts as a line.
 constexpr char joint = '\v';
 
 constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 constexpr bool is_space(char c) { return c == '\n' || is_blank(c); }
 
-// A comment, the other indices of a corner and a tag may follow directly.
+// Returns whether a character may follow a number. A comment, the other indices of a corner and a
+// tag may follow directly.
 constexpr bool may_follow_number(char c) { return is_space(c) || c == '#' || c == '/' || c == '<'; }
 
-// In one line, with what can be printed.
+// Returns a word in one line of printable characters.
 std::string quoted(std::string_view word)
 {
   std::string result(word.substr(0, 32));
@@ -38,7 +39,7 @@ std::string quoted(std::string_view word)
   return "'" + result + (word.size() > 32 ? "...'" : "'");
 }
 
-// Also of what is not a regular file and has no size.
+// Returns the content, also of files that are not regular and have no size.
 std::string content(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);
@@ -139,7 +140,7 @@ std::string_view Scanner::word()
   return result;
 }
 
-// Most words differ in their first character, so their ends are not looked for.
+// Most words differ in their first character, so their ends are not searched.
 template <class Is_equal>
 bool Scanner::accept_if(std::string_view expected, const Is_equal& is_equal)
 {
@@ -205,7 +206,7 @@ std::string_view Scanner::until(std::string_view last)
   return rest.substr(0, size);
 }
 
-// Tiny numbers become zero or what is next to it.
+// Tiny numbers become zero or the least positive number.
 template <class Number>
 Number Scanner::value_beyond_range(std::string_view digits) const
 {

@@ -16,17 +16,17 @@
 #include <string_view>
 #include <vector>
 
-// The number that a text is; nothing if it is not a finite decimal number.
+// Returns the number in a text, or nothing if it is not a finite decimal number.
 std::optional<double> finite_number(const std::string& text);
 
-// The bytes of a file and how far they have been read. Nothing is read beyond their end, whatever
-// they are. All functions that read throw Program_error, with the line in a text, if they do not
-// find what they look for.
+// Reads the bytes of a file in their order. Reading never exceeds their end, whatever they contain.
+// All functions that read throw Program_error, with the line in a text, if they do not find the
+// expected content.
 class Scanner
 {
 public:
-  // Reads the file, without a byte-order mark. Throws Program_error if that is not possible, or it
-  // is empty.
+  // Reads the file, without a byte-order mark. Throws Program_error if this is impossible, or it is
+  // empty.
   explicit Scanner(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return m_path; }
@@ -38,60 +38,62 @@ public:
 
   // ---- Text: numbers and words between blanks, in lines ----
 
-  // Whether the line has nothing more but, if a character starts comments, a comment.
+  // Returns whether the rest of the line is empty, or a comment if a character starts comments.
   bool at_line_end(char comment = '\n');
 
   void skip_line();
 
-  // Goes on to the next word, in this line or in another.
+  // Skips to the next word, in this line or in another.
   void skip_space();
 
-  // Goes on to the next word that is in no comment.
+  // Skips to the next word that is in no comment.
   void skip_comments(char comment);
 
-  // Whether the next characters are these.
+  // Returns whether the next characters are `text`.
   bool begins_with(std::string_view text) const
   {
     return std::string_view(m_position, remaining()).substr(0, text.size()) == text;
   }
 
-  // Nothing but blanks and comments, and no byte in a binary file, follow `last`, which ends it.
+  // Checks that only blanks and comments, and no byte in a binary file, follow `last`, which ends
+  // it.
   void expect_end(const std::string& last, char comment = '\n');
 
-  // The next word of the line; empty if there is none.
+  // Returns the next word of the line, or an empty text.
   std::string_view word();
 
-  // Whether the next word is this one, which then is read.
+  // Returns whether the next word is this one, and reads it then.
   bool accept(std::string_view expected);
 
-  // As accept(), for a word in lower case that may be written with capital letters.
+  // Accepts a word like accept(). `expected` is in lower case, but capital letters are accepted,
+  // too.
   bool accept_in_any_case(std::string_view expected);
 
-  // Lines that end with a backslash go on in the next one, except in comments.
+  // Joins lines: a line that ends with a backslash continues in the next one, except in comments.
   void join_lines(char comment);
 
-  // The next number in the line, which is finite; as `float` or `double`.
+  // Returns the next number in the line, which is finite; as `float` or `double`.
   template <class Number>
   Number number();
 
-  // The next integer in the line; one with a decimal point and zeros is allowed.
+  // Returns the next integer in the line. A decimal point and zeros are allowed.
   std::int64_t integer();
 
-  // The next integer in the line, which is no less than zero.
+  // Returns the next nonnegative integer in the line.
   std::size_t count();
 
-  // What follows the last number or word directly, up to the next blank.
+  // Returns the characters directly after the last number or word, up to the next blank.
   std::string_view take_rest_of_word();
 
-  // The finite numbers that come next in the line, up to something else.
+  // Returns the finite numbers that come next in the line.
   std::vector<double> numbers();
 
-  // What comes before the next `last`, which is read, too.
+  // Returns the text before the next `last`, which is read, too.
   std::string_view until(std::string_view last);
 
   // ---- Binary ----
 
-  // The next bytes as a number, the least significant one first unless `is_big_endian`.
+  // Returns the next bytes as a number, the least significant one first unless `is_big_endian`.
   template <class Number>
   Number binary(bool is_big_endian)
   {
@@ -108,7 +110,7 @@ public:
     m_position += n;
   }
 
-  // Lines are not counted from here on.
+  // Stops to count lines.
   void set_binary() { m_is_binary = true; }
 
   // ---- Places ----

@@ -17,7 +17,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-// A corner of a polygon, which keeps its origin when CGAL gives its point another number.
+// Represents a corner of a polygon, which keeps its origin when CGAL renumbers its point.
 class Corner
 {
 public:
@@ -69,8 +69,8 @@ public:
   }
 
 private:
-  // Keeps the corners, whose points CGAL wants as plain numbers here. Works elsewhere, for visitors
-  // are copied.
+  // Follows reversals by CGAL, which expects points as plain numbers. The data are stored
+  // elsewhere, because visitors are copied.
   struct Reversal_follower : PMP::Default_orientation_visitor
   {
     Soup_repairer* repairer;
@@ -139,7 +139,8 @@ private:
     note("points duplicated to make the surface manifold", m_soup.points.size() - points);
   }
 
-  // Corners keep their data. A point gets those of the first of its corners in the input.
+  // Moves the data. Corners keep their data. A point gets the data of the first of its corners in
+  // the input.
   void carry_data()
   {
     std::vector<Polygons::Index> origin(m_soup.points.size(), Polygons::none);
@@ -164,7 +165,7 @@ private:
     m_soup.data.groups.carry(m_polygons.size(), [&](std::size_t i) { return old_polygon(i); });
   }
 
-  // Of which polygon `i` has its first corner.
+  // Returns the polygon that contained the first corner of polygon `i`.
   std::int64_t old_polygon(std::size_t i) const
   {
     return m_soup.polygons.polygon_of_corner(m_polygons[i][0].origin());

@@ -12,14 +12,13 @@
 #include <utility>
 #include <vector>
 
-// What a repair did, each thing with the number of times it was done; never a zero.
+// Lists the repairs with their positive numbers.
 using Repair_report = std::vector<std::pair<std::string, std::size_t>>;
 
-// Mends what CGAL can mend in a polygon soup: points at most `distance` apart are merged, broken
-// and duplicate faces and isolated points removed, faces oriented, points where the surface is not
-// manifold duplicated. Indices may change. Corners keep their data; points get those of the first
-// of the points of the file that have become one. Precondition: all coordinates are finite and all
-// indices in range.
+// Repairs a polygon soup as far as CGAL can. Points at most `distance` apart are merged, broken and
+// duplicate faces and isolated points removed, faces oriented, and non-manifold points duplicated.
+// Indices may change. Corners keep their data. Merged points get the data of the first point in the
+// file. Precondition: all coordinates are finite and all indices in range.
 Repair_report repair(Polygon_soup& soup, double distance = 0);
 
 #endif // INTRINSIC_SOUP_REPAIR_H

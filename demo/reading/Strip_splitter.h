@@ -10,8 +10,8 @@
 #include <array>
 #include <cstddef>
 
-// Strips are sequences of corners, of which each after the second makes a triangle with the two
-// before; the orientation alternates, and a negative index ends a strip.
+// Splits strips, which are sequences of corners. Each corner after the second makes a triangle with
+// the two previous ones. The orientation alternates, and a negative index ends a strip.
 class Strip_splitter
 {
 public:
@@ -30,7 +30,7 @@ public:
   }
 
 private:
-  // One without area leads from one part of a strip to another.
+  // Adds a triangle. A triangle without area connects parts of a strip.
   void add_triangle(std::size_t index, bool is_reversed)
   {
     if(m_last[0] != m_last[1] && m_last[0] != index && m_last[1] != index)

@@ -27,11 +27,11 @@ double distance_of(const Point& p, const Point& q)
   return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
 }
 
-// Points in the cells of a grid.
+// Stores points in the cells of a grid.
 class Point_grid
 {
 public:
-  // Cells are not so small that their numbers have no room.
+  // Cells are large enough for their numbers to stay in range.
   Point_grid(const std::vector<Point>& points, double reach)
     : m_points(points),
       m_box(CGAL::bbox_3(points.begin(), points.end())),
@@ -41,8 +41,8 @@ public:
 
   void insert(std::size_t i) { m_cells[cell(m_points[i])].push_back(i); }
 
-  // The nearest point that was inserted, at most as far away as `reach(i)`, and its distance; of
-  // equally near ones, that of least index.
+  // Returns the nearest point that was inserted, at most as far away as `reach(i)`, and its
+  // distance. Among equally near points, the least index wins.
   template <class Reach>
   std::optional<std::pair<double, std::size_t>> nearest(const Point& p, const Reach& reach) const
   {
@@ -80,7 +80,7 @@ private:
   std::unordered_map<Cell, std::vector<std::size_t>, boost::hash<Cell>> m_cells;
 };
 
-// Of each vertex the shorter of its edges on the boundary; infinite inside.
+// Returns for each vertex the shorter of its edges on the boundary, or infinity inside.
 std::vector<double> boundary_lengths(const Mesh& mesh)
 {
   std::vector<double> result(mesh.number_of_vertices(), std::numeric_limits<double>::infinity());

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-// Vertices on the boundary of a surface that are where other ones are, or almost: edges that were
-// meant to be one are two.
+// Describes vertices on the boundary that coincide, or almost coincide. Edges that should be one
+// edge are two.
 struct Cracks
 {
   std::size_t coincident = 0;               // vertices that are where an earlier one is
@@ -23,15 +23,16 @@ struct Cracks
   std::array<std::size_t, 2> are_close = {}; // the first of them, and the earlier one
   double distance = 0;                       // the greatest of theirs
 
-  // What there is and what merges it, a sentence each.
+  // Returns a sentence for each kind of crack, and the option that merges it.
   std::vector<std::string> messages() const;
 };
 
-// Complexity: linear, unless very many vertices on the boundary are close to each other.
+// Finds the cracks. Complexity: linear, unless very many vertices on the boundary are close to each
+// other.
 Cracks cracks(const Mesh& mesh);
 
-// Moves each point to the nearest of those before it that have not been moved, if that is at most
-// this far away. Returns how many have other coordinates than before.
+// Moves each point to the nearest previous point that has not been moved, if its distance is at
+// most `distance`. Returns how many points have changed their coordinates.
 std::size_t weld(std::vector<Point>& points, double distance);
 
 #endif // INTRINSIC_CLOSE_POINTS_H

@@ -19,7 +19,7 @@ namespace {
 
 typedef std::vector<Mesh::Face_index> Faces;
 
-// Builds a mesh of faces of another one.
+// Builds a mesh of faces of another mesh.
 class Component_builder
 {
 public:
@@ -51,7 +51,7 @@ private:
     m_result.mesh.add_face(corners);
   }
 
-  // The halfedges of `face` and `f` have corresponding targets.
+  // Records the edges of `face` and `f`, whose halfedges have corresponding targets.
   void note_edges(Mesh::Face_index face, Mesh::Face_index f)
   {
     Mesh::Halfedge_index h = m_result.mesh.halfedge(face);

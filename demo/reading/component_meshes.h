@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-// Some faces of a mesh as a mesh of its own, and the elements of the first that its elements are.
+// Stores some faces of a mesh as a separate mesh, and the corresponding elements of the original
+// mesh.
 struct Component_mesh
 {
   Mesh mesh;
@@ -23,17 +24,19 @@ struct Component_mesh
   Mesh::Face_index parent(Mesh::Face_index f) const { return faces[f]; }
 };
 
-// The faces of each connected component, in the order of their first faces; vertices without faces
-// are in none.
+// Returns the faces of each connected component, in the order of their first faces. Vertices
+// without faces are in none.
 std::vector<std::vector<Mesh::Face_index>> component_faces(const Mesh& mesh);
 
-// Their vertices come in the order that they have in `mesh`. Complexity: linear in the faces.
+// Builds the mesh of some faces. Vertices have the order of `mesh`. Complexity: linear in the
+// faces.
 Component_mesh component_mesh(const Mesh& mesh, std::vector<Mesh::Face_index> faces);
 
-// As `component_mesh()`, but all vertices stay with their indices, some without faces.
+// Builds the mesh of some faces like `component_mesh()`, but all vertices keep their indices, some
+// without faces.
 Component_mesh with_all_vertices(const Mesh& mesh, std::vector<Mesh::Face_index> faces);
 
-// The first of those with the greatest area.
+// Returns the first component with the greatest area.
 std::size_t index_of_largest(const std::vector<std::vector<Mesh::Face_index>>& components,
                              const Mesh& mesh);
 

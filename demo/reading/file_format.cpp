@@ -24,7 +24,7 @@ struct Format_name
   const char* extension;
 };
 
-// In the order of `File_format`.
+// The formats are in the order of `File_format`.
 constexpr std::array<Format_name, 6> formats = {{{"OFF", ".off"},
                                                  {"OBJ", ".obj"},
                                                  {"PLY", ".ply"},
@@ -32,7 +32,7 @@ constexpr std::array<Format_name, 6> formats = {{{"OFF", ".off"},
                                                  {"VTP", ".vtp"},
                                                  {"XYZ", ".xyz"}}};
 
-// Formats of other programs: extensions, how the content begins, and what converts it.
+// Describes a format of other programs: extensions, the begin of the content, and a converter.
 struct Foreign_format
 {
   std::string_view extensions;
@@ -67,7 +67,7 @@ bool begins(const std::string& text, std::string_view word)
   return !word.empty() && text.compare(0, word.size(), word) == 0;
 }
 
-// The first line that is not empty, nor a comment.
+// Returns the first line that is neither empty nor a comment.
 std::string first_line(const std::string& text)
 {
   std::size_t start = 0, end = 0;

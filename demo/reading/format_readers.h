@@ -10,7 +10,7 @@
 
 #include <string_view>
 
-// What can be read.
+// Lists the formats that can be read.
 enum class File_format
 {
   OFF,
@@ -21,23 +21,23 @@ enum class File_format
   XYZ
 };
 
-// The format that the content begins with or, if it begins with none, that the extension names.
-// Throws Program_error, which says what to do, if that is no format that can be read.
+// Returns the format with which the content begins or, if unknown, which the extension names.
+// Throws Program_error, with advice, if this format cannot be read.
 File_format file_format(const Scanner& in);
 
-// Whether the extension names another format, or none.
+// Returns whether the extension names another format, or none.
 bool is_misnamed(const Scanner& in, File_format format);
 
 const char* name_of(File_format format);
 
-// Whether the number of facets of a binary .stl file fits to its size.
+// Returns whether the number of facets of a binary .stl file fits its size.
 bool is_binary_stl(std::string_view bytes);
 
-// The readers of the formats add what the scanner has to the soup. They throw Program_error if the
-// file does not follow the format. Memory is taken for what was read, not for what a file
-// announces.
+// The readers of the formats add the content of the scanner to the soup. They throw Program_error
+// if the file violates the format. Memory is allocated for data that were read, not for data that a
+// file announces.
 
-// With polylines, of .ply the edges, unless `lines` is null.
+// Reads a file. Polylines, or edges in .ply, are read unless `lines` is null.
 void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
 void read_ply(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
 void read_vtp(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);

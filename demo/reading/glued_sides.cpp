@@ -12,8 +12,8 @@
 
 namespace {
 
-// By how much the lengths of two sides may differ, relative to their mean: files of nets often have
-// coordinates with few digits.
+// The lengths of two sides may differ by this value, relative to their mean, because coordinates in
+// files of nets often have few digits.
 constexpr double side_tolerance = 1e-5;
 
 // Reads the number of a vertex.

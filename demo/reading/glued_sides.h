@@ -11,15 +11,17 @@
 #include <utility>
 #include <vector>
 
-// Pairs of halfedges with a face on their left, on the boundary of a mesh, that become opposite.
+// Stores pairs of halfedges with a face on their left, on the boundary of a mesh, that become
+// opposite.
 struct Glued_sides
 {
   std::vector<std::pair<Mesh::Halfedge_index, Mesh::Halfedge_index>> pairs;
 };
 
-// Reads lines "a b c d": the side from vertex a to b is glued to that from c to d. Words after #
-// are comments. Throws Program_error, with the line, if there are no such sides on the boundary, a
-// side is glued twice or to one of another length, or the surface would not be oriented.
+// Reads lines "a b c d", which glue the side from vertex a to b to the side from c to d. Words
+// after # are comments. Throws Program_error, with the line, if such sides are not on the boundary,
+// or a side is glued twice or to one of another length. Also throws it if the surface would not be
+// oriented.
 Glued_sides read_glued_sides(const std::string& path, const Mesh& mesh);
 
 #endif // INTRINSIC_GLUED_SIDES_H

@@ -10,7 +10,7 @@
 
 #include <string>
 
-// The names of choices for a map to the plane. They have been checked.
+// The names of choices for a map to the plane have been checked.
 
 inline CGAL::Discrete_conformal_maps::Layout layout_named(const std::string& name)
 {

@@ -18,11 +18,11 @@
 
 namespace {
 
-// The lines that begin a group of faces: each stays until the next with its keyword.
+// These keywords begin a group of faces. Each group lasts until the next line with its keyword.
 constexpr std::array<std::string_view, 3> group_keywords = {"o", "g", "usemtl"};
 
-// The index of texture coordinates or a normal, as an offset from the first; nothing if there is
-// none.
+// Returns the index of texture coordinates or a normal, as an offset from the first one. Returns
+// nothing without an index.
 std::optional<std::int64_t> offset(std::string_view index, std::size_t number_so_far)
 {
   std::int64_t i = 0;
@@ -32,7 +32,7 @@ std::optional<std::int64_t> offset(std::string_view index, std::size_t number_so
   return i > 0 ? i - 1 : i + static_cast<std::int64_t>(number_so_far);
 }
 
-// Texture coordinates or normals, of which corners have indices.
+// Stores texture coordinates or normals, which corners refer to by indices.
 struct Indexed_coordinates
 {
   std::vector<Corner_data_builder::Coordinates> all;
@@ -61,11 +61,12 @@ struct Indexed_coordinates
   }
 };
 
-// The groups of polygons while these are read.
+// Reads the groups of polygons.
 class Groups_reader
 {
 public:
-  // Returns false if the line says nothing about groups. The polygons so far are `polygons`.
+  // Returns false if the line does not concern groups. `polygons` is the current number of
+  // polygons.
   bool read_line(std::string_view key, Scanner& in, std::size_t polygons)
   {
     const auto found = std::find(group_keywords.begin(), group_keywords.end(), key);
@@ -79,7 +80,7 @@ public:
     return true;
   }
 
-  // A keyword that has come later only is alone in the groups before.
+  // Returns the groups. A keyword that appears late is missing in earlier groups.
   Polygon_groups finish(std::size_t polygons)
   {
     if(m_lines == Lines())
@@ -139,8 +140,8 @@ public:
   }
 
 private:
-  // Polylines are read unless `m_lines` is null. Unknown statements are ignored, but a line that
-  // begins with a number belongs to the one before.
+  // Reads a line. Polylines are read unless `m_lines` is null. Unknown statements are ignored, but
+  // a line that begins with a number belongs to the previous line.
   void read_line()
   {
     const Scanner::Place start = m_in.place();
@@ -186,8 +187,8 @@ private:
     polygons.close();
   }
 
-  // A negative index counts back from the last vertex so far; a positive one may be of a vertex
-  // that follows.
+  // Reads an index. A negative index counts back from the last vertex so far. A positive one may
+  // refer to a later vertex.
   std::size_t read_index()
   {
     const Scanner::Place start = m_in.place();
@@ -200,7 +201,7 @@ private:
     return static_cast<std::size_t>(i > 0 ? i - 1 : n + i);
   }
 
-  // What names nothing has no meaning.
+  // Reads indices of data. Invalid indices are ignored.
   void read_indices_of_data(std::size_t corner, std::string_view texture)
   {
     const std::size_t slash = texture.find('/');
@@ -211,7 +212,7 @@ private:
 
   // ---- Data ----
 
-  // Many programs write a third texture coordinate that is always zero.
+  // Returns whether the third texture coordinate is always zero, as many programs write it.
   bool is_texture_flat() const
   {
     return std::all_of(m_texture.all.begin(), m_texture.all.end(),
@@ -237,7 +238,7 @@ private:
     add_colors();
   }
 
-  // Fractions, or integers up to 255 if one is greater than one.
+  // Adds the colors, which are fractions, or integers up to 255 if one is greater than one.
   void add_colors()
   {
     double greatest = 0;

@@ -16,7 +16,7 @@
 
 namespace {
 
-// The keyword says what a vertex has beside its position.
+// Stores the header, whose keyword states the data of a vertex beside its position.
 struct Off_header
 {
   bool has_texture = false, has_color = false, has_normal = false, is_homogeneous = false,
@@ -48,7 +48,7 @@ public:
 private:
   // ---- Header ----
 
-  // Returns an empty text if there is none. Digits of a number may follow directly.
+  // Reads the first word, or an empty text. Digits of a number may follow directly.
   std::string read_first_word()
   {
     m_in.skip_comments('#');
@@ -116,7 +116,7 @@ private:
       skip_number_of_edges();
   }
 
-  // Some programs leave it out. In a line of its own it is alone.
+  // Skips the number of edges, which some programs omit. It may stand alone in a line.
   void skip_number_of_edges()
   {
     if(m_header.is_binary || !m_in.at_line_end('#')) {
@@ -138,7 +138,7 @@ private:
     m_break = nullptr;
   }
 
-  // Numbers may go on in the next line.
+  // Finds the next number, which may be in the next line.
   void find_number()
   {
     if(!m_in.at_line_end('#') || m_in.at_end())
@@ -150,7 +150,8 @@ private:
       fail_at_break();
   }
 
-  // Where numbers went on, nothing follows them: otherwise one was missing in the line before.
+  // Checks the end of a line. If numbers continued in it, it must end here: otherwise a number was
+  // missing in the previous line.
   void end_line()
   {
     if(m_break != nullptr && !m_in.at_line_end('#'))
@@ -214,9 +215,9 @@ private:
 
   // ---- Data ----
 
-  // The normal, then the number of a color, or three or four components, which are integers up to
-  // 255 or fractions of that, then the texture coordinates. A fourth coordinate of a normal is not
-  // kept.
+  // Reads the normal, then the color, then the texture coordinates. The color is a number, or three
+  // or four components, which are integers up to 255 or fractions. A fourth coordinate of a normal
+  // is dropped.
   void read_data()
   {
     std::vector<double> numbers = m_in.numbers();
@@ -260,7 +261,7 @@ private:
       m_colors[k].push_back(components[k]);
   }
 
-  // What only some vertices have is removed later.
+  // Adds the data. Data of only some vertices are removed later.
   void add_data()
   {
     const std::size_t points = m_soup.points.size();
@@ -302,7 +303,7 @@ private:
     }
   }
 
-  // Some files lack the number of color components after each face.
+  // Returns whether the number of color components after each face is missing, as in some files.
   bool are_without_colors()
   {
     const Scanner::Place start = m_in.place();

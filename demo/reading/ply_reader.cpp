@@ -56,7 +56,7 @@ struct Element
   std::size_t count;
   std::vector<Property> properties;
 
-  // The position of the property with one of these names, or of none.
+  // Returns the position of the property with one of these names, or no position.
   template <class... Names>
   std::size_t position(const Names&... names) const
   {
@@ -158,7 +158,7 @@ private:
 
   // ---- Numbers ----
 
-  // All types are exact in `double`.
+  // Reads a number. All types are exact in `double`.
   double read_number(Number_type type)
   {
     if(!m_is_binary) {
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  // None if the number is not an index.
+  // Reads an index, or no index if the number is none.
   std::size_t read_index(Number_type type)
   {
     const double x = read_number(type);
@@ -197,7 +197,7 @@ private:
     return size;
   }
 
-  // The number, or the size of the list that was left out.
+  // Reads the number, or the size of the list that is skipped.
   double read_or_skip(const Property& property)
   {
     if(!property.type_of_size)
@@ -210,7 +210,7 @@ private:
 
   // ---- Elements ----
 
-  // Each number takes a byte or more.
+  // Returns the expected number of elements. Each number needs a byte or more.
   std::size_t expected_count(const Element& element) const
   {
     return (std::min)(element.count,
@@ -248,7 +248,7 @@ private:
           read_or_skip(p);
   }
 
-  // `read_list(size, type)` reads the indices of vertices of an element.
+  // Reads lists, where `read_list(size, type)` reads the indices of vertices of an element.
   template <class Read_list>
   void read_lists(const Element& element, const Read_list& read_list)
   {
@@ -269,7 +269,7 @@ private:
 
   // ---- Data of corners ----
 
-  // The numbers of all polygons so far, one polygon after the other.
+  // Stores the numbers of all polygons so far, one polygon after the other.
   struct Corner_list
   {
     std::vector<double> numbers;
@@ -284,8 +284,8 @@ private:
       list.numbers.push_back(read_number(property.type));
   }
 
-  // Those that have a number for each polygon. Numbers for other corners than there are do not
-  // count.
+  // Adds the lists that have a number for each polygon. Lists with another number of corners are
+  // ignored.
   void add_corner_lists()
   {
     for(auto& [name, list] : m_corner_lists)
@@ -305,7 +305,7 @@ private:
       }
   }
 
-  // Of the numbers of each corner; the end for none.
+  // Returns the positions of the numbers of each corner, or the end for none.
   std::vector<std::size_t> places(const Corner_list& list, std::size_t dimension) const
   {
     std::vector<std::size_t> result;
@@ -320,7 +320,7 @@ private:
     return result;
   }
 
-  // Properties of vertices with these names.
+  // Adds texture coordinates that are properties of vertices with these names.
   void add_texture_of_points()
   {
     for(const std::array<const char*, 2>& names :
@@ -360,7 +360,7 @@ private:
     }
   }
 
-  // The properties that are functions, each with the number of the function.
+  // Returns the properties that are functions, each with the number of the function.
   std::vector<std::array<std::size_t, 2>>
   columns_of_functions(const Element& element, const std::array<std::size_t, 3>& axes)
   {
@@ -396,7 +396,7 @@ private:
     }
   }
 
-  // Of an edge. Vertices may come after the edges.
+  // Reads an end of an edge. Vertices may come after the edges.
   std::size_t read_end(Number_type type, std::size_t number_of_points)
   {
     const Scanner::Place start = m_in.place();

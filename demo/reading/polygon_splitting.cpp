@@ -39,7 +39,7 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
 
 // ---- One polygon ----
 
-// The projection along axis x, turned over if need be, so that it is counterclockwise.
+// Returns the projection along axis x, reflected if necessary, so that it is counterclockwise.
 Flat_points projection(const std::vector<Point>& points, int x)
 {
   const auto flat = [&](int a, int b) {
@@ -56,7 +56,7 @@ Flat_points projection(const std::vector<Point>& points, int x)
   return flat((x + 2) % 3, (x + 1) % 3);
 }
 
-// The axis along which the polygon is seen best comes first.
+// Returns the axes. The axis along which the polygon has the largest projection comes first.
 std::array<int, 3> axes_by_area(const std::vector<Point>& points)
 {
   std::array<double, 3> area{};
@@ -73,7 +73,7 @@ std::array<int, 3> axes_by_area(const std::vector<Point>& points)
   return result;
 }
 
-// Empty if there is none in which the polygon is simple.
+// Returns the best projection, or nothing if the polygon is simple in none.
 Flat_points best_projection(const std::vector<Point>& points)
 {
   for(const int x : axes_by_area(points))
@@ -82,7 +82,7 @@ Flat_points best_projection(const std::vector<Point>& points)
   return {};
 }
 
-// The faces of a triangulation inside the polygon of its constraints, which is simple.
+// Returns the faces of a triangulation inside the polygon of its constraints, which is simple.
 std::vector<Corners> inner_faces(const Triangulation& triangulation)
 {
   std::set<Triangulation::Face_handle> outside{triangulation.infinite_face()};
@@ -114,8 +114,9 @@ std::vector<Corners> triangles_of(const Flat_points& points)
   return inner_faces(triangulation);
 }
 
-// Empty if CGAL finds none, or if there are so many points that the search would take minutes: it
-// is cubic if the faces of a Delaunay triangulation in space are not enough.
+// Returns the triangles, or nothing if CGAL finds none. Also returns nothing for so many points
+// that the search would take minutes. It is cubic if the faces of a Delaunay triangulation in space
+// do not suffice.
 std::vector<Corners> triangles_of_hole(const std::vector<Point>& points)
 {
   std::vector<CGAL::Triple<int, int, int>> patch;
@@ -135,7 +136,7 @@ std::vector<Corners> triangles_of_hole(const std::vector<Point>& points)
 class Edge_set
 {
 public:
-  // Returns whether the edge is new.
+  // Inserts an edge, and returns whether it is new.
   bool insert(Index v, Index w) { return m_edges.insert(key(v, w)).second; }
   bool contains(Index v, Index w) const { return m_edges.count(key(v, w)) > 0; }
 
@@ -148,18 +149,18 @@ private:
   std::unordered_set<std::uint64_t> m_edges;
 };
 
-// The triangles of one polygon, whose diagonals can be flipped.
+// Stores the triangles of one polygon, whose diagonals can be flipped.
 class Diagonals
 {
 public:
-  // Without flat points, any triangles will do.
+  // Without flat points, any triangles are allowed.
   Diagonals(std::vector<Corners> triangles, Flat_points points, Polygons::Polygon polygon)
     : m_triangles(std::move(triangles)), m_points(std::move(points)), m_polygon(polygon)
   {}
 
   const std::vector<Corners>& triangles() const { return m_triangles; }
 
-  // Returns false if that is not possible.
+  // Avoids edges in `taken`. Returns false if this is impossible.
   bool avoid(const Edge_set& taken)
   {
     for(std::size_t flips = 0; flips <= m_triangles.size(); ++flips) {
@@ -192,7 +193,7 @@ private:
     return (a + 1) % n != b && (b + 1) % n != a;
   }
 
-  // Until visit(t, i) is true.
+  // Visits the diagonals until visit(t, i) is true.
   template <class Visit>
   std::optional<Side> for_each_diagonal(const Visit& visit) const
   {

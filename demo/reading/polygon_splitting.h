@@ -15,12 +15,12 @@ struct Polygon_tolerance
   bool may_touch_themselves = false;
 };
 
-// Splits faces of more than three corners into triangles, which have no other corners, and sets the
-// polygon of each triangle. Corners of a triangle are in the order of the polygon. A polygon need
-// be neither convex nor planar. If it is simple in its projection along a coordinate axis, the
-// triangulation is constrained Delaunay there; otherwise it crosses or touches itself, and gets
-// CGAL's triangulation of a hole where that is allowed. Unless edges may be shared, no triangle
-// gets an edge that another face has already.
+// Splits faces of more than three corners into triangles without new corners, and sets the polygon
+// of each triangle. Corners of a triangle are in the order of the polygon. A polygon need be
+// neither convex nor planar. If it is simple in its projection along a coordinate axis, the
+// triangulation is constrained Delaunay in this projection. Otherwise it crosses or touches itself,
+// and gets CGAL's triangulation of a hole if this is allowed. Unless edges may be shared, no
+// triangle gets an edge of another face.
 // Throws Program_error, which names the file and the face, if a polygon cannot be split.
 // Precondition: coordinates are finite, indices are in range, no face has a corner twice.
 void split_polygons(const std::string& path, Polygon_soup& soup,

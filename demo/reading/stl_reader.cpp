@@ -32,10 +32,11 @@ private:
 
   static constexpr std::size_t header_bytes = 80;
 
-  // A file whose size does not fit is binary if it has a byte that is in no text.
+  // Returns whether a file whose size does not fit is binary. It is if it has a byte that texts do
+  // not contain.
   bool has_binary_numbers() const { return m_in.bytes().find('\0') != std::string_view::npos; }
 
-  // Binary files may start with "solid", too.
+  // Returns whether the file is binary. Binary files may start with "solid", too.
   bool is_binary()
   {
     const Scanner::Place start = m_in.place();
@@ -48,7 +49,7 @@ private:
 
   void add_corner(const Coordinates& p)
   {
-    // zero has two signs
+    // Adding zero unites both signs of zero.
     const Coordinates key = {p[0] + 0., p[1] + 0., p[2] + 0.};
     const auto [point, is_new] = m_index.try_emplace(key, m_soup.points.size());
     if(is_new)
@@ -86,7 +87,7 @@ private:
         m_in.fail("'facet' or 'endsolid' expected");
   }
 
-  // The normal and words that say nothing more are left out.
+  // Reads a facet, and skips the normal and redundant words.
   void read_facet()
   {
     int corners = 0;

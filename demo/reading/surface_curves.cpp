@@ -25,7 +25,8 @@ struct Polylines
   Polygons lines;
 };
 
-// Joins edges at points that two of them share. The first edge of a polyline has its direction.
+// Joins edges at points that exactly two edges share. The first edge of a polyline determines its
+// direction.
 class Joined_edges
 {
 public:
@@ -60,7 +61,7 @@ private:
     std::size_t count = 0;
   };
 
-  // An end of an edge and what follows, as far as there is one way.
+  // Returns an end of an edge and the points that follow, as long as they are unique.
   std::vector<Polygons::Index> points_beyond(std::size_t e, Polygons::Index v)
   {
     std::vector<Polygons::Index> result{v};
@@ -161,7 +162,7 @@ private:
     return q;
   }
 
-  // Straight within a face, else along the shortest path.
+  // Joins two points, straight within a face, otherwise along the shortest path.
   void join(const Surface_location& p, const Surface_location& q, Polygons::Index i,
             Curves_on_surface& result) const
   {

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <string>
 
-// Polylines of a file on the input of a triangulation.
+// Stores polylines of a file on the input of a triangulation.
 struct Curves_on_surface
 {
   CGAL::Intrinsic_triangulations::Surface_curve<double> segments;
@@ -21,10 +21,10 @@ struct Curves_on_surface
   double greatest_distance; // of a point from the surface
 };
 
-// Reads polylines: elements "l" of .obj, edges of .ply joined where two meet, Lines of .vtp, or
-// the points of .xyz in their order. Moves their points to the surface and joins them by
-// shortest paths.
-// Throws Program_error if the file has none, a point is too far away, or two are not connected.
+// Reads polylines: elements "l" of .obj, edges of .ply joined where two meet, Lines of .vtp, or the
+// points of .xyz in their order. Moves their points to the surface and joins them by shortest
+// paths. Throws Program_error if the file has none, a point is too far away, or two are not
+// connected.
 Curves_on_surface read_curves(const std::string& path, const Mesh& mesh,
                               const Triangulation& triangulation);
 

@@ -25,7 +25,7 @@ namespace {
   throw Program_error("'" + text + "' is not a point of the mesh: " + why);
 }
 
-// the numbers between commas
+// Returns the numbers between commas.
 std::vector<double> numbers(const std::string& list, const std::string& text)
 {
   std::vector<double> result;
@@ -65,7 +65,7 @@ Surface_location at_vertex(Mesh::Vertex_index v, const Mesh& mesh)
   throw Program_error("vertex " + std::to_string(v.idx()) + " has no face; choose another");
 }
 
-// Rounding must not leave a sum other than one.
+// Returns the point. Rounding must not leave a sum other than one.
 Surface_location in_face(double f, const std::vector<double>& weights, std::size_t number_of_faces,
                          const std::string& text)
 {
@@ -77,7 +77,7 @@ Surface_location in_face(double f, const std::vector<double>& weights, std::size
   return {Mesh::Face_index(i), {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
 }
 
-// The point "FACE:a,b,c".
+// Returns the point "FACE:a,b,c".
 Surface_location in_face(const std::string& text, std::size_t colon, std::size_t number_of_faces,
                          const char* advice)
 {
@@ -102,7 +102,7 @@ Surface_location nearest(const std::vector<double>& list, const Mesh& mesh, cons
   return result;
 }
 
-// the coordinates of the point of the segment from `a` to `b` that is nearest to `p`
+// Returns the coordinates of the point of the segment from `a` to `b` that is nearest to `p`.
 double nearest_on_segment(const Point& p, const Point& a, const Point& b)
 {
   const auto d = b - a;

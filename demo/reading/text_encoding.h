@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-// A text or a line of it, without the byte-order mark of UTF-8.
+// Returns a text or a line of it, without the byte-order mark of UTF-8.
 inline std::string without_byte_order_mark(std::string text)
 {
   if(text.compare(0, 3, "\xef\xbb\xbf") == 0)
@@ -20,8 +20,8 @@ inline std::string without_byte_order_mark(std::string text)
   return text;
 }
 
-// The text of UTF-16 with a byte-order mark, in which `first` is the place of the lower bytes; what
-// is not ASCII becomes a question mark.
+// Returns the text of UTF-16 with a byte-order mark, in which `first` is the position of the lower
+// bytes. Characters beyond ASCII become question marks.
 inline std::string text_of_utf16(const std::string& bytes, std::size_t first)
 {
   std::string result;
@@ -32,8 +32,8 @@ inline std::string text_of_utf16(const std::string& bytes, std::size_t first)
   return result;
 }
 
-// The bytes of a file; of a text without a byte-order mark, and with ends of lines that are line
-// feeds. A binary file stays as it is.
+// Returns the bytes of a file. A text loses its byte-order mark, and its lines end with line feeds.
+// A binary file is unchanged.
 inline std::string plain_text(std::string bytes)
 {
   for(const std::size_t first : {0u, 1u})
@@ -53,7 +53,7 @@ inline std::string lower_case(std::string text)
   return text;
 }
 
-// With its dot, in lower case.
+// Returns the extension with its dot, in lower case.
 inline std::string extension_of(const std::filesystem::path& path)
 {
   return lower_case(path.extension().string());

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-// Calls `use(words, line)` for each line of a file that has words. What follows a # is not read.
+// Calls `use(words, line)` for each line of a file that has words. Text after a # is skipped.
 // Throws Program_error if the file cannot be read.
 void for_each_line(const std::string& path,
                    const std::function<void(const std::vector<std::string>&, std::size_t)>& use);
 
-// What a line of a file says of a vertex.
+// Stores the data of a line about a vertex.
 struct Vertex_value
 {
   std::size_t vertex;
@@ -23,8 +23,8 @@ struct Vertex_value
   std::size_t line;
 };
 
-// Reads lines "index value", with indices from 0 to less than `number_of_vertices`, none twice.
-// Throws Program_error with the line if there is anything else.
+// Reads lines "index value", with different indices from 0 to less than `number_of_vertices`.
+// Throws Program_error with the line for any other content.
 std::vector<Vertex_value> read_vertex_values(const std::string& path,
                                              std::size_t number_of_vertices);
 

@@ -20,17 +20,17 @@
 
 namespace {
 
-// What stands between < and >.
+// Stores the text between < and >.
 struct Tag
 {
   std::string_view text;
 
-  // Ends of elements begin with a slash.
+  // Returns the name; ends of elements begin with a slash.
   std::string_view name() const { return text.substr(0, text.find_first_of(" \t\r\n")); }
 
   bool is_empty_element() const { return !text.empty() && text.back() == '/'; }
 
-  // Empty if there is none.
+  // Returns the attribute with this key, or an empty text.
   std::string_view attribute(const std::string& key) const
   {
     for(std::size_t i = text.find(key); i != text.npos; i = text.find(key, i + 1)) {
@@ -45,7 +45,7 @@ struct Tag
   }
 };
 
-// The bytes of base64, one at a time.
+// Decodes the bytes of base64, one at a time.
 class Base64_decoder
 {
 public:
@@ -68,7 +68,7 @@ private:
     return static_cast<std::uint32_t>(digits.find(c));
   }
 
-  // Four digits, of which one or two may be padding, are three bytes.
+  // Reads four digits, one or two of them possibly padding, which are three bytes.
   void read_group()
   {
     m_bits = 0;
@@ -96,15 +96,15 @@ struct Vtp_number
   Scanner::Place place;
 };
 
-// Cells as VTK has them: the points of all, and where each ends.
+// Stores cells as VTK does: the points of all cells, and the end of each cell.
 struct Vtp_cells
 {
   std::vector<Vtp_number> points;
   std::vector<Vtp_number> ends;
 };
 
-// Reads polygons and strips or, if they are wanted, lines in place of them. Indices of points and
-// ends of cells are those of a piece of the file.
+// Reads polygons and strips or, on request, lines in place of them. Indices of points and ends of
+// cells refer to a piece of the file.
 class Vtp_reader
 {
 public:
@@ -128,14 +128,14 @@ public:
 private:
   static constexpr std::string_view last_tag = "</VTKFile>";
 
-  // Of points, from all pieces.
+  // Stores an array of points, from all pieces.
   struct Point_array
   {
     std::size_t components;
     std::vector<double> numbers;
   };
 
-  // Goes on to the next tag that is not a comment.
+  // Skips to the next tag that is not a comment.
   Tag next_tag()
   {
     for(;;) {
@@ -148,7 +148,7 @@ private:
     }
   }
 
-  // Skips appended numbers: raw ones may contain anything.
+  // Skips appended numbers, because raw numbers may contain any byte.
   void skip_to_end()
   {
     const std::size_t last = m_in.bytes().rfind(last_tag);
@@ -157,7 +157,7 @@ private:
     m_in.return_to(m_in.bytes().data() + last + last_tag.size());
   }
 
-  // Only comments may follow the last tag.
+  // Checks that only comments follow the last tag.
   void expect_end()
   {
     for(m_in.skip_space(); m_in.begins_with("<!--"); m_in.skip_space())
@@ -309,7 +309,7 @@ private:
     for_each_number(tag, [&](const Vtp_number& number) { numbers.push_back(number.value); });
   }
 
-  // A function, or data of corners by their names.
+  // Adds a function, or data of corners by their names.
   void add_data(const std::string& name, const Point_array& array)
   {
     const std::size_t points = m_soup.points.size(), n = array.components;
@@ -359,7 +359,7 @@ private:
     m_in.return_to(start);
   }
 
-  // Returns whether the bytes there are not in base64.
+  // Skips to the appended bytes, and returns whether they are not in base64.
   bool go_to_appended(const Tag& tag)
   {
     const std::string_view offset = tag.attribute("offset");
@@ -373,7 +373,7 @@ private:
     return is_raw;
   }
 
-  // `next()` returns the next byte. First comes the number of the others.
+  // Reads bytes. `next()` returns the next byte. The first bytes contain the number of the others.
   template <class Next, class Use>
   void read_bytes(const Tag& tag, Next next, const Use& use)
   {

@@ -15,7 +15,7 @@ Fine_level::Fine_level(const Mesh& input, const Triangulation* split)
     m_faces(split ? split->mesh().number_of_faces() : input.number_of_faces())
 {}
 
-// An apex comes after the vertices around its disk, or their originals.
+// Adds vertices. An apex comes after the vertices around its disk, or their originals.
 void Fine_level::add_vertices(const IS::Surface_surgery& surgery)
 {
   const IS::Delta_complex& mesh = surgery.mesh();

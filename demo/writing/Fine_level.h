@@ -14,27 +14,29 @@
 #include <cstddef>
 #include <vector>
 
-// How the fine level of a simplification came from the input: vertices may have been inserted,
-// which split edges and faces, and then vertices may have been added by disks and cuts.
+// Describes how the fine level of a simplification was derived from the input. Vertices may have
+// been inserted, which split edges and faces. Then vertices may have been added by disks and cuts.
 class Fine_level
 {
 public:
-  // The input, or `split` unless it is null, with its inserted vertices. Both stay.
+  // Constructs the level from the input, or from `split` unless it is null, with its inserted
+  // vertices. Both must outlive this object.
   explicit Fine_level(const Mesh& input, const Triangulation* split = nullptr);
 
-  // Adds the vertices of disks and cuts of the level so far.
+  // Adds the vertices of disks and cuts of the current level.
   void add_vertices(const CGAL::Intrinsic_simplification::Surface_surgery& surgery);
 
   bool is_input() const { return m_split == nullptr && m_sources.empty(); }
   std::size_t number_of_input_vertices() const { return m_input->number_of_vertices(); }
 
-  // Null if `f` is in a disk.
+  // Returns the face of the input, or null if `f` is in a disk.
   Mesh::Face_index input_face(Mesh::Face_index f) const;
 
-  // Null if `e` is inside a face, in a disk, or has been made by a cut.
+  // Returns the edge of the input. Returns null if `e` is inside a face, in a disk, or has been
+  // made by a cut.
   Mesh::Edge_index input_edge(Mesh::Edge_index e) const;
 
-  // Adds to values at the first vertices, those of the input or more, values at the others.
+  // Extends values at the first vertices, at least the vertices of the input, to the others.
   template <class Value>
   void extend(std::vector<Value>& values, const Value& zero) const
   {
@@ -48,14 +50,15 @@ public:
     }
   }
 
-  // The positions of the vertices.
+  // Returns the positions of the vertices.
   std::vector<Point> points() const;
 
-  // The data of the input on the level, whose faces are `triangles`.
+  // Returns the data of the input on the level, whose faces are `triangles`.
   Triangle_data data(const Input_mesh& input, const Polygons& triangles) const;
 
 private:
-  // Of vertices that are in the middle of others, those of the first of these.
+  // Returns the weights. For a vertex in the middle of others, returns the weights of the first of
+  // them.
   Placement::Weights weights(std::size_t i) const;
 
   template <class Value>
@@ -69,8 +72,8 @@ private:
   const Mesh* m_input;
   const Triangulation* m_split;
   std::size_t m_vertices, m_edges, m_faces; // without disks and cuts
-  // For each vertex that these have added, those in the middle of which it is to be seen: the
-  // vertex that it is a copy of, or those around a disk.
+  // Stores the vertices that determine the position of each vertex added by disks and cuts. They
+  // are the vertex that it copies, or the vertices around its disk.
   std::vector<std::vector<Mesh::Vertex_index>> m_sources;
 };
 

@@ -17,9 +17,10 @@
 #include <memory>
 #include <vector>
 
-// The common subdivision of the three triangulations of a map, as far as it belongs to the input,
-// and where it is there. The map is of all of the input or of a component, then its elements are
-// counted there. A copy is cheap; map, input and component must be there as long as it.
+// Represents the part of the common subdivision of the three triangulations of a map that belongs
+// to the input, and its position on the input. The map belongs to the whole input or to a
+// component, whose elements are then counted. A copy is cheap. The map, the input and the component
+// must outlive it.
 class Map_part
 {
 public:
@@ -30,7 +31,7 @@ public:
   typedef CGAL::Discrete_conformal_maps::Halfedge_index Halfedge_index;
   typedef CGAL::Discrete_conformal_maps::Vertex_index Vertex_index;
 
-  // `component` is null if the map is of all of the input.
+  // `component` is null if the map belongs to the whole input.
   Map_part(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, const Mesh& input,
            const Component_mesh* component = nullptr)
     : m_part(std::make_shared<const Input_part>(map)), m_input(&input), m_component(component)
@@ -46,20 +47,21 @@ public:
   Input_part::size_type number(Vertex_index v) const { return m_part->number(v); }
   Halfedge_index side_to_first_corner(Face_index f) const { return mesh().halfedge(f); }
 
-  // The mesh that is mapped.
+  // Returns the mesh that is mapped.
   const Mesh& mapped_mesh() const { return m_component ? m_component->mesh : *m_input; }
 
   // ---- The place in the input ----
 
-  // A vertex as a convex combination of vertices of the input.
+  // Returns a vertex as a convex combination of vertices of the input.
   Placement::Weights weights(Vertex_index v) const;
 
   Point input_point(Vertex_index v) const;
 
-  // The points of its vertices on the input.
+  // Returns the points of its vertices on the input.
   std::vector<Point> input_points() const;
 
-  // Of a function on the vertices of the mapped mesh, linear on its faces, the value at a vertex.
+  // Returns the value at a vertex of a function on the vertices of the mapped mesh, linear on its
+  // faces.
   template <class Function>
   double interpolated(Vertex_index v, const Function& function) const
   {
@@ -70,17 +72,18 @@ public:
     return result;
   }
 
-  // As before, of values at these vertices, the values at all vertices.
+  // Returns the interpolated values at all vertices, from values at the vertices of the mapped
+  // mesh.
   std::vector<double> interpolated(const std::vector<double>& values) const;
 
-  // The weights of the vertices of the input (columns) in those at these vertices (rows).
+  // Returns the matrix of weights of the vertices of the input (columns) for these vertices (rows).
   Eigen::SparseMatrix<double> interpolation_matrix() const;
 
   // ---- A mesh of it ----
 
-  // Adds edges and polygons, and of each element which ones of the triangulations it is a part of:
-  // of a vertex that of the input, of an edge and a face those of all three, of which `last` is the
-  // name of the last.
+  // Adds edges and polygons, and the elements of the triangulations that contain each element. A
+  // vertex has a vertex of the input. An edge or a face has an edge or a face of all three
+  // triangulations, and `last` is the name of the last one.
   void add_elements(const char* last, Output_mesh& result) const;
 
 private:

@@ -35,7 +35,7 @@ void write_off(Text& text, const Output_mesh& mesh)
   }
 }
 
-// The texture comes first.
+// Returns the corner data. The texture comes first.
 std::vector<const Corner_data*> all_corner_data(const Output_mesh& mesh)
 {
   std::vector<const Corner_data*> result;
@@ -52,7 +52,8 @@ void add_coordinates(Text& text, std::size_t dimension, const std::array<double,
     text << ' ' << coordinates[k];
 }
 
-// Attributes of points by their names; empty unless there are all, with such numbers.
+// Returns attributes of points by their names. Returns nothing unless all exist with numbers of
+// this kind.
 std::vector<const Attribute*> components(const Output_mesh& mesh, bool are_integers,
                                          const std::array<const char*, 3>& names)
 {
@@ -121,7 +122,7 @@ private:
         add_line(key, coordinates, data->dimension);
   }
 
-  // Faces that come from no other stay in the last group.
+  // Adds a group line. Faces without a parent remain in the last group.
   void add_group(Polygons::Index group)
   {
     if(group == m_group || group == Polygons::none)
@@ -182,7 +183,7 @@ void write_obj(Text& text, const Output_mesh& mesh)
     add_obj_lines(text, mesh);
 }
 
-// Viewers know colors by their names and this type.
+// Returns whether an attribute is a color. Viewers recognize colors by their names and this type.
 bool is_color(const Attribute& a)
 {
   return a.has_integers() &&
@@ -250,7 +251,8 @@ private:
       m_text << "property " << ply_type(a) << ' ' << a.name << '\n';
   }
 
-  // Whether the number of coordinates of each polygon fits into one byte, as viewers expect it.
+  // Returns whether the number of coordinates of each polygon fits into one byte, as viewers
+  // expect.
   static bool is_small(const Corner_data& data)
   {
     return std::all_of(data.polygons.begin(), data.polygons.end(),
@@ -296,7 +298,7 @@ private:
       add(static_cast<std::int32_t>(column.values.integer(i)));
   }
 
-  // `add_element(i)` adds what an element is; attributes follow.
+  // Adds rows. `add_element(i)` adds an element; attributes follow.
   template <class Add_element>
   void add_rows(std::size_t n, const std::vector<Attribute>& data, const Add_element& add_element)
   {
@@ -346,7 +348,7 @@ private:
   bool m_is_in_row = false;
 };
 
-// `add(i)` adds the text of entry i.
+// Adds an array, where `add(i)` adds the text of entry i.
 template <class Add>
 void add_vtp_array(Text& text, std::string_view attributes, std::size_t n, const Add& add)
 {
@@ -358,7 +360,7 @@ void add_vtp_array(Text& text, std::string_view attributes, std::size_t n, const
   text << "</DataArray>\n";
 }
 
-// As an attribute of XML, in ASCII.
+// Returns the name as an attribute of XML, in ASCII.
 std::string vtp_name(const std::string& name)
 {
   std::string result;
@@ -380,8 +382,8 @@ void add_vtp_data(Text& text, const std::vector<Attribute>& data)
                   [&](std::size_t i) { a.are_integers() ? text << a.integer(i) : text << a[i]; });
 }
 
-// Repeats points until each has one entry of all corner data, of which the coordinates get the
-// numbers of the points.
+// Repeats points until each has one entry of all corner data. Coordinates then have the numbers of
+// the points.
 class Corner_splitting
 {
 public:
@@ -431,7 +433,7 @@ private:
       data.coordinates.push_back(std::array(data.coordinates[point]));
   }
 
-  // points without coordinates are at the origin
+  // Points without coordinates are at the origin.
   std::vector<std::array<double, 3>> coordinates_of_points(const Corner_data& data) const
   {
     std::vector<std::array<double, 3>> result;
@@ -455,7 +457,7 @@ void add_vtp_coordinates(Text& text, const Corner_data& data)
                 [&](std::size_t i) { add_coordinates(text, data.dimension, data.coordinates[i]); });
 }
 
-// The names of the first texture and of the normals.
+// Adds the names of the first texture and of the normals.
 void add_vtp_roles(Text& text, const Output_mesh& mesh)
 {
   for(const Corner_data& data : mesh.corner_data)
@@ -471,7 +473,7 @@ void add_vtp_points(Text& text, const Output_mesh& mesh)
   text << "</Points>\n";
 }
 
-// Nothing if there are none.
+// Adds cells, but does nothing without cells.
 void add_vtp_cells(Text& text, std::string_view kind, const Polygons& cells)
 {
   if(cells.empty())
@@ -487,7 +489,7 @@ void add_vtp_cells(Text& text, std::string_view kind, const Polygons& cells)
   text << "</" << kind << ">\n";
 }
 
-// Those of lines, then those of polygons.
+// Returns the data of lines, then the data of polygons.
 std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
 {
   std::vector<Attribute> result = mesh.line_data;
@@ -506,7 +508,7 @@ std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
   return result;
 }
 
-// The corner data have one entry for each point.
+// Writes a mesh whose corner data have one entry for each point.
 void write_vtp_with_point_data(Text& text, const Output_mesh& mesh)
 {
   text << "<?xml version=\"1.0\"?>\n"
@@ -539,7 +541,7 @@ void write_vtp(Text& text, const Output_mesh& mesh)
 
 constexpr std::array<std::string_view, 4> names = {"off", "obj", "ply", "vtp"};
 
-// By the extension of a path, or by a name for standard output, in any case.
+// Returns the format, by the extension of a path, or by a name for standard output, in any case.
 Mesh_format mesh_format(const std::string& path, const Output_options& options)
 {
   const std::string name =

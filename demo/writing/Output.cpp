@@ -19,7 +19,7 @@ namespace {
 
 bool is_replaceable(const fs::path& path) { return !fs::exists(path) || fs::is_regular_file(path); }
 
-// The absolute path without links; unchanged if it is empty, or names a pipe.
+// Returns the absolute path without links. It is unchanged if it is empty, or names a pipe.
 fs::path resolved(const fs::path& path)
 {
   std::error_code failed;
@@ -53,8 +53,8 @@ void check(const fs::path& input, const std::string& path)
 
 } // namespace
 
-// A file that appears under its name when it is complete, or not at all.
-// What is not a regular file, such as a pipe, is written to directly.
+// Writes a file that appears under its name when it is complete, or not at all. A file that is not
+// regular, such as a pipe, is written to directly.
 class Atomic_file
 {
 public:
@@ -68,10 +68,10 @@ public:
 
   std::ostream& stream() { return m_stream; }
 
-  // Nothing is written any more. Throws std::runtime_error if not everything could be.
+  // Closes the file. Throws std::runtime_error if not everything could be written.
   void close();
 
-  // Gives the closed file its name. Throws std::runtime_error if that fails.
+  // Renames the closed file. Throws std::runtime_error if this fails.
   void commit();
 
 private:

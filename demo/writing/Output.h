@@ -15,26 +15,26 @@
 
 class Atomic_file;
 
-// The files a command writes: all appear together at the end, none after a failure.
-// The path "-" stands for standard output.
+// Writes the files of a command: all appear together at the end, none after a failure.
+// The path "-" denotes standard output.
 class Output
 {
 public:
-  // Checks that the input is not among the paths, that no two are the same and that each can be
-  // created; empty paths stand for outputs that are not wanted.
-  // Throws Program_error if not.
+  // Checks that the input is not among the paths, that no two are equal and that each can be
+  // created. Empty paths are outputs that are not requested.
+  // Throws Program_error if a check fails.
   Output(const std::filesystem::path& input, const std::vector<std::string>& paths);
 
   ~Output();
 
-  // `write(text)` adds the content to a text. Throws std::runtime_error if the file cannot be
-  // written.
+  // Adds an output, whose content `write(text)` adds to a text. Throws std::runtime_error if the
+  // file cannot be written.
   void add(const std::string& path, const std::function<void(Text&)>& write);
 
-  // Forgets what has been added.
+  // Discards all outputs that have been added.
   void clear();
 
-  // Throws std::runtime_error if not everything could be written.
+  // Writes all outputs. Throws std::runtime_error if not everything could be written.
   void commit();
 
 private:

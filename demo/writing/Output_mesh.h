@@ -21,8 +21,8 @@
 
 struct Input_mesh;
 
-// One number per vertex, edge, face or line, kept or computed each time it is asked for: all of
-// them integers, exact up to 2^53, or all of them not.
+// Stores one number per vertex, edge, face or line, or computes it on request. Either all are
+// integers, exact up to 2^53, or none is.
 class Attribute
 {
 public:
@@ -35,7 +35,7 @@ public:
     : name(std::move(name)), m_are_integers(true), m_kept(values.begin(), values.end())
   {}
 
-  // The values are `value(i)` for i below `size`.
+  // Constructs the attribute with the values `value(i)` for i below `size`.
   template <class Value>
   Attribute(std::string name, std::size_t size, const Value& value)
     : name(std::move(name)),
@@ -51,7 +51,7 @@ public:
   bool are_integers() const { return m_are_integers; }
   bool has_integers() const { return m_are_integers || size() == 0; }
 
-  // The values, which are kept from now on.
+  // Returns the values, which are stored from now on.
   std::vector<double>& kept()
   {
     if(m_value) {
@@ -62,7 +62,8 @@ public:
     }
     return m_kept;
   }
-  // Precondition: they are kept already.
+  // Returns the stored values.
+  // Precondition: the values are stored already.
   const std::vector<double>& kept() const { return m_kept; }
 
 private:
@@ -72,28 +73,28 @@ private:
   std::function<double(std::size_t)> m_value; // null if they are kept
 };
 
-// New values are zero or NaN.
+// Resizes an attribute. New values are zero or NaN.
 void resize(Attribute& a, std::size_t n);
 
-// Of an element of a mesh; -1 for none.
+// Returns the number of an element of a mesh, or -1 for none.
 template <class Index>
 std::int64_t number_of(Index i)
 {
   return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
 }
 
-// Where a mesh lies on the input.
+// Describes the position of a mesh on the input.
 struct Placement
 {
   typedef CGAL::Intrinsic_triangulations::Vertex_weights<double> Weights;
 
   std::size_t number_of_points = 0;            // others may follow
   std::function<Weights(std::size_t)> weights; // of a point, in vertices of the input
-  // The face in which corner k of polygon i lies; null if it is in none.
+  // Returns the face that contains corner k of polygon i, or null if it is in none.
   std::function<Mesh::Face_index(std::size_t i, std::size_t k)> face;
 };
 
-// A mesh with what is known about its elements, ready to be written.
+// Stores a mesh with all data about its elements, ready to be written.
 struct Output_mesh
 {
   std::vector<Point> points;
@@ -109,7 +110,7 @@ struct Output_mesh
   Polygon_groups groups;
   Placement placement; // of all but lines, if it is known
 
-  // Keeps all values, which then do not refer to what they are computed from.
+  // Stores all values, so that they no longer refer to other objects.
   void keep()
   {
     for(auto* data : {&point_data, &edge_data, &polygon_data})
@@ -118,20 +119,20 @@ struct Output_mesh
   }
 };
 
-// The sides of the polygons, each once.
+// Returns the sides of the polygons, each once.
 std::vector<std::array<Polygons::Index, 2>> edges_of(const Polygons& polygons);
 
-// The polygons whose attribute `name` is one of `values`.
+// Returns the polygons whose attribute `name` is one of `values`.
 std::vector<std::int64_t> parts_of(const std::vector<std::int64_t>& values, const std::string& name,
                                    const Output_mesh& mesh);
 
-// Null if there is no attribute with this name.
+// Returns the attribute with this name, or null if none exists.
 const Attribute* find_attribute(const std::vector<Attribute>& data, const std::string& name);
 
-// That of a property of a file.
+// Returns the name of a property of a file.
 const char* name_of(const Corner_data& data);
 
-// What a vertex of a common subdivision is: the property "kind" of files.
+// States the kind of a vertex of a common subdivision, which is the property "kind" of files.
 enum class Vertex_kind : std::int64_t
 {
   input,    // a vertex of the input
@@ -140,21 +141,21 @@ enum class Vertex_kind : std::int64_t
   bend      // of an edge, inside a face
 };
 
-// The points and polygons of a mesh.
+// Returns the points and polygons of a mesh.
 Output_mesh output_mesh(const Mesh& mesh);
 Output_mesh output_mesh(const Polygon_soup& soup);
 
-// The points and edges of a mesh, and those of its polygons.
+// Returns the points and edges of a mesh, and its polygons.
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces);
 
-// Adds data of its points, corners and polygons. A name that is taken already gets "input_" in
-// front.
+// Adds data of its points, corners and polygons. A name that exists already gets the prefix
+// "input_".
 void add_data(Output_mesh& mesh, Mesh_data data);
 
-// The data of the input where points and polygons lie on it.
+// Returns the data of the input at the positions of points and polygons on it.
 Mesh_data data_at(const Input_mesh& input, const Polygons& polygons, const Placement& placement);
 
-// Adds the data of the input where the mesh lies on it.
+// Adds the data of the input at the position of the mesh on it.
 void add_input_data(const Input_mesh& input, Output_mesh& mesh);
 
 #endif // INTRINSIC_OUTPUT_MESH_H

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <utility>
 
-// Text in the making; numbers are the shortest that are read back as the same numbers. It is handed
-// on to a stream, if there is one, in large pieces.
+// Builds a text. Numbers are the shortest that are read back as the same numbers. Large pieces are
+// passed to a stream, if one exists.
 class Text
 {
 public:
@@ -43,7 +43,7 @@ public:
   Text& operator<<(std::int64_t n) { return add_number(n); }
   Text& operator<<(std::uint32_t n) { return add_number(n); }
 
-  // The bytes of a number, the least significant one first.
+  // Adds the bytes of a number, the least significant one first.
   template <class Number>
   void add_bytes(Number x)
   {
@@ -51,7 +51,7 @@ public:
     *this << std::string_view(bytes.data(), bytes.size());
   }
 
-  // Leaves nothing. Precondition: there is no stream.
+  // Returns the text, and leaves an empty one. Precondition: no stream exists.
   std::string take()
   {
     m_buffer.resize(std::exchange(m_size, 0));
@@ -68,7 +68,7 @@ private:
     return *this;
   }
 
-  // Place for `n` characters more.
+  // Returns memory for `n` more characters.
   char* room(std::size_t n)
   {
     if(m_buffer.size() - m_size < n)

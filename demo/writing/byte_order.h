@@ -21,7 +21,7 @@ inline bool is_machine_big_endian()
   return first == 0;
 }
 
-// The bytes of a number, the least significant one first unless `is_big_endian`.
+// Returns the bytes of a number, the least significant one first unless `is_big_endian`.
 template <class Number>
 Bytes_of<Number> bytes_of(Number x, bool is_big_endian)
 {
@@ -32,7 +32,7 @@ Bytes_of<Number> bytes_of(Number x, bool is_big_endian)
   return result;
 }
 
-// The number with these bytes.
+// Returns the number with these bytes.
 template <class Number>
 Number number_of_bytes(Bytes_of<Number> bytes, bool is_big_endian)
 {

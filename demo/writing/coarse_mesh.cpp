@@ -19,7 +19,7 @@ constexpr std::size_t number_of_colors = 4; // a face has three neighbors at mos
 constexpr std::array<std::array<std::int64_t, 3>, number_of_colors> palette{
   {{141, 180, 226}, {250, 205, 130}, {160, 215, 150}, {235, 150, 140}}};
 
-// Each face takes the first color that no neighbor has.
+// Returns colors. Each face gets the first color that no neighbor has.
 std::vector<std::size_t> colors(const IS::Delta_complex& mesh)
 {
   std::vector<std::size_t> result(mesh.number_of_faces(), number_of_colors);
@@ -60,7 +60,8 @@ void add_colors(const Coarse_part& part, Output_mesh& result)
                   });
 }
 
-// Those of the fine level that are not parts of the input have no element there.
+// Returns the element of the input. Elements of the fine level that are not parts of the input have
+// none.
 Mesh::Edge_index input_element(Mesh::Edge_index e, const Fine_level& fine)
 {
   return e.is_valid() ? fine.input_edge(e) : e;

@@ -11,7 +11,8 @@
 
 namespace {
 
-// Whether the height of the triangle is more than rounding of the coordinates of its points.
+// Returns whether the height of the triangle exceeds the rounding errors of the coordinates of its
+// points.
 bool has_area(const Point& p, const Point& q, const Point& r)
 {
   const double longest = std::sqrt((std::max)(
@@ -20,13 +21,13 @@ bool has_area(const Point& p, const Point& q, const Point& r)
   for(const Point& x : {p, q, r})
     for(int i = 0; i < 3; ++i)
       greatest = (std::max)(greatest, std::abs(x[i]));
-  // each of three points may be wrong by some roundings
+  // Each of three points may be wrong by some rounding errors.
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * greatest;
   return 2 * std::sqrt(CGAL::squared_area(p, q, r)) > rounding * longest;
 }
 
-// The orientation in the plane of the points with three coordinates. Those that are homogeneous are
-// not divided, which would round.
+// Returns the orientation in the plane of points with three coordinates. Homogeneous coordinates
+// are not divided, which would round.
 CGAL::Orientation turn(const Corner_data& texture, std::size_t i, std::size_t j, std::size_t k)
 {
   const auto& [p, q, r] =
@@ -38,8 +39,8 @@ CGAL::Orientation turn(const Corner_data& texture, std::size_t i, std::size_t j,
                            Point(r[0], r[1], r[2]));
 }
 
-// Calls `visit` with each polygon, the orientation in the plane of each triangle into which it is
-// cut, and whether the triangle has area in space beyond rounding.
+// Calls `visit` with each polygon, the orientation in the plane of each of its triangles, and
+// whether the triangle has area in space beyond rounding.
 template <class Visit>
 void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
 {
@@ -51,7 +52,7 @@ void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
   }
 }
 
-// Adds the first faces of the input to which polygons belong, if there are any.
+// Adds the first faces of the input that contain polygons, if any exist.
 void name_faces(Statistics& statistics, const Output_mesh& mesh,
                 const std::vector<std::size_t>& polygons)
 {

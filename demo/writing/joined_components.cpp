@@ -20,7 +20,7 @@ std::vector<std::size_t> counted_from(std::size_t first, std::size_t n)
   return result;
 }
 
-// The attribute with the name of `a`, which comes to be if there is none.
+// Returns the attribute with the name of `a`, which is added if it does not exist.
 Attribute& attribute_like(const Attribute& a, std::vector<Attribute>& all)
 {
   const auto found =
@@ -99,7 +99,7 @@ double Joined_components::texture_shift(const Corner_data& texture)
       left = (std::min)(left, z[0] / z[2]);
       right = (std::max)(right, z[0] / z[2]);
     }
-  // the first stays
+  // The first texture is not shifted.
   const bool is_first = m_result.texture.coordinates.empty();
   const double shift = is_first ? 0 : m_right + texture_distance * (right - left) - left;
   m_right = right + shift;
@@ -126,7 +126,7 @@ void Joined_components::add_texture(const Output_mesh& part)
   texture.dimension = (std::max)(texture.dimension, part.texture.dimension);
 }
 
-// Elements of triangulations other than the input are counted on.
+// Continues the numbering of elements of triangulations other than the input.
 void Joined_components::count_on(Attribute& a)
 {
   if(a.name.compare(0, 6, "input_") == 0 ||
@@ -141,7 +141,8 @@ void Joined_components::count_on(Attribute& a)
   before += greatest + 1;
 }
 
-// Points of which nothing is known are at their places in the input. Otherwise -1 stands for none.
+// Resizes an attribute. Points without data are at their positions in the input. Other missing
+// values are -1.
 void Joined_components::resize(Attribute& a, std::size_t size) const
 {
   std::vector<double>& values = a.kept();

@@ -15,25 +15,25 @@
 #include <string>
 #include <vector>
 
-// The meshes of maps of the components of an input, in one mesh. The vertices of the input come
-// first, with their indices, and stay in their places if they are in no component. Parents in the
-// input have the indices of the input; those in other triangulations are counted on from component
-// to component.
+// Joins the meshes of maps of the components of an input in one mesh. The vertices of the input
+// come first, with their indices, and keep their positions if they are in no component. Parents in
+// the input have the indices of the input. Indices of parents in other triangulations continue from
+// component to component.
 class Joined_components
 {
 public:
-  // `input` must be there as long as this.
+  // `input` must outlive this object.
   explicit Joined_components(const Input_mesh& input);
 
-  // Adds the mesh of a map, in which the vertices of the component come first, after a shift of its
-  // points along the x axis. Its texture comes to the right of those before.
+  // Adds the mesh of a map, in which the vertices of the component come first, and shifts its
+  // points along the x axis. Its texture is placed to the right of the previous ones.
   void add(const Component_mesh& component, Output_mesh part, double shift);
 
-  // The mesh with the data of the input. Nothing can be added after that.
+  // Returns the mesh with the data of the input. Nothing can be added afterwards.
   Output_mesh finish();
 
 private:
-  // Returns the indices that the points have now.
+  // Adds points, and returns their indices.
   std::vector<std::size_t> add_points(const Component_mesh& component, const Output_mesh& part,
                                       double shift);
   void add_texture(const Output_mesh& part);

@@ -10,9 +10,9 @@
 
 #include <vector>
 
-// The curves on which a function that is linear on the faces of the triangulation has one of the
-// levels, as lines over the faces of the input. Lines and edges have the attribute "level"; the
-// last point of a closed line is its first.
+// Returns the level curves of a function that is linear on the faces of the triangulation, as lines
+// over the faces of the input. Lines and edges have the attribute "level". The last point of a
+// closed line is its first.
 Output_mesh level_curves(const Triangulation& triangulation, const Mesh& input,
                          const std::vector<double>& values, const std::vector<double>& levels);
 

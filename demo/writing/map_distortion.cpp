@@ -20,7 +20,8 @@ double length(const Vector& a) { return std::sqrt(a.squared_length()); }
 
 double area(const Triangle& t) { return length(CGAL::cross_product(t[1] - t[0], t[2] - t[0])) / 2; }
 
-// The quotient of the greatest and the least stretch of the linear map between two triangles.
+// Returns the quotient of the greatest and the least stretch of the linear map between two
+// triangles.
 double stretch_quotient(const Triangle& from, const Triangle& to)
 {
   const Vector a = from[1] - from[0], b = from[2] - from[0];
@@ -35,7 +36,7 @@ double finite_or_nan(double x)
   return std::isfinite(x) ? x : std::numeric_limits<double>::quiet_NaN();
 }
 
-// A corner of a polygon: its place, and that of its image with its weight.
+// Stores a corner of a polygon: its position, and the position of its image with its weight.
 struct Corner
 {
   Vector place = CGAL::NULL_VECTOR, image = CGAL::NULL_VECTOR;
@@ -54,7 +55,7 @@ public:
         m_homogeneous.push_back(find_attribute(mesh.point_data, name));
   }
 
-  // The values of the greatest triangles of polygons.
+  // Returns the values of the greatest triangles of polygons.
   std::vector<double> of_polygons(double (Distortion::*value)(const Triple&) const) const
   {
     std::vector<double> result;
@@ -81,7 +82,8 @@ public:
     return length(sum) / 2;
   }
 
-  // At t, projective interpolation with weights v and w is at t w / ((1 - t) v + t w).
+  // Returns the interpolation error. Projective interpolation at t with weights v and w is at t w /
+  // ((1 - t) v + t w).
   double interpolation_error(std::size_t i) const
   {
     const std::vector<Corner> c = corners(i);
@@ -132,7 +134,7 @@ private:
 
   static Triangle places(const Triple& t) { return {t[0].place, t[1].place, t[2].place}; }
 
-  // The images of the corners under the derivative of the map in the middle.
+  // Returns the images of the corners under the derivative of the map at the center.
   Triangle tangents(const Triple& t) const
   {
     const double sum = t[0].weight + t[1].weight + t[2].weight;
@@ -145,7 +147,7 @@ private:
     return result;
   }
 
-  // A vector at a point in a frame that is orthonormal in the metric of the image.
+  // Returns a vector at a point in a frame that is orthonormal in the metric of the image.
   Vector tangent(const Vector& at, const Vector& d) const
   {
     if(m_kind == Image_kind::plane)
@@ -162,7 +164,7 @@ private:
   std::vector<const Attribute*> m_homogeneous; // on the sphere
 };
 
-// With whole areas that are equal.
+// Normalizes logarithms so that the total areas are equal.
 void normalize(std::vector<double>& logarithms, const Distortion& distortion)
 {
   double before = 0, after = 0;

@@ -21,28 +21,29 @@ using Spherical_map = CGAL::Discrete_conformal_maps::Spherical_conformal_map;
 
 using Cones = std::vector<Mesh::Vertex_index>;
 
-// Return the common subdivision of the three triangulations of a map, as far as it belongs to the
-// input, with the map. The vertices that are mapped come first. What -1 stands for none of:
-// - of a vertex: the number of the input vertex;
-// - of an edge and of a face: the edges and faces of the three of which it is a part. Those of the
-//   input have their indices there; those of the other two are of the double, if there is a
-//   boundary.
+// Return the common subdivision of the three triangulations of a map, with the map, restricted to
+// the input. The vertices that are mapped come first. In the following, -1 means none:
+// - a vertex has the number of the input vertex;
+// - an edge or a face has the edges or faces of the three triangulations that contain it.
+// Indices in the input refer to the input. Indices in the other two refer to the double, if the
+// input has a boundary.
 
-// On the input, with the map as texture: in homogeneous coordinates (x w, y w, w), which are linear
-// on each face, or as positions (x, y), between which the map is projective, not linear. Vertices
-// have whether a cone is there, and the logarithmic scale factor (linear on faces of the input);
-// edges, whether their two faces are apart in the plane.
+// Returns the mesh on the input, with the map as texture. It consists of homogeneous coordinates (x
+// w, y w, w), which are linear on each face. Otherwise it consists of positions (x, y), between
+// which the map is projective. Vertices have the logarithmic scale factor (linear on faces of the
+// input), and whether they are cones. Edges have whether their two faces are apart in the plane.
 Output_mesh flat_mesh(const Planar_map& map, const Map_part& part, const Cones& cones,
                       bool is_homogeneous);
 
-// Homogeneous coordinates are those of Klein's disk, positions those in the Poincare disk.
+// Returns the mesh. Homogeneous coordinates belong to the Klein disk, positions to the Poincare
+// disk.
 Output_mesh flat_mesh(const Hyperbolic_map& map, const Map_part& part, const Cones& cones,
                       bool is_homogeneous);
 
-// On the unit sphere. Vertices have the logarithmic scale factor, zero elsewhere than in the input,
-// the place in the input (input_x, ...), and homogeneous coordinates (homogeneous_x, ..., _w),
-// which are linear on faces of the subdivision. Of a disk, the texture is its image in the unit
-// disk.
+// Returns the mesh on the unit sphere. Vertices have the logarithmic scale factor, which is zero
+// outside of the input. They also have the position in the input (input_x, ...), and homogeneous
+// coordinates (homogeneous_x, ..., _w), which are linear on faces of the subdivision. The texture
+// of a disk is its image in the unit disk.
 Output_mesh sphere_mesh(const Spherical_map& map, const Map_part& part);
 
 #endif // INTRINSIC_MAP_MESH_H

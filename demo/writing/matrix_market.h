@@ -17,9 +17,9 @@ enum class Matrix_symmetry
   HERMITIAN
 };
 
-// A matrix in the Matrix Market coordinate format; of a symmetric or Hermitian one the lower
-// triangle. Numbers are the shortest that are read back as the same numbers. The comment is one
-// line or more, or empty.
+// Returns a matrix in the Matrix Market coordinate format, or the lower triangle of a symmetric or
+// Hermitian matrix. Numbers are the shortest that are read back as the same numbers. The comment
+// has one or more lines, or is empty.
 std::string matrix_market(const Eigen::SparseMatrix<double>& matrix, Matrix_symmetry symmetry,
                           const std::string& comment = "");
 std::string matrix_market(const Eigen::SparseMatrix<std::complex<double>>& matrix,

@@ -16,11 +16,11 @@
 #include <vector>
 
 // Converts any subdivision to a mesh that is written: its elements, and the elements of the
-// triangulations of which they are parts. A `Part` has what a `Subdivision_part` of the library
-// has, and for each face the side that leads to its first corner. Attributes copy it, which is
+// triangulations that contain them. A `Part` has the members of a `Subdivision_part` of the
+// library, and for each face the side that leads to its first corner. Attributes copy it, which is
 // cheap, and are valid as long as the subdivision.
 
-// All of a subdivision except faces without area, which have two sides.
+// Represents the whole subdivision except for faces without area, which have two sides.
 template <class Subdivision>
 class Whole_subdivision
 {
@@ -83,8 +83,8 @@ void add_edges_and_polygons(const Part& part, Output_mesh& result)
   }
 }
 
-// Adds to edges and polygons the numbers of those of `side` of which they are parts; -1 for none.
-// `number(parent)` gives them.
+// Adds to edges and polygons the numbers of the elements of `side` that contain them, or -1 for
+// none. `number(parent)` returns the numbers.
 template <class Part, class Side, class Number>
 void add_parents(const Part& part, Side side, const std::string& name, const Number& number,
                  Output_mesh& result)
@@ -95,8 +95,8 @@ void add_parents(const Part& part, Side side, const std::string& name, const Num
   add_attribute(result.polygon_data, name + "_face", part, &Part::faces, face);
 }
 
-// Adds where the points and polygons lie: `weights(v)` in vertices of the input, and its face
-// `face(f)`.
+// Adds the positions of the points and polygons: `weights(v)` in vertices of the input, and its
+// face `face(f)`.
 template <class Part, class Weights, class Face>
 void set_placement(const Part& part, const Weights& weights, const Face& face, Output_mesh& result)
 {

@@ -26,8 +26,8 @@ Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
                                                        : Vertex_kind::crossing;
 }
 
-// The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is
-// none.
+// Returns the position on the first halfedge of the edge of `side` that contains `v` inside, or
+// null if `v` is not inside an edge.
 IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Side side,
                                          IT::Vertex_index v)
 {
@@ -39,8 +39,8 @@ IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Sid
           IT::place_on_first_halfedge(IT::edge_point(*on_edge))};
 }
 
-// Adds to points the edge of `side` inside which they are, -1 for none, and their places on that
-// edge, between 0 and 1.
+// Adds to points the edge of `side` that contains them inside, -1 for none, and their positions on
+// that edge, between 0 and 1.
 void add_places(const Part& part, const std::string& name, IT::Side side, Output_mesh& result)
 {
   const auto place = [&subdivision = part.subdivision(), side](IT::Vertex_index v) {

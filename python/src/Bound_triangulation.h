@@ -13,8 +13,8 @@
 #include <optional>
 #include <utility>
 
-// An intrinsic triangulation for Python. It has the surface that it was made of, and the
-// correspondence of both, which is computed when it is first needed.
+// Wraps an intrinsic triangulation for Python. It stores its surface, and the correspondence of
+// both, which is computed when it is first needed.
 class Bound_triangulation
 {
 public:
@@ -25,12 +25,12 @@ public:
   Bound_triangulation(const Bound_triangulation&) = delete;
   Bound_triangulation& operator=(const Bound_triangulation&) = delete;
 
-  // Null if the triangulation was read from a file.
+  // Returns the surface, or null if the triangulation was read from a file.
   const std::shared_ptr<Surface>& surface() const { return m_surface; }
   bool has_positions() const { return m_surface && m_surface->has_positions(); }
   const Triangulation& triangulation() const { return m_triangulation; }
 
-  // Calls `change(triangulation)`.
+  // Returns the result of `change(triangulation)`.
   template <class Change>
   auto changed(const Change& change)
   {

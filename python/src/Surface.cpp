@@ -86,7 +86,7 @@ bool has_good_lengths(const Mesh& mesh)
   return true;
 }
 
-// The length of the side opposite to the corner at which the side before `h` starts.
+// Returns the length of the side opposite to the corner at which the side before `h` starts.
 class Side_lengths
 {
 public:

@@ -24,7 +24,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<>;
 using Location = IT::Face_location<double>;
 
-// An exception of `intrinsic.errors`, by its name, with the indices of elements as attributes.
+// Represents an exception of `intrinsic.errors`, by its name, with the indices of elements as
+// attributes.
 class Element_error : public std::runtime_error
 {
 public:
@@ -42,7 +43,8 @@ private:
   Elements m_elements;
 };
 
-// A mesh of arrays: vertices and faces keep their indices, and faces their first corners.
+// Represents a mesh of arrays. Vertices and faces keep their indices, and faces their first
+// corners.
 struct Surface
 {
   Mesh mesh;
@@ -54,14 +56,14 @@ struct Surface
 // Returns positions (n, 3) and corners (m, 3), unchecked. Negative indices name no point.
 Polygon_soup soup_of(const Number_array& points, const Index_array& faces);
 
-// Makes a surface of positions (n, 3) and corners (m, 3).
-// Throws Element_error that names an element if the arrays are no surface; with
-// `are_zero_lengths_allowed`, edges may have the length zero.
+// Makes a surface of positions (n, 3) and corners (m, 3). With `are_zero_lengths_allowed`, edges
+// may have the length zero.
+// Throws Element_error that names an element if the arrays are no surface.
 Surface surface_of_points(const Number_array& points, const Index_array& faces,
                           bool are_zero_lengths_allowed);
 
 // Makes a surface of lengths (m, 3) of the sides opposite to the corners (m, 3).
-// Throws Element_error as `surface_of_points()`, and if the two faces of an edge disagree.
+// Throws Element_error as `surface_of_points()` does, and if the two faces of an edge disagree.
 Surface surface_of_lengths(const Number_array& lengths, const Index_array& faces);
 
 // Calls `use(parameters)` with the named parameters that have the lengths of the surface.
@@ -76,8 +78,9 @@ auto with_lengths(const Surface& surface, const Parameters& np, const Use& use)
 
 Triangulation triangulation_of(const Surface& surface, double mollification);
 
-// Points on a surface: faces (k) and barycentric coordinates (k, 3), in the order of corners.
-// Throws Element_error if they are not on a surface with so many faces. Sums are made one.
+// Returns points on a surface: faces (k) and barycentric coordinates (k, 3), in the order of
+// corners. Sums are normalized to one.
+// Throws Element_error if they are not on a surface with so many faces.
 std::vector<Location> locations_of(const Index_array& faces, const Number_array& coordinates,
                                    std::size_t number_of_faces);
 

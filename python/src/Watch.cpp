@@ -9,7 +9,7 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-// Short enough for a person who waits, long enough to cost nothing.
+// The pause is short enough for a person who waits, and long enough to cost nothing.
 constexpr std::chrono::milliseconds least_pause(50);
 
 } // namespace

@@ -15,9 +15,9 @@
 #include <string>
 #include <utility>
 
-// A visitor for all algorithms. From time to time it lets Python handle signals, such as Control-C.
-// It also calls a function with the name of the stage and the number of its steps. An exception of
-// either leaves the algorithm.
+// Serves as a visitor for all algorithms. From time to time it lets Python handle signals, such as
+// Control-C. It also calls a function with the name of the stage and the number of its steps. An
+// exception of either leaves the algorithm.
 class Watch
 {
   typedef CGAL::Intrinsic_triangulations::Vertex_index Vertex_index;
@@ -34,17 +34,17 @@ public:
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // Begins a stage. Must be called without the lock of the interpreter, like all below.
+  // Begins a stage. Must be called without the lock of the interpreter, like all functions below.
   void start_stage(const std::string& name);
 
-  // One more step of the stage, cheap enough for inner loops.
+  // Counts one more step of the stage; cheap enough for inner loops.
   void step()
   {
     if(++m_steps % 256 == 0)
       look_at_clock();
   }
 
-  // One more step, which takes so long that the clock is looked at.
+  // Counts one more step, which takes so long that the clock is read.
   void long_step()
   {
     ++m_steps;
@@ -91,7 +91,7 @@ public:
     long_step();
   }
 
-  // The number of steps of all minimizations.
+  // Returns the number of steps of all minimizations.
   std::size_t iterations() const { return m_iterations; }
 
 private:

@@ -19,11 +19,12 @@
 
 namespace py = pybind11;
 
-// Arrays that the Python layer has checked: of this type and stored by rows. Others are refused.
+// Arrays that the Python layer has checked have this type and are stored by rows. Others are
+// rejected.
 using Number_array = py::array_t<double, py::array::c_style>;
 using Index_array = py::array_t<std::int64_t, py::array::c_style>;
 
-// Returns an array that owns the values of a vector: nothing is copied.
+// Returns an array that owns the values of a vector. Nothing is copied.
 template <class Row>
 py::array owning_array(std::vector<Row> values, std::vector<py::ssize_t> shape,
                        const py::dtype& type)
@@ -47,7 +48,7 @@ py::array array_of(std::vector<std::array<T, columns>> rows)
   return owning_array(std::move(rows), {n, py::ssize_t(columns)}, py::dtype::of<T>());
 }
 
-// Returns an array that owns a matrix: a row for each of its columns. Nothing is copied.
+// Returns an array that owns a matrix, with a row for each of its columns. Nothing is copied.
 inline py::array array_of_columns(Eigen::MatrixXd matrix)
 {
   auto* const owned = new Eigen::MatrixXd(std::move(matrix));
@@ -55,8 +56,8 @@ inline py::array array_of_columns(Eigen::MatrixXd matrix)
   return py::array(py::dtype::of<double>(), {owned->cols(), owned->rows()}, owned->data(), owner);
 }
 
-// Returns what the constructors of scipy take: the entries, their inner indices, where each row or
-// column starts, and the shape.
+// Returns the arguments of the constructors of scipy: the entries, their inner indices, the start
+// of each row or column, and the shape.
 template <class Matrix>
 py::tuple sparse_arrays(const Matrix& matrix)
 {

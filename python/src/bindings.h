@@ -7,7 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
-// Each adds what its file binds to the module.
+// Each function adds the bindings of its file to the module.
 void bind_surface(pybind11::module_& module);
 void bind_triangulation(pybind11::module_& module);
 void bind_operators(pybind11::module_& module);

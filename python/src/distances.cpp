@@ -36,7 +36,7 @@
 
 namespace {
 
-// Sources on the input: vertices and points.
+// Stores sources on the input: vertices and points.
 struct Sources
 {
   std::vector<IT::Vertex_index> vertices;
@@ -86,7 +86,7 @@ auto with_concurrency(bool is_parallel, const Use& use)
   return is_parallel ? use(CGAL::Parallel_if_available_tag()) : use(CGAL::Sequential_tag());
 }
 
-// On the intrinsic triangulation.
+// Returns the sources on the intrinsic triangulation.
 IT::Distance_sources<Triangulation> sources_across(const Bound_triangulation& self,
                                                    const Sources& sources)
 {
@@ -97,7 +97,8 @@ IT::Distance_sources<Triangulation> sources_across(const Bound_triangulation& se
   return result;
 }
 
-// Of all vertices, the inserted ones too. None if the surface has no positions.
+// Returns the positions of all vertices, including inserted ones, or nothing if the surface has no
+// positions.
 std::vector<Point> vertex_positions(const Bound_triangulation& self)
 {
   std::vector<Point> result;
@@ -254,7 +255,7 @@ py::tuple shortest_path(const Bound_triangulation& self, const Index_array& face
   return path_arrays(path, mesh);
 }
 
-// The path along edges of the input through some vertices; empty if there is none.
+// Returns the path along edges of the input through some vertices, or an empty one if none exists.
 std::vector<IT::Halfedge_index> path_along_edges(const Triangulation& triangulation,
                                                  const Index_array& vertices)
 {
@@ -273,7 +274,7 @@ std::vector<IT::Halfedge_index> path_along_edges(const Triangulation& triangulat
   return result;
 }
 
-// Shortens a path along edges of the input by flips. A loop can contract: then there are no points.
+// Shortens a path along edges of the input by flips. If a loop contracts, the result has no points.
 py::tuple geodesic_through(const Bound_triangulation& self, const Index_array& vertices,
                            bool is_loop)
 {
@@ -314,7 +315,7 @@ py::list geodesics_between(const Bound_triangulation& self, const Index_array& p
 
 // ---- Signed distances ----
 
-// A curve through points of the input, at which segments meet.
+// Returns a curve through points of the input, at which segments meet.
 IT::Surface_curve<double> curve_through(const Bound_triangulation& self,
                                         const std::vector<Location>& points)
 {
@@ -366,7 +367,8 @@ py::tuple logarithms(const Bound_triangulation& self, std::int64_t source)
   return py::make_tuple(array_of(std::move(vectors)), array_of(std::move(statuses)));
 }
 
-// The geodesic with a first direction: its length, the points that it crosses, and how it ended.
+// Returns the geodesic with a first direction: its length, the points that it crosses, and how it
+// ended.
 template <class Source>
 py::tuple geodesic_from(const Bound_triangulation& self, const Source& source,
                         const Location& start, std::complex<double> vector)
@@ -399,7 +401,7 @@ py::tuple exponential(const Bound_triangulation& self, std::int64_t source,
   return geodesic_from(self, v, start, vector);
 }
 
-// Vectors at all vertices, from the nearest of some vertices by parallel transport.
+// Returns vectors at all vertices, from the nearest of some vertices by parallel transport.
 py::array transported(const Bound_triangulation& self, const Index_array& vertices,
                       const py::array_t<std::complex<double>, py::array::c_style>& vectors,
                       double time_step_factor)

@@ -35,7 +35,7 @@ namespace {
 
 typedef std::shared_ptr<Surface> Shared_surface;
 
-// A map with the surface that it is of.
+// Stores a map with its surface.
 template <class Map>
 struct Bound_map
 {
@@ -56,7 +56,7 @@ struct Flattening_options
   double maximum_log_scale, maximum_area_distortion, mollification;
 };
 
-// The condition at each vertex: a logarithmic scale factor, or a curvature.
+// Returns the condition at each vertex: a logarithmic scale factor, or a curvature.
 std::vector<DCM::Vertex_condition> conditions_of(const Index_array& has_log_scale,
                                                  const Number_array& values)
 {
@@ -148,7 +148,7 @@ mapped_to_hyperbolic(const Shared_surface& surface, const Number_array& curvatur
 
 // ---- What all maps have ----
 
-// A value of the map at each vertex of the input.
+// Returns a value of the map at each vertex of the input.
 template <class Map, class Value>
 py::array at_vertices(const Bound_map<Map>& self, const Value& value)
 {
@@ -175,8 +175,8 @@ py::dict promises_of(const DCM::Discrete_conformal_map& map)
   return result;
 }
 
-// The part of the subdivision that belongs to the input. It has polygons with the corners of each,
-// their parents, and the weights of vertices of the input.
+// Adds the part of the subdivision that belongs to the input. It has polygons with the corners of
+// each, their parents, and the weights of vertices of the input.
 void add_elements(const DCM::Input_part& part, const Surface& surface, py::dict& result)
 {
   std::vector<std::int64_t> corners, starts{0}, input_face;
@@ -217,7 +217,7 @@ void add_elements(const DCM::Input_part& part, const Surface& surface, py::dict&
     result["points"] = array_of(std::move(points));
 }
 
-// Texture coordinates, and which of them each corner has.
+// Returns texture coordinates, and their indices at the corners.
 template <class Map>
 py::dict flat_subdivision(const Bound_map<Map>& self)
 {
@@ -242,7 +242,7 @@ py::dict flat_subdivision(const Bound_map<Map>& self)
   return result;
 }
 
-// Points of the unit sphere.
+// Returns points of the unit sphere.
 py::dict sphere_subdivision(const Bound_spherical_map& self)
 {
   std::vector<std::array<double, 3>> sphere;
@@ -267,7 +267,7 @@ py::array positions_of(const Bound_spherical_map& self)
   return array_of(std::move(result));
 }
 
-// Images of points of the input.
+// Returns images of points of the input.
 template <class Map>
 py::array images(const Bound_map<Map>& self, const Index_array& faces,
                  const Number_array& coordinates)
@@ -325,7 +325,7 @@ py::object bound(const Shared_surface& surface, Map map, std::size_t iterations)
     std::make_unique<Bound_map<Map>>(Bound_map<Map>{surface, std::move(map), iterations}));
 }
 
-// The type of the surface, the map, and the modulus or None.
+// Returns the type of the surface, the map, and the modulus or None.
 py::tuple uniformized(const Shared_surface& surface, const Number_array& radii,
                       double mollification, const py::object& progress)
 {

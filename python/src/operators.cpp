@@ -22,7 +22,7 @@ namespace {
 
 typedef Eigen::SparseMatrix<double> Matrix;
 
-// Functions of the Python layer have the same names.
+// Returns a matrix by name. Functions of the Python layer have the same names.
 template <class Surface>
 Matrix matrix_of(const std::string& name, const Surface& surface)
 {
@@ -55,7 +55,8 @@ py::tuple connection_laplacian(const Bound_triangulation& self)
   }));
 }
 
-// Triangles that need not be a surface, with the Delaunay triangulation of their tufted cover.
+// Wraps triangles that need not be a surface, with the Delaunay triangulation of their tufted
+// cover.
 class Bound_soup
 {
 public:

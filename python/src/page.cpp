@@ -46,7 +46,8 @@ std::string page_of(const Number_array& points, const Index_array& faces,
   });
 }
 
-// The common subdivision, with functions at the vertices of the input or of the triangulation.
+// Returns the page of the common subdivision, with functions at the vertices of the input or of the
+// triangulation.
 std::string page_of_triangulation(const Bound_triangulation& self, const Functions& functions)
 {
   return released([&] {
@@ -82,7 +83,7 @@ Polygons polygons_of(const Index_array& starts, const Index_array& corners)
   return result;
 }
 
-// Rows of two or three numbers.
+// Returns rows of two or three numbers.
 std::vector<std::array<double, 3>> rows_of(const Number_array& array)
 {
   std::vector<std::array<double, 3>> result(std::size_t(array.shape(0)), {0, 0, 0});
@@ -92,7 +93,8 @@ std::vector<std::array<double, 3>> rows_of(const Number_array& array)
   return result;
 }
 
-// The pieces of a map, with their images in the plane, the Poincare disk, or on the sphere.
+// Returns the page of the pieces of a map, with their images in the plane, the Poincare disk, or on
+// the sphere.
 std::string page_of_map(const Number_array& points, const Index_array& starts,
                         const Index_array& corners, const Index_array& corner_image,
                         const Number_array& image, const Number_array& homogeneous,

@@ -24,7 +24,7 @@ namespace {
 
 typedef std::shared_ptr<Surface> Shared_surface;
 
-// A coarse surface with the map to the input, which refers to the other members.
+// Stores a coarse surface with the map to the input, which refers to the other members.
 class Bound_simplification
 {
 public:
@@ -102,8 +102,8 @@ py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const 
   }));
 }
 
-// The coarse triangulation in space. It has positions, corners, their vertices of the input (-1 for
-// inserted ones), and the distance of both surfaces.
+// Returns the coarse triangulation in space. It has positions, corners, their vertices of the input
+// (-1 for inserted ones), and the distance of both surfaces.
 py::tuple mesh_in_space(const Bound_simplification& self)
 {
   Mesh mesh;

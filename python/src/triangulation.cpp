@@ -118,7 +118,7 @@ py::array lengths(const Bound_triangulation& self, bool is_input)
   return array_of(std::move(result));
 }
 
-// The number of edges of the input that cross each edge; -1 for edges of the input.
+// Returns the number of edges of the input that cross each edge, or -1 for edges of the input.
 py::array normal_coordinates(const Bound_triangulation& self)
 {
   std::vector<std::int64_t> result;
@@ -137,7 +137,8 @@ py::tuple inserted_vertices(const Bound_triangulation& self)
 
 // ---- The correspondence ----
 
-// The position of a point of a trace, for ends that are inserted vertices inside faces, too.
+// Returns the position of a point of a trace, also for ends that are inserted vertices inside
+// faces.
 Location location_on_input(const IT::Edge_point<double>& p, IT::Vertex_index v,
                            const Triangulation& triangulation)
 {
@@ -146,7 +147,7 @@ Location location_on_input(const IT::Edge_point<double>& p, IT::Vertex_index v,
            : IT::face_location(triangulation.inserted_vertex(v), triangulation.input_mesh());
 }
 
-// Polylines, one for each edge: where each starts, and the points on both triangulations.
+// Returns polylines, one for each edge: their starts, and the points on both triangulations.
 py::tuple trace(const Bound_triangulation& self, bool is_input, const Index_array& edge_numbers)
 {
   const IT::Side side = side_of(is_input);
@@ -204,7 +205,8 @@ py::array function_across(const Bound_triangulation& self, bool from_input,
   }));
 }
 
-// The values at the vertices of the triangulation of a function that is linear on the input.
+// Returns the values at the vertices of the triangulation of a function that is linear on the
+// input.
 Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of_weights(const Subdivision& subdivision,
                                                                IT::Side side)
 {
@@ -223,7 +225,7 @@ struct Polygon_arrays
   std::vector<std::int64_t> corners, starts{0}, input_face, intrinsic_face;
 };
 
-// Faces with two sides have no area and are left out.
+// Returns the polygons. Faces with two sides have no area and are omitted.
 Polygon_arrays polygons_of(const Subdivision& subdivision)
 {
   Polygon_arrays result;
@@ -240,7 +242,7 @@ Polygon_arrays polygons_of(const Subdivision& subdivision)
   return result;
 }
 
-// Positions are empty if the surface has none.
+// Returns the positions, which are empty if the surface has none.
 std::vector<std::array<double, 3>> positions_of(Subdivision& subdivision, const Surface* surface)
 {
   std::vector<std::array<double, 3>> result;
@@ -317,7 +319,7 @@ std::string text_of(const Bound_triangulation& self)
   });
 }
 
-// Only blank lines may follow what has been read.
+// Checks that only blank lines follow the text that has been read.
 void expect_end(std::istringstream& stream, const std::string& text)
 {
   if((stream >> std::ws).eof())
