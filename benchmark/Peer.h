@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-// Another program for the task of a benchmark: `--peer PROGRAM`. Its argument is the file of a
+// Runs another program for the task of a benchmark: `--peer PROGRAM`. Its argument is the file of a
 // mesh. On standard input it gets a line of numbers for each query. After a line of headings, it
-// prints a line of numbers for each query. The benchmark says what these numbers are.
+// prints a line of numbers for each query. The benchmark defines these numbers.
 class Peer
 {
 public:
-  // Takes the option from the beginning of the arguments, if it is there.
+  // Removes the option from the beginning of the arguments, if it exists.
   explicit Peer(std::vector<std::string>& arguments)
   {
     if(arguments.size() >= 2 && arguments[0] == "--peer") {

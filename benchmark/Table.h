@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-// Prints a table in Markdown, which scripts/make_tables.py writes into the manual. The first
+// Prints a table in Markdown, which scripts/make_tables.py copies into the manual. The first
 // columns are names, the others figures.
 class Table
 {
@@ -76,7 +76,7 @@ private:
   }
 };
 
-// The name of a mesh in a table.
+// Returns the name of a mesh in a table.
 inline std::string name_of(const std::string& file)
 {
   const std::string name = file.substr(file.find_last_of('/') + 1);

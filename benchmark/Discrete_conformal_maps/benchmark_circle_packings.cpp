@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Circle packings of random triangulations of the sphere: how many succeed, how far circles at the
-// ends of edges are from touching, steps and CPU time. Arguments are a number of triangulations and
-// a greatest number of vertices. The table has a row for each kind and power of ten.
+// Packs circles for random triangulations of the sphere. Prints how many succeed, how far circles
+// at the ends of edges are from touching, steps and CPU time. Arguments are a number of
+// triangulations and a greatest number of vertices. The table has a row for each kind and power of
+// ten.
 
 #include "../Table.h"
 #include "random_spheres.h"
@@ -42,7 +43,7 @@ double tangency_error(const DCM::Circle_packing& packing, const Mesh& mesh)
   return result;
 }
 
-// What triangulations of a kind and size have shown.
+// Stores the results of triangulations of a kind and size.
 struct Record
 {
   std::size_t number = 0, successes = 0, within = 0;

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many steps and how much CPU time flattening takes with circles at the vertices, beside the
-// same without circles: random radii up to half the distance to the nearest vertex. And what circle
-// packings take. Arguments are names of closed meshes.
+// Measures steps and CPU time of flattening with circles at the vertices, compared with flattening
+// without circles. Radii are random, up to half the distance to the nearest vertex. Also measures
+// circle packings. Arguments are names of closed meshes.
 
 #include "stages.h"
 

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many steps, factorizations and fill-reducing orders flattening takes, where the time goes
-// (Figure 4.24), in seconds of CPU time and in percent, how it grows (with the number of vertices
-// to the power printed last), and the greatest memory; and the seconds of a certificate of the map.
-// Arguments are names of meshes, or numbers of vertices of the largest spheres and tori
-// to be generated.
+// Measures steps, factorizations and fill-reducing orders of flattening, and the CPU time of its
+// stages (Figure 4.24), in seconds and in percent. Also measures the growth of time (with the
+// number of vertices to the power printed last) and the greatest memory. Also measures the seconds
+// of a certificate of the map. Arguments are names of meshes, or numbers of vertices of the largest
+// spheres and tori to be generated.
 
 #include "stages.h"
 

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How often there are scale factors with flips, and in the triangulation of the input, as Figure
-// 4.20 has it: on near-degenerate meshes, with cones where the greedy choice puts them, and for
-// hard cones. Both get the same cones. The numbers of meshes and of sets of cones can be given;
-// they are those of the tests.
+// Measures how often scale factors exist with flips, and in the triangulation of the input (Figure
+// 4.20). It uses near-degenerate meshes, with cones of the greedy choice, and hard cones. Both
+// methods get the same cones. Arguments are the numbers of meshes and of sets of cones, by default
+// the numbers of the tests.
 
 #include "../../test/Discrete_conformal_maps/hard_cones.h"
 #include "../Intrinsic_triangulations/measure.h"
@@ -25,7 +25,7 @@ using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
 using Conditions = std::vector<DCM::Vertex_condition>;
 
-// What happened to one method.
+// Counts the outcomes of one method.
 struct Score
 {
   std::size_t refused = 0;
@@ -44,7 +44,7 @@ struct Scores
   Score with_flips, fixed;
 };
 
-// Nothing if the input is refused.
+// Returns the map, or nothing if the input is rejected.
 template <typename NamedParameters>
 std::optional<DCM::Planar_conformal_map> flatten(const Mesh& mesh, const NamedParameters& np,
                                                  Score& score)
@@ -61,7 +61,7 @@ std::optional<DCM::Planar_conformal_map> flatten(const Mesh& mesh, const NamedPa
   }
 }
 
-// `conditions` must stay.
+// `conditions` must outlive the result.
 auto fixed_with(const Conditions& conditions)
 {
   const auto map =

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where the time of hyperbolic metrics goes, in seconds of CPU time and in percent, how it grows
-// (with the number of vertices to the power printed last), and beside it the same for flat metrics
-// with greedy cones. Arguments are names of meshes, or numbers of vertices of the largest surface
-// of genus two to be generated.
+// Measures the CPU time of the stages of hyperbolic metrics, in seconds and in percent. Also
+// measures its growth (with the number of vertices to the power printed last). Compares it with
+// flat metrics with greedy cones. Arguments are names of meshes, or numbers of vertices of the
+// largest surface of genus two to be generated.
 
 #include "stages.h"
 

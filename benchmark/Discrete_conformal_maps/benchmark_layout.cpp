@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What each way to lay flat faces out costs, in seconds of CPU time, and what it leaves: the
+// Measures the cost of each planar layout, in seconds of CPU time, and its errors. These are the
 // greatest error of length cross ratios, and triangles of T_3 that are reversed or have no area.
 // Arguments are names of meshes.
 
@@ -25,7 +25,7 @@
 namespace DCM = CGAL::Discrete_conformal_maps;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// The time of the last stage, which is the layout.
+// Measures the time of the last stage, which is the layout.
 struct Layout_clock : DCM::Default_flattening_visitor
 {
   std::clock_t since = 0;

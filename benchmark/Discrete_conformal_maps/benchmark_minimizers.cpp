@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Newton's method and the L-BFGS method of the Ceres Solver on the same energies: steps,
-// evaluations, factorizations, seconds of CPU time for the minimization, and how much the scale
-// factors differ. Arguments are names of meshes, or numbers of vertices of spheres to be generated.
+// Compares Newton's method and the L-BFGS method of the Ceres Solver on the same energies. Prints
+// steps, evaluations, factorizations, seconds of CPU time for the minimization, and differences of
+// scale factors. Arguments are names of meshes, or numbers of vertices of spheres to be generated.
 
 #include "stages.h"
 

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where the time of maps to the sphere goes, in seconds of CPU time and in percent, and how it
-// grows (with the number of vertices to the power printed last). Arguments are names of meshes, or
-// numbers of vertices of the largest sphere to be generated.
+// Measures the CPU time of the stages of maps to the sphere, in seconds and in percent. Also
+// measures its growth (with the number of vertices to the power printed last). Arguments are names
+// of meshes, or numbers of vertices of the largest sphere to be generated.
 
 #include "stages.h"
 

@@ -5,7 +5,7 @@
 #ifndef DISCRETE_CONFORMAL_MAPS_BENCHMARK_RANDOM_SPHERES_H
 #define DISCRETE_CONFORMAL_MAPS_BENCHMARK_RANDOM_SPHERES_H
 
-// Random triangulations of the sphere. Only the connectivity of their meshes counts.
+// Generates random triangulations of the sphere. Only the connectivity of their meshes counts.
 
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
@@ -27,7 +27,7 @@ Mesh::Halfedge_index random_halfedge(const Mesh& mesh, Random& random)
     static_cast<Mesh::size_type>(random.get_int(0, static_cast<int>(mesh.number_of_halfedges()))));
 }
 
-// Tries to flip random edges, as often as that, and keeps the triangulation simplicial.
+// Tries `tries` times to flip a random edge, and keeps the triangulation simplicial.
 inline void flip_edges(Mesh& mesh, std::size_t tries, CGAL::Random& random)
 {
   for(std::size_t i = 0; i < tries; ++i) {
@@ -38,8 +38,8 @@ inline void flip_edges(Mesh& mesh, std::size_t tries, CGAL::Random& random)
   }
 }
 
-// Starts with a tetrahedron, and puts vertices into random faces: circles shrink fast. Then flips
-// no edge, tries a fifth of the edges, or ten times all edges.
+// Starts with a tetrahedron, and inserts vertices into random faces: circles shrink fast. Then
+// flips no edge, tries a fifth of the edges, or ten times all edges.
 inline Mesh random_sphere(std::size_t kind, std::size_t n, CGAL::Random& random)
 {
   Mesh mesh;

@@ -5,7 +5,7 @@
 #ifndef DISCRETE_CONFORMAL_MAPS_BENCHMARK_STAGES_H
 #define DISCRETE_CONFORMAL_MAPS_BENCHMARK_STAGES_H
 
-// What the stages of a map cost.
+// This file measures the cost of the stages of a map.
 
 #include "../Table.h"
 #include "surfaces.h"
@@ -36,11 +36,11 @@ inline constexpr const char* largest_surface = "100000";
 
 // ---- Times ----
 
-// The first stage is before those of `flatten()`: the intrinsic Delaunay triangulation.
+// The first stage precedes the stages of `flatten()`: the intrinsic Delaunay triangulation.
 inline constexpr std::array<const char*, 6> stage_names{"Delaunay", "cones", "optimize",
                                                         "layout",   "trace", "subdivide"};
 
-// Seconds of CPU time.
+// Measures seconds of CPU time.
 struct Stopwatch : DCM::Default_flattening_visitor
 {
   std::array<double, stage_names.size()> seconds{};
@@ -63,14 +63,14 @@ struct Stopwatch : DCM::Default_flattening_visitor
 
 // ---- Memory ----
 
-// Forgets how much the process has taken so far.
+// Resets the greatest memory of the process.
 inline void reset_peak_memory()
 {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-// in megabytes
+// Returns the greatest memory in megabytes.
 inline double peak_memory()
 {
   std::ifstream status("/proc/self/status");
@@ -107,7 +107,7 @@ inline void append(std::vector<std::string>& cells, const Stopwatch& watch)
   cells.push_back(Table::text(std::lround(peak_memory())));
 }
 
-// The exponent with which the time grows with the size.
+// Computes the exponent with which the time grows with the size.
 class Growth
 {
 public:
@@ -125,7 +125,7 @@ private:
   double m_time = 0, m_size = 0;
 };
 
-// Ever larger surfaces; `benchmark` prints a row.
+// Runs `benchmark`, which prints a row, for ever larger surfaces.
 template <typename Make, typename Benchmark>
 void benchmark_growth(const char* name, unsigned largest, const Make& make,
                       const Benchmark& benchmark)

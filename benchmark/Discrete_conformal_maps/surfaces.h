@@ -5,7 +5,7 @@
 #ifndef DISCRETE_CONFORMAL_MAPS_BENCHMARK_SURFACES_H
 #define DISCRETE_CONFORMAL_MAPS_BENCHMARK_SURFACES_H
 
-// Surfaces of any size.
+// This file generates surfaces of any size.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,7 +18,7 @@
 typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
 
-// An m times n grid over the torus; `place` takes the angles.
+// Returns an m times n grid over the torus; `place` maps the angles to points.
 template <typename Place>
 Mesh torus(unsigned m, unsigned n, const Place& place)
 {
@@ -36,7 +36,7 @@ Mesh torus(unsigned m, unsigned n, const Place& place)
   return mesh;
 }
 
-// About so many vertices, with bumps.
+// Returns a torus with about so many vertices, with bumps.
 inline Mesh torus(unsigned vertices)
 {
   const auto n = static_cast<unsigned>(std::sqrt(vertices / 3.));
@@ -47,7 +47,7 @@ inline Mesh torus(unsigned vertices)
   });
 }
 
-// The sides of a cube, n times n squares each, blown up to a sphere with bumps.
+// Generates the sides of a cube, n times n squares each, projected to a sphere with bumps.
 class Sphere
 {
 public:
@@ -78,7 +78,7 @@ private:
   Mesh::Vertex_index vertex(unsigned side, unsigned i, unsigned j)
   {
     const Place p = place(side, i, j);
-    // the first side on which the place lies
+    // The loop finds the first side that contains the position.
     unsigned first = 0;
     while(p[first / 2] != (first % 2 == 0 ? 0 : m_size))
       ++first;
@@ -113,11 +113,11 @@ private:
   Mesh m_mesh;
 };
 
-// A surface of genus two: a plate with two square holes, made of small cubes, out of shape.
+// Generates a surface of genus two: a distorted plate with two square holes, made of small cubes.
 class Plate
 {
 public:
-  // 50 n^2 squares for sides of n cubes
+  // The plate has 50 n^2 squares for sides of n cubes.
   explicit Plate(unsigned vertices) : m_size(static_cast<int>(std::sqrt(vertices / 50.)))
   {
     const int n = m_size;

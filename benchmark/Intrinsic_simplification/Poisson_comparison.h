@@ -23,10 +23,10 @@
 namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// How well a Poisson equation on a surface is solved on a coarse one: L u = M (z - mean z), with z
-// the third coordinate, L the cotan Laplacian and M the lumped mass. A prolongation P takes coarse
-// values to fine ones; the coarse right-hand side is P^T M (z - mean z). Solutions have mean zero,
-// and errors are relative, in the norm of M.
+// Measures how accurately a Poisson equation on a surface is solved on a coarse one. It is L u = M
+// (z - mean z), with z the third coordinate, L the cotan Laplacian and M the lumped mass. A
+// prolongation P maps coarse values to fine ones; the coarse right-hand side is P^T M (z - mean z).
+// Solutions have mean zero, and errors are relative, in the norm of M.
 class Poisson_comparison
 {
 public:

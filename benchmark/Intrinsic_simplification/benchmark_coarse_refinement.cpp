@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces simplified to a hundredth of their vertices, and then refined to angles of 25 degrees:
-// the least angles, faces below the bound that a small-angle vertex excuses and others, how far
-// points of the refined surface are away after having been to the input and back, and errors of a
-// Poisson equation (see Poisson_comparison.h) and of distances from a
-// vertex, without and with refinement. Of the meshes on the command line, or of all of CGAL's that
-// are surfaces.
+// Simplifies surfaces to 1 % of their vertices, and then refines them to angles of 25 degrees.
+// Prints the least angles, and the faces below the bound that a small-angle vertex excuses, or not.
+// Also prints the distances of points of the refined surface after a map to the input and back.
+// Errors of a Poisson equation (see Poisson_comparison.h) and of distances from a vertex are given
+// without and with refinement. Arguments are meshes, by default all meshes of CGAL that are
+// surfaces.
 
 #include "Poisson_comparison.h"
 #include "surfaces.h"
@@ -39,8 +39,8 @@ double least_angle(const IS::Surface_level& level)
     .min_angle;
 }
 
-// How far points are apart, by their coordinates: those that an edge or a vertex shares between
-// faces are equal.
+// Returns the distance of points, by their coordinates. Points on an edge or a vertex that faces
+// share are equal.
 double difference(const Location& p, const Location& q, const IS::Delta_complex& mesh)
 {
   std::map<IT::Vertex_index, double> sum;
@@ -69,7 +69,7 @@ double error_there_and_back(const IS::Surface_map& map)
   return result;
 }
 
-// of three sources, in percent
+// Returns the error of distances from three sources, in percent.
 double distance_error(const IS::Surface_map& map, const Eigen::SparseMatrix<double>& prolongation)
 {
   const unsigned n = map.fine().mesh().number_of_vertices();

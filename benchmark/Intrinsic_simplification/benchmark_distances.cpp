@@ -2,11 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesic distances on coarse surfaces, prolonged: error against speed-up, beside the heat method
-// on the fine surface and exact distances after edge collapses with quadrics (Figures 5.8 and 5.9);
-// and all pairs (Figure 5.10). Of connected meshes on the command line, or of some of CGAL's.
-// Errors are means over five sources, relative to the mean distance; truth are exact distances on
-// the fine surface. Times are for one source, without simplification.
+// Measures geodesic distances on coarse surfaces, prolonged: error against speed-up. They are
+// compared with the heat method on the fine surface, and with exact distances after edge collapses
+// with quadrics (Figures 5.8 and 5.9). All pairs are measured, too (Figure 5.10). Arguments are
+// connected meshes, by default some of CGAL's. Errors are means over five sources, relative to the
+// mean distance. The truth are exact distances on the fine surface. Times are for one source,
+// without simplification.
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "quadric_simplification.h"
@@ -29,7 +30,7 @@ typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Matrix;
 
 namespace {
 
-// Exact distances from some vertices, and what they cost.
+// Stores exact distances from some vertices, and their cost.
 class Truth
 {
 public:
@@ -46,7 +47,7 @@ public:
   const IS::Surface_level& fine() const { return m_fine; }
   double milliseconds() const { return m_samples.median(); }
 
-  // in percent
+  // Returns the error in percent.
   template <typename Distances>
   double error(const Distances& distances, Samples& samples) const
   {
@@ -104,7 +105,7 @@ void benchmark_level(const Table& table, const std::string& name, const Mesh& me
             error, quadric_error(mesh, vertices, truth));
 }
 
-// Error against speed-up.
+// Prints error against speed-up.
 void benchmark_sources(const Table& table, const std::string& name, const Mesh& mesh)
 {
   IS::Evolving_surface surface(mesh);
@@ -129,7 +130,8 @@ IS::Prolonged_distances all_pairs(const Mesh& mesh, std::size_t vertices)
   return {coarse, IS::prolongation_matrix(IS::Surface_map(surface, fine, coarse))};
 }
 
-// With simplification; what exact distances of all pairs take is extrapolated.
+// Measures all pairs, including simplification. The time of exact distances of all pairs is
+// extrapolated.
 void benchmark_all_pairs(const Table& table, const std::string& name, const Mesh& mesh)
 {
   if(mesh.number_of_vertices() > 10000) // eight bytes for each pair

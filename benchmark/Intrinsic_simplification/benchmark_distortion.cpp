@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How much coarse surfaces of few vertices are distorted (Figures 5.5 and 5.6): by edge collapses
-// with quadrics, where fine vertices go to the closest points, and intrinsically, where the map is
-// known on projective pieces. By how much the area of the surface differs in percent, and the means
-// over the fine surface of the logarithms of the scaling of area and of the ratio of the singular
-// values of the differential. With quadrics, fine faces whose image has less than a millionth of
-// their area do not count; the percentage of their area is in the column "lost". The last column
-// checks the integrals: the relative error of the area of the coarse surface. Of the meshes on the
-// command line, or of CGAL's bunny and of generated developable surfaces.
+// Measures the distortion of coarse surfaces with few vertices (Figures 5.5 and 5.6). They are
+// simplified by edge collapses with quadrics, where fine vertices are mapped to the closest points.
+// They are also simplified intrinsically, where the map is known on projective pieces. The first
+// column is the difference of areas in percent. The next columns are means over the fine surface of
+// two logarithms: the scaling of area, and the ratio of the singular values of the differential.
+// With quadrics, fine faces whose image has less than a millionth of their area do not count. The
+// percentage of their area is in the column "lost". The last column checks the integrals: the
+// relative error of the area of the coarse surface. Arguments are meshes, by default CGAL's bunny
+// and generated developable surfaces.
 
 #include "quadric_simplification.h"
 #include "surfaces.h"
@@ -49,7 +50,7 @@ Triangle laid_out(double ab, double bc, double ca)
 
 double area(const Triangle& t) { return t(0, 1) * t(1, 2) / 2; }
 
-// how barycentric coordinates change with a point
+// Returns the derivatives of barycentric coordinates with respect to a point.
 Eigen::Matrix<double, 3, 2> gradients(const Triangle& t)
 {
   Eigen::Matrix3d place;
@@ -57,7 +58,7 @@ Eigen::Matrix<double, 3, 2> gradients(const Triangle& t)
   return place.inverse().leftCols<2>();
 }
 
-// Integrals over the fine surface.
+// Stores integrals over the fine surface.
 struct Distortion
 {
   double area = 0, image = 0, scaling = 0, anisotropy = 0, lost = 0;
@@ -87,7 +88,7 @@ Triangle face(Mesh::Face_index f, const IS::Surface_level& level)
   return laid_out(length(0), length(1), length(2));
 }
 
-// of the map at a point
+// Returns the differential of the map at a point.
 Eigen::Matrix2d differential(const IS::Projective_piece& piece, const Eigen::Vector3d& b,
                              const Triangle& fine, const Triangle& coarse)
 {
@@ -100,7 +101,7 @@ Eigen::Matrix2d differential(const IS::Projective_piece& piece, const Eigen::Vec
   return coarse * (m / sum - image * m.colwise().sum() / (sum * sum)) * gradients(fine);
 }
 
-// A fan of triangles, each with the middles of its sides as the points of the integral.
+// Adds a piece as a fan of triangles. The midpoints of their sides are the points of the integral.
 void add(const IS::Projective_piece& piece, const Triangle& fine, const Triangle& coarse,
          Distortion& sum)
 {
@@ -197,7 +198,7 @@ void benchmark(const std::string& name, const Mesh& mesh, std::size_t number_of_
   Table::print(cells);
 }
 
-// sheets that are bent along parallel lines, or along the rays of a cone
+// The next functions return sheets that are bent along parallel lines, or along the rays of a cone.
 Mesh wave(unsigned n)
 {
   return grid(n, n, [n](unsigned i, unsigned j) {

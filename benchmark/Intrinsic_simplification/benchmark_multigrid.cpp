@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Poisson problem by multigrid on a hierarchy of surfaces, and by Eigen's Cholesky factorization:
-// CPU seconds, and bytes of matrix entries. Of the meshes on the command line, or of some of CGAL's
-// and of tori of growing size.
+// Solves a Poisson problem by multigrid on a hierarchy of surfaces, and by Eigen's Cholesky
+// factorization. Prints CPU seconds, and bytes of matrix entries. Arguments are meshes, by default
+// some of CGAL's and tori of growing size.
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "surfaces.h"
@@ -53,7 +53,7 @@ struct Seconds
   Samples prepare, solve;
 };
 
-// The solution with mean zero, with bytes of the factor.
+// Returns the solution with mean zero, and the bytes of the factor.
 std::pair<Vector, double> solve_directly(const Problem& problem, Seconds& seconds)
 {
   Matrix pinned = problem.laplacian;

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What several threads gain, by the clock: tracing and the common subdivision of a torus with a
-// million faces and its intrinsic Delaunay triangulation, its certificate, a flat map, and what
-// takes a half million points through a simplification. One thread and several take turns, and the
-// best of each counts. The argument is the number of threads, 2 by default; a second one is the
-// number of faces.
+// Measures the wall-clock gain of several threads. The first tasks are the trace and the common
+// subdivision of a torus with a million faces and its intrinsic Delaunay triangulation. The next
+// ones are its certificate, and a flat map. The last task maps half a million points through a
+// simplification. One thread and several threads alternate, and the best time of each counts. The
+// first argument is the number of threads, 2 by default; the second one is the number of faces.
 
 #include "surfaces.h"
 
@@ -49,7 +49,7 @@ double measure(const Task& task)
 
 const std::vector<std::string> headings{"", "one thread (ms)", "several threads (ms)", "ratio"};
 
-// `task(np)` makes an object.
+// Measures `task(np)`, which makes an object.
 template <typename Task>
 void benchmark(const Table& table, const char* name, std::size_t threads, const Task& task)
 {

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The projective pieces of the map to a coarse level with a tenth and with a hundredth of the
-// vertices: how many there are for each face of the mesh, and seconds for all of them. Of the
-// meshes on the command line or of CGAL's.
+// Computes the projective pieces of the map to a coarse level with 10 % and with 1 % of the
+// vertices. Prints their number for each face of the mesh, and seconds for all of them. Arguments
+// are meshes, by default CGAL's.
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "surfaces.h"

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplification to a hundredth of the vertices: of the meshes on the command line or of CGAL's,
-// and of tori with bumps of growing size. Time linear in the removed vertices shows as a column
-// that stays the same. Then the largest torus to various resolutions (Figure 5.11).
+// Simplifies meshes, by default CGAL's, and tori with bumps of growing size to 1 % of the vertices.
+// If the time is linear in the removed vertices, a column is constant. Then the largest torus is
+// simplified to various resolutions (Figure 5.11).
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "surfaces.h"

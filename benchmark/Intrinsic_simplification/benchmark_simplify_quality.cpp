@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How well a Poisson equation is solved on a coarse surface (see Poisson_comparison.h): simplified
-// by edge collapses with quadrics, and intrinsically with several weights of area beside curvature,
-// and by the default cost. Of the meshes on the command line, or of some of CGAL's and generated
-// ones.
+// Measures how accurately a Poisson equation is solved on a coarse surface (see
+// Poisson_comparison.h). It is simplified by edge collapses with quadrics, intrinsically with
+// several weights of area beside curvature, and by the default cost. Arguments are meshes, by
+// default some of CGAL's and generated ones.
 
 #include "Poisson_comparison.h"
 #include "quadric_simplification.h"
@@ -21,7 +21,7 @@
 
 namespace {
 
-// Of area, where curvature has weight one; the last stands for area alone.
+// These are weights of area, if curvature has weight one. The last one denotes area alone.
 constexpr std::array<double, 6> weights{0, 0.3, 1, IS::default_area_weight, 5, -1};
 constexpr std::array<std::size_t, 2> parts{10, 50};
 typedef std::array<double, parts.size()> Errors;
@@ -65,7 +65,7 @@ Errors quadric_errors(const Mesh& mesh, const Poisson_comparison& comparison)
   return result;
 }
 
-// Geometric means of the columns.
+// Computes geometric means of the columns.
 class Means
 {
 public:

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Boundary loops closed and handles cut up to a length, given in parts of the diagonal of the
-// bounding box: genus and boundary loops before and after, the area of the disks in parts of that
-// of the surface, and the time. Usage: benchmark_topology MESH PART...
+// Closes boundary loops and cuts handles up to a length, given relative to the diagonal of the
+// bounding box. Prints genus and boundary loops before and after, the area of the disks relative to
+// the surface, and the time. Usage: benchmark_topology MESH PART...
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "surfaces.h"

@@ -5,7 +5,7 @@
 #ifndef INTRINSIC_SIMPLIFICATION_BENCHMARK_QUADRIC_SIMPLIFICATION_H
 #define INTRINSIC_SIMPLIFICATION_BENCHMARK_QUADRIC_SIMPLIFICATION_H
 
-// Simplification in space, with which the intrinsic one is compared.
+// This file simplifies in space, for comparison with the intrinsic simplification.
 
 #include "surfaces.h"
 
@@ -45,7 +45,8 @@ struct Vertex_count_stop
   }
 };
 
-// A simplification by the edge collapses that cost least by the quadrics of Garland and Heckbert.
+// Returns a simplification by the edge collapses with the least cost by the quadrics of Garland and
+// Heckbert.
 inline Mesh collapsed(Mesh mesh, std::size_t number_of_vertices)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
@@ -57,7 +58,8 @@ inline Mesh collapsed(Mesh mesh, std::size_t number_of_vertices)
   return mesh;
 }
 
-// Takes values on a mesh to the vertices of another, at the closest points.
+// Returns the matrix that maps values on a mesh to the vertices of another mesh, at the closest
+// points.
 inline Eigen::SparseMatrix<double> closest_point_matrix(const Mesh& from, const Mesh& to)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

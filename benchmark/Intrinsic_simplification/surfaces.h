@@ -5,7 +5,7 @@
 #ifndef INTRINSIC_SIMPLIFICATION_BENCHMARK_SURFACES_H
 #define INTRINSIC_SIMPLIFICATION_BENCHMARK_SURFACES_H
 
-// Surfaces to be simplified: generated ones, and those in files.
+// This file provides surfaces to be simplified: generated ones, and surfaces in files.
 
 #include "../Table.h"
 
@@ -24,7 +24,7 @@ typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
 typedef Mesh::Vertex_index Vertex;
 
-// An m by n grid, cut into triangles; `place(i, j)` is a point.
+// Returns an m by n grid, cut into triangles; `place(i, j)` is a point.
 template <typename Place>
 Mesh grid(unsigned m, unsigned n, const Place& place)
 {
@@ -41,7 +41,7 @@ Mesh grid(unsigned m, unsigned n, const Place& place)
   return mesh;
 }
 
-// A square with low hills, nearly flat.
+// Returns a nearly flat square with low hills.
 inline Mesh hills(unsigned n)
 {
   return grid(n, n, [n](unsigned i, unsigned j) {
@@ -50,7 +50,7 @@ inline Mesh hills(unsigned n)
   });
 }
 
-// A torus with bumps as `n` by `3 n` quadrangles, each of them cut in two.
+// Returns a torus with bumps as `n` by `3 n` quadrangles, each of them cut in two.
 inline Mesh bumpy_torus(unsigned n)
 {
   const unsigned m = 3 * n;
@@ -71,8 +71,8 @@ inline Mesh bumpy_torus(unsigned n)
   return mesh;
 }
 
-// A cylinder of radius one and length four along the third axis, with half a sphere at each end:
-// `n` vertices around.
+// Returns a cylinder of radius one and length four along the third axis, with half a sphere at each
+// end and `n` vertices around it.
 inline Mesh capsule(unsigned n)
 {
   const unsigned cap = n / 4, wall = 2 * n / 3, rings = 2 * cap + wall - 1;
@@ -104,7 +104,7 @@ inline Mesh capsule(unsigned n)
   return mesh;
 }
 
-// Every edge halved.
+// Returns the mesh with every edge halved.
 inline Mesh subdivided(const Mesh& mesh)
 {
   Mesh result;
@@ -124,7 +124,7 @@ inline Mesh subdivided(const Mesh& mesh)
   return result;
 }
 
-// Reads triangles, leaves out vertices without faces; an empty mesh if there is none.
+// Reads triangles, and omits vertices without faces. Returns an empty mesh if the file has no face.
 inline Mesh read_surface(const std::string& path)
 {
   Mesh mesh;
@@ -138,7 +138,7 @@ inline Mesh read_surface(const std::string& path)
   return mesh;
 }
 
-// calls `benchmark(name, mesh)`
+// Calls `benchmark(name, mesh)`.
 template <typename Benchmark>
 void benchmark_file(const std::string& path, const Benchmark& benchmark)
 {

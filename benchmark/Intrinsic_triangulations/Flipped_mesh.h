@@ -15,8 +15,8 @@
 
 namespace Methods {
 
-// T1, and T2 with its lengths and nothing else. The decisions and lengths are those of the library,
-// so that methods differ in their correspondence alone.
+// Stores T1 and T2 with only its lengths. Decisions and lengths are computed by the library, so
+// that methods differ only in their correspondence.
 class Flipped_mesh
 {
 public:
@@ -36,7 +36,7 @@ public:
   const Length_map& input_length_map() const { return m_input_length; }
   double length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
 
-  // Calls `after_flip(h)` for every flip, with `h` as flip_edge() leaves it.
+  // Calls `after_flip(h)` for every flip, with `h` after flip_edge().
   template <typename After_flip>
   std::size_t make_Delaunay(const After_flip& after_flip)
   {

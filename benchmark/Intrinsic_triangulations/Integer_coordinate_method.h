@@ -17,7 +17,7 @@
 
 namespace Methods {
 
-// The method of the library.
+// Wraps the method of the library.
 class Integer_coordinate_method
 {
 public:

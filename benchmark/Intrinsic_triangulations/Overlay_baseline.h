@@ -16,10 +16,10 @@
 
 namespace Methods {
 
-// The explicit overlay (Fisher, Springborn, Schroeder, Bobenko 2006): the common subdivision is
-// there all the time, and every flip changes it. Which curves of T1 the new edge crosses, and in
-// which order, follows from the connectivity alone. A flip takes time linear in the crossings of
-// its quadrangle.
+// Implements the explicit overlay (Fisher, Springborn, Schroeder, Bobenko 2006). The common
+// subdivision always exists, and every flip changes it. The connectivity alone determines which
+// curves of T1 the new edge crosses, and in which order. A flip takes time linear in the crossings
+// of its quadrangle.
 class Overlay_baseline
 {
 public:
@@ -78,9 +78,9 @@ private:
 
   // ---- Insertion ----
 
-  // The quadrangle k-i-l-j around the new edge of T2 from k to l, with curves of T1 in it and
-  // nothing else. Its boundary from k by way of i to l is before l, that from l by way of j to k
-  // after l.
+  // Represents the quadrangle k-i-l-j around the new edge of T2 from k to l, with only curves of T1
+  // inside. Its boundary from k over i to l comes before l, and its boundary from l over j to k
+  // comes after l.
   struct Quadrangle
   {
     Halfedge_index kl, lk, ki, il, lj, jk;
@@ -99,7 +99,7 @@ private:
     return {kl, lk, mesh.next(lk), mesh.prev(lk), mesh.next(kl), mesh.prev(kl)};
   }
 
-  // Where the halfedge `x` in the quadrangle ends.
+  // Returns the end of the halfedge `x` in the quadrangle.
   Place end(Halfedge x, const Quadrangle& q) const
   {
     Halfedge side = m_overlay.next(x);
@@ -137,7 +137,7 @@ private:
     }
   }
 
-  // Cuts one face after the other, the first at the source of `from`.
+  // Cuts faces one after the other, the first one at the source of `from`.
   void cut_to_end(Halfedge from, const Quadrangle& q)
   {
     Halfedge x = from;

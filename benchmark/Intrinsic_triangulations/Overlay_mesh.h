@@ -12,16 +12,16 @@
 
 namespace Methods {
 
-// The mesh into which the edges of T1 and T2 cut the surface, as halfedges that change. A halfedge
-// knows the halfedges of T1 and of T2 along which it runs, if any; its twin has the number with the
-// last bit changed.
+// Represents the mesh into which the edges of T1 and T2 cut the surface, as halfedges that change.
+// A halfedge stores the halfedges of T1 and of T2 along which it runs, if any. The number of its
+// twin differs in the last bit.
 class Overlay_mesh
 {
 public:
   typedef std::size_t Halfedge;
   typedef std::size_t Vertex;
 
-  // T1 and T2 are the same, with the same numbers.
+  // Constructs the mesh for T1 = T2, with the same numbers.
   explicit Overlay_mesh(const Delta_complex& mesh)
     : m_number_of_input_vertices(mesh.number_of_vertices()), m_out(mesh.number_of_vertices())
   {
@@ -43,21 +43,22 @@ public:
   Halfedge_index intrinsic(Halfedge h) const { return m_halfedges[h].intrinsic; }
   bool is_crossing(Vertex v) const { return v >= m_number_of_input_vertices; }
 
-  // The outgoing halfedges before and after `h` in counterclockwise order around its source.
+  // Returns the outgoing halfedges before and after `h` in counterclockwise order around its
+  // source.
   Halfedge next_around_source(Halfedge h) const { return twin(prev(h)); }
   Halfedge previous_around_source(Halfedge h) const { return next(twin(h)); }
 
-  // The halfedge straight on beyond the crossing at the end of `h`.
+  // Returns the halfedge straight beyond the crossing at the end of `h`.
   Halfedge straight_on(Halfedge h) const { return previous_around_source(next(h)); }
 
-  // Says that `h` runs along a halfedge of T2; null if it does no longer.
+  // Sets the halfedge of T2 along which `h` runs, or null if it no longer follows one.
   void set_intrinsic(Halfedge h, Halfedge_index intrinsic, Halfedge_index opposite)
   {
     m_halfedges[h].intrinsic = intrinsic;
     m_halfedges[twin(h)].intrinsic = opposite;
   }
 
-  // Puts a crossing on `h`, which then ends there. Returns the part beyond.
+  // Inserts a crossing on `h`, which then ends at it. Returns the part beyond.
   Halfedge split(Halfedge h)
   {
     const Halfedge beyond = add_edge(), t = twin(h), back = twin(beyond);
@@ -75,7 +76,7 @@ public:
     return beyond;
   }
 
-  // Takes away the crossing `w`, at which no more than one edge of T1 is left.
+  // Removes the crossing `w`, at which at most one edge of T1 remains.
   void unsplit(Vertex w)
   {
     const Halfedge beyond = m_out[w], back = twin(beyond), h = prev(beyond), t = twin(h);

@@ -22,8 +22,9 @@
 
 namespace Methods {
 
-// Signposts (Sharp, Soliman, Crane 2019): every halfedge of T2 knows its direction in the tangent
-// space of T1 at its source. An edge is found on T1 by walking in this direction for its length.
+// Implements signposts (Sharp, Soliman, Crane 2019). Every halfedge of T2 stores its direction in
+// the tangent space of T1 at its source. An edge is found on T1 by walking in this direction for
+// its length.
 class Signpost_baseline
 {
 public:
@@ -51,8 +52,8 @@ public:
   }
 
 private:
-  // The direction of `h` is that of the outgoing halfedge before it, turned by the angle between
-  // them.
+  // Sets the direction of `h` to the direction of the previous outgoing halfedge, turned by the
+  // angle between them.
   void update_angle(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -63,7 +64,7 @@ private:
     m_angle[h] = m_angle[before] + angle * scale(mesh.source(h));
   }
 
-  // from angles on the surface to normalized ones
+  // Returns the factor from angles on the surface to normalized angles.
   double scale(Vertex_index v) const
   {
     const double sum = m_frames.angle_sum(v);

@@ -22,8 +22,8 @@
 
 namespace Methods {
 
-// Signposts through a refinement whose flips, insertions and lengths are those of the library. The
-// place of a new vertex is found by walking over T1 from its nearest neighbor.
+// Follows a refinement by signposts. Its flips, insertions and lengths are computed by the library.
+// The position of a new vertex is found by walking over T1 from its nearest neighbor.
 class Signpost_refinement : public IT::Default_refinement_visitor
 {
   typedef IT::Intrinsic_triangulation<> Triangulation;
@@ -90,7 +90,7 @@ public:
 private:
   double length(Halfedge_index h) const { return m_tri.length(m_tri.mesh().edge(h)); }
 
-  // with T2 = T1
+  // Restarts with T2 = T1.
   void restart_from_input()
   {
     m_angle = m_tri.add_property_map<Halfedge_index>("h:signpost", 0.);
@@ -99,8 +99,8 @@ private:
       m_angle[h] = m_frames.angle(h);
   }
 
-  // The direction of `h` is that of the outgoing halfedge before it, turned by the angle between
-  // them.
+  // Sets the direction of `h` to the direction of the previous outgoing halfedge, turned by the
+  // angle between them.
   void update_angle(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();

@@ -19,7 +19,7 @@ namespace Methods {
 
 typedef IT::Face_location<double> Location;
 
-// An edge of T2 as it was traced over T1.
+// Stores an edge of T2 as it was traced over T1.
 struct Traced_curve
 {
   Halfedge_index halfedge;                       // of T2, from the start of the curve
@@ -27,17 +27,18 @@ struct Traced_curve
   Face_index end;                                // the face in which it ends
 };
 
-// Finds out whether traced curves are the edges of a triangulation with the connectivity of T2, and
+// Checks whether traced curves are the edges of a triangulation with the connectivity of T2, and
 // counts the pieces into which they cut T1. T1 has no loops and no parallel edges.
 //
-// Curves must start and end at the right vertices. With the order of their crossings along edges of
-// T1 and the order of T2 around vertices they make a map: its faces are found by going around them.
-// Curves that meet, or leave a vertex in the wrong order, make it a map on a surface of more
-// handles.
+// Curves must start and end at the correct vertices. With the order of their crossings along edges
+// of T1 and the order of T2 around vertices they define a map. Its faces are found by walking
+// around them. Curves that meet, or leave a vertex in the wrong order, make it a map on a surface
+// with more handles.
 class Traced_map
 {
 public:
-  // `inserted` has the places of the vertices that only T2 has, which come after the others
+  // `inserted` contains the positions of the vertices that only T2 has, which come after the
+  // others.
   Traced_map(const Delta_complex& input, const Delta_complex& mesh,
              std::vector<Location> inserted = {})
     : m_input(input),
@@ -89,17 +90,17 @@ public:
   }
 
 private:
-  // half of a piece of an edge, as a number; the two of a piece differ in the last bit
+  // Numbers a half of a piece of an edge. The two halves of a piece differ in the last bit.
   typedef std::size_t Dart;
 
-  // where a halfedge of T2 leaves a vertex of T1: along the outgoing halfedge, or in the corner
-  // after it
+  // Stores where a halfedge of T2 leaves a vertex of T1: along the outgoing halfedge, or in the
+  // corner after it.
   struct Start
   {
     Halfedge_index outgoing;
     bool is_shared;
   };
-  // crossing `k` of a curve, on the first halfedge of its edge
+  // Stores crossing `k` of a curve, on the first halfedge of its edge.
   struct Crossing
   {
     double t;
@@ -117,7 +118,7 @@ private:
 
   // ---- One curve ----
 
-  // Returns the side of `f` that leaves `v`, null at inserted vertices.
+  // Returns the side of `f` that leaves `v`, or null at inserted vertices.
   Halfedge_index corner(Face_index f, Vertex_index v) const
   {
     if(f.is_valid() && is_inserted(v) && place(v).first == f)
@@ -129,8 +130,8 @@ private:
     throw Failure("a trace does not lead from vertex to vertex");
   }
 
-  // The end may be off by some rounding: in any face at the right vertex, or in the face before or
-  // after that of an inserted one.
+  // Trims an end that is wrong by some rounding errors. It may be in any face at the correct
+  // vertex, or in the face before or after the face of an inserted vertex.
   void trim(Traced_curve& curve) const
   {
     const Vertex_index v = m_mesh.target(curve.halfedge);
@@ -195,7 +196,7 @@ private:
 
   // ---- All curves ----
 
-  // Those of T1 come first.
+  // Numbers the pieces; pieces of T1 come first.
   void number_pieces()
   {
     std::size_t number = 0;
@@ -216,7 +217,7 @@ private:
             m_input.is_border(m_input.halfedge(e, side));
   }
 
-  // the darts that leave a vertex, counterclockwise
+  // Sets the darts that leave a vertex, counterclockwise.
   void set_rotation(const std::vector<Dart>& outgoing_halfedges)
   {
     for(std::size_t i = 0; i < outgoing_halfedges.size(); ++i)
@@ -232,7 +233,7 @@ private:
       const auto& [t, c, k] = crossings[i];
       const Dart before = 2 * (m_first_on_edge[e] + i) + 1, after = before + 1,
                  back = 2 * (m_first_of_curve[c] + k) + 1, on = back + 1;
-      // a curve comes from the left of the halfedge that it crosses
+      // The curve comes from the left of the halfedge that it crosses.
       if(is_first(m_curves[c].crossings[k].halfedge))
         set_rotation({after, back, before, on});
       else
@@ -259,7 +260,7 @@ private:
     return result;
   }
 
-  // Those of T2 in their order, between those of T1.
+  // Returns the outgoing halfedges of T2 in their order, between the outgoing halfedges of T1.
   std::vector<Dart> outgoing_halfedges_of_both(Vertex_index v) const
   {
     std::vector<Halfedge_index> input, intrinsic;
@@ -287,7 +288,7 @@ private:
     return result;
   }
 
-  // Goes around all faces, which must have as many sides as convex polygons that lie in a triangle
+  // Walks around all faces, which must have as many sides as convex polygons that lie in a triangle
   // of each triangulation.
   std::size_t count_faces() const
   {

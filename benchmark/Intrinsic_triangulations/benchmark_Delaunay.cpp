@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flipping to Delaunay, with construction, against the intrinsic Delaunay triangulation inside
-// CGAL's heat method (which has no correspondence), on meshes named as arguments or on CGAL's own.
-// The two take turns; medians are printed. malloc keeps its memory for both, so that the system's
-// clearing of new pages is not part of the figures.
+// Compares flips to Delaunay, with construction, with the intrinsic Delaunay triangulation inside
+// CGAL's heat method (which has no correspondence). Arguments are meshes, by default CGAL's own.
+// The two alternate, and medians are printed. malloc keeps its memory for both, so that the figures
+// exclude the time of the system for new pages.
 
 #include "../Table.h"
 #include "measure.h"

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Convex polyhedra from the lengths of their surfaces alone: hulls of random points on spheres that
-// are flattened along an axis, triangulated by random flips. Errors are those of the distances
-// between the ends of edges of the hull. The time is also given as a multiple of that of a Delaunay
-// triangulation of the same surface.
+// Computes convex polyhedra from the lengths of their surfaces alone. They are hulls of random
+// points on spheres that are flattened along an axis, triangulated by random flips. Errors are
+// errors of the distances between the ends of edges of the hull. The time is also given as a
+// multiple of the time of a Delaunay triangulation of the same surface.
 
 #include "../../test/Intrinsic_triangulations/more_generators.h"
 #include "../Table.h"

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesics by flips: shortest paths along edges between random vertices, and the loops of a basis
-// of homology. CPU times per path: of the search along edges, of shortening with the flips taken
-// back, and the longest one.
+// Computes geodesics by flips: shortest paths along edges between random vertices, and the loops of
+// a basis of homology. Prints CPU times per path: the search along edges, the shortening with the
+// flips undone, and the longest path.
 // Usage: benchmark_edge_paths [--paths N] [--peer PROGRAM] [mesh...]
 // Queries of a peer are pairs of vertices. For each pair, it prints the milliseconds of the search
 // and of shortening, and the length.
@@ -109,7 +109,7 @@ Result shortened_paths(const Triangulation& input, const Pairs& pairs)
   return result;
 }
 
-// What another program measures on these pairs.
+// Returns the measurements of another program on these pairs.
 Result peer_paths(const Peer& peer, const std::string& file, const Pairs& pairs)
 {
   std::vector<std::array<std::size_t, 2>> queries;
@@ -139,7 +139,7 @@ void print(const Table& table, const std::string& name, const char* kind, const 
               1e3 * r.slowest);
 }
 
-// Prints what has another figure for the peer; results of both must agree.
+// Prints the figures that differ for the peer; results of both must agree.
 void print_peer(const Table& table, const std::string& name, const Result& peer, const Result& ours)
 {
   if(peer.paths == 0)

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What exactness costs: construction and flips in `double` and with exact decisions, which take
-// turns, and the certificate of the former. On meshes named as arguments, or on CGAL's own and a
-// grid of 100,000 squares in a rotated plane, each of which is a tie. Times are medians.
+// Measures the cost of exactness: construction and flips in `double` and with exact decisions,
+// which alternate, and the certificate of the former. Arguments are meshes, by default CGAL's own
+// and a grid of 100,000 squares in a rotated plane, each of them a tie. Times are medians.
 
 #include "../Table.h"
 #include "measure.h"
@@ -26,7 +26,7 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 constexpr int repetitions = 15;
 
-// Squares with integer coordinates in a plane that is rotated by a quaternion of integers.
+// Returns squares with integer coordinates in a plane that is rotated by a quaternion of integers.
 Mesh make_grid(int m, int n)
 {
   Mesh mesh;

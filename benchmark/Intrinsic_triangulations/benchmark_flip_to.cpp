@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flips that follow integer coordinates alone against crossings (Figure 3.8): from a random
-// triangulation T2 to the input T1, and from T2 to another one T3. On meshes named as arguments, or
-// on CGAL's own. The last columns have the exponents of the growth of flips with crossings from
-// line to line.
+// Compares the number of flips that follow integer coordinates alone with the number of crossings
+// (Figure 3.8). Flips lead from a random triangulation T2 to the input T1, and from T2 to another
+// one T3. Arguments are meshes, by default CGAL's own. The last columns contain the exponents of
+// the growth of flips with crossings from line to line.
 
 #include "../Table.h"
 
@@ -29,7 +29,7 @@ typedef IT::Intrinsic_triangulation<> Triangulation;
 
 namespace {
 
-// whether rounding of the sides could violate the triangle inequality
+// Returns whether rounding of the sides could violate the triangle inequality.
 bool is_almost_flat(IT::Face_index f, const Triangulation& tri)
 {
   const auto side = IT::sides(f, tri.mesh());
@@ -38,7 +38,8 @@ bool is_almost_flat(IT::Face_index f, const Triangulation& tri)
   return a + b + c - 2 * longest <= 1e-9 * longest;
 }
 
-// Faces that are almost flat are flipped back: they could not be the input of a triangulation.
+// Flips at random. Almost flat faces are flipped back, because they could not be the input of a
+// triangulation.
 void flip_at_random(Triangulation& tri, std::size_t flips, CGAL::Random& random)
 {
   const int size = static_cast<int>(tri.mesh().number_of_halfedges());
@@ -68,7 +69,7 @@ struct Flips
   double crossings, flips;
 };
 
-// how the second number grows with the first since `before`
+// Returns the exponent with which the second number grows with the first since `before`.
 double exponent(const Flips& before, const Flips& now)
 {
   return std::log(now.flips / before.flips) / std::log(now.crossings / before.crossings);

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How costs grow where degrees or crossings are extreme: bipyramids over ever more points, and thin
-// cylinders sheared by ever more twists. Constant time per flip and linear time per crossing show
-// as columns that stay the same.
+// Measures the growth of costs for extreme degrees or crossings: bipyramids over ever more points,
+// and thin cylinders sheared by ever more twists. Constant time per flip and linear time per
+// crossing yield constant columns.
 
 #include "../Table.h"
 #include "measure.h"
@@ -24,7 +24,7 @@ typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
 typedef Mesh::Vertex_index Vertex;
 
-// Two hubs of degree `n` over a ring of `n` points at random heights.
+// Returns two hubs of degree `n` over a ring of `n` points at random heights.
 Mesh bipyramid(unsigned n)
 {
   std::mt19937 random(n);
@@ -44,8 +44,8 @@ Mesh bipyramid(unsigned n)
   return mesh;
 }
 
-// The lengths of a strip of `n` quadrangles around a cylinder of circumference 1 and the given
-// height, whose diagonals lead `twists` times around it.
+// Stores the lengths of a strip of `n` quadrangles around a cylinder of circumference 1 and the
+// given height, whose diagonals lead `twists` times around it.
 struct Sheared_cylinder
 {
   Mesh mesh;

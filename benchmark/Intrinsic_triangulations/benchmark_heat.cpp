@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances by heat on intrinsic Delaunay triangulations: CPU times of the construction and of the
-// distances from a vertex, medians over 41 vertices. The error is the mean difference from exact
-// distances from the first of them, in percent of the mean distance.
+// Computes distances by heat on intrinsic Delaunay triangulations. Prints CPU times of the
+// construction and of the distances from a vertex, medians over 41 vertices. The error is the mean
+// difference from exact distances from the first vertex, in percent of the mean distance.
 // Usage: benchmark_heat [--peer PROGRAM] [mesh...]
 // Queries of a peer are vertices. For each vertex, it prints the milliseconds of the construction
 // and of the distances, and the mean distance.

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Delaunay refinement: on meshes named as arguments or on CGAL's own; against CGAL's planar mesher,
-// which has no correspondence, on one domain; and how the time for an insertion grows with the size
-// of the mesh, the degree of vertices and the length of input edges.
+// Measures Delaunay refinement on meshes named as arguments, by default CGAL's own. Compares it
+// with CGAL's planar mesher, which has no correspondence, on one domain. Measures the growth of the
+// time for an insertion with the size of the mesh, the degree of vertices and the length of input
+// edges.
 
 #include "../Table.h"
 #include "measure.h"
@@ -40,7 +41,7 @@ struct Times
   IT::Refinement_result result;
 };
 
-// `np` are the bounds.
+// Refines with the bounds `np`.
 template <typename NamedParameters>
 Times refine(const Mesh& mesh, const NamedParameters& np)
 {
@@ -151,7 +152,8 @@ void compare_with_plane()
 
 // ---- Growth ----
 
-// A band of 20 columns is squeezed into needles; what is left and right of it needs no refinement.
+// Returns a grid with a band of 20 columns that is squeezed into needles. The other columns need no
+// refinement.
 Mesh banded_grid(unsigned int n)
 {
   return grid(n, n, [n](unsigned int x, unsigned int y) {
@@ -167,7 +169,7 @@ Kernel::Point_3 on_circle(unsigned int i, unsigned int n)
   return {std::cos(angle), std::sin(angle), 0};
 }
 
-// a polygon with `n` needles around its center, or around a corner
+// Returns a polygon with `n` needles around its center, or around a corner.
 Mesh fan(unsigned int n, bool around_center)
 {
   Mesh mesh;

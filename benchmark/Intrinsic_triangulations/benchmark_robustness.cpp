@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How often three ways to keep the correspondence survive flips to Delaunay, and refinement, on
-// near-degenerate meshes, as Table 3.1 has it: the explicit overlay, which cannot be refined,
-// signposts, and integer coordinates. Refined are meshes without boundary. The numbers of meshes to
-// flip and to choose the refined ones from can be given; meshes are those of the tests. A
-// subdivision counts as found if its connectivity is that of a subdivision of T1 by curves with the
-// connectivity of T2.
+// Counts how often three methods keep the correspondence through flips to Delaunay, and through
+// refinement, on near-degenerate meshes (Table 3.1). The methods are the explicit overlay, which
+// cannot be refined, signposts, and integer coordinates. Only meshes without boundary are refined.
+// Arguments are the numbers of meshes to flip and of meshes from which the refined ones are chosen;
+// meshes are the meshes of the tests. A subdivision counts as found if its connectivity is the
+// connectivity of a subdivision of T1 by curves with the connectivity of T2.
 
 #include "../../test/Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "../Table.h"
@@ -28,7 +28,7 @@
 
 using Test_surfaces::Named_mesh;
 
-// What happened to one method.
+// Counts the outcomes of one method.
 struct Score
 {
   std::size_t changed = 0, subdivided = 0;
@@ -36,7 +36,7 @@ struct Score
   std::map<std::string, std::size_t> reasons;
 };
 
-// `change(method)` flips or refines.
+// Runs `change(method)`, which flips or refines.
 template <typename Method, typename Change>
 void run(const Named_mesh& m, const Change& change, Score& score)
 {
@@ -56,7 +56,7 @@ void run(const Named_mesh& m, const Change& change, Score& score)
   }
 }
 
-// Prints reasons of failures to standard error.
+// Runs a method on all meshes. Prints reasons of failures to standard error.
 template <typename Method, typename Change>
 void run(const Table& table, const char* changed, const char* method,
          const std::vector<Named_mesh>& meshes, const Change& change)

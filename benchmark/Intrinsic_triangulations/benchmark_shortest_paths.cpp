@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Exact distances from one vertex to all, and paths to random points: ours beside CGAL's.
+// Compares exact distances from one vertex to all, and paths to random points, with CGAL's.
 // Usage: benchmark_shortest_paths [--peer PROGRAM] [mesh...]
 // Queries of a peer are vertices. For each vertex, it prints the milliseconds of the distances of
 // all vertices, and the greatest distance.

@@ -2,11 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances by heat to circles on a square, signed and not: mean errors in edge lengths, and CPU
-// times beside the times of the distance to a vertex. The order of convergence p belongs to half
-// the edge length and 2^p times less error. Then signed distances to plane sections of
-// meshes: mean and greatest errors in percent of the greatest exact distance. Usage:
-// benchmark_signed_distance [greatest number of cells along a side] [MESH...]
+// Computes distances by heat to circles on a square, signed and unsigned. Prints mean errors in
+// edge lengths, and CPU times compared with the times of the distance to a vertex. If p is the
+// order of convergence, the error for half the edge length is 2^p times less. Then computes signed
+// distances to plane sections of meshes, with mean and greatest errors in percent of the greatest
+// exact distance.
+// Usage: benchmark_signed_distance [greatest number of cells along a side] [MESH...]
 
 #include "../Table.h"
 #include "measure.h"
@@ -37,7 +38,7 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// n times n cells, each cut in two, inner vertices moved by up to a fifth of a cell
+// Returns n times n cells, each cut in two, with inner vertices moved by up to a fifth of a cell.
 Mesh square(int n)
 {
   Mesh mesh;
@@ -58,7 +59,7 @@ Mesh square(int n)
   return mesh;
 }
 
-// Where a function that is linear on faces is zero, with negative values on the left.
+// Returns the zeros of a function that is linear on faces, with negative values on the left.
 template <typename Surface>
 IT::Surface_curve<double> zeros(const Surface& surface, const Eigen::VectorXd& value)
 {
@@ -78,7 +79,7 @@ Eigen::VectorXd distances_from(const Mesh& mesh, double x, double y)
   return result;
 }
 
-// the order of convergence, from the mean errors of this mesh and of the one before
+// Computes the order of convergence, from the mean errors of this mesh and of the previous one.
 class Order
 {
 public:
@@ -121,7 +122,7 @@ void measure(const Table& table, int n, Order& order, Order& order_of_greater_ti
             plain.median());
 }
 
-// The height over a plane that halves the bounding box.
+// Returns the height over a plane that halves the bounding box.
 Eigen::VectorXd heights(const Mesh& mesh, int axis)
 {
   Eigen::VectorXd result(static_cast<Eigen::Index>(mesh.number_of_vertices()));

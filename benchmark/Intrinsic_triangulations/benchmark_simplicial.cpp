@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Refines until triangulations are simplicial, writes them as ordinary meshes, and reads these
-// back: are they valid for CGAL, without loops and double edges, what was written, Delaunay, and of
-// the angles asked for? Faults are on standard error.
+// back. Checks that they are valid for CGAL, without loops and double edges, unchanged, Delaunay,
+// and have the required angles. Faults are printed to standard error.
 // Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
 
 #include "../Table.h"
@@ -42,8 +42,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace fs = std::filesystem;
 
-// Manifold and consistently oriented, by CGAL, with polygons split and without isolated vertices,
-// which no valid mesh has for CGAL.
+// Reads a mesh, and returns whether CGAL considers it manifold and consistently oriented. Polygons
+// are split. Isolated vertices are removed, because CGAL considers no mesh with them valid.
 bool read(const std::string& file, Mesh& mesh)
 {
   std::vector<Kernel::Point_3> points;
@@ -56,7 +56,7 @@ bool read(const std::string& file, Mesh& mesh)
   return CGAL::is_triangle_mesh(mesh) || PMP::triangulate_faces(mesh);
 }
 
-// Whether an edge or the corners of a face occur twice, or are one vertex twice.
+// Returns whether all edges and triples of corners are different, and have different vertices.
 bool is_simplicial(const Mesh& mesh)
 {
   std::set<std::set<Mesh::Vertex_index>> edges, faces;
@@ -80,7 +80,7 @@ bool are_same(const Mesh& a, const Mesh& b)
          std::equal(a.points().begin(), a.points().end(), b.points().begin(), b.points().end());
 }
 
-// Empty if all is well.
+// Describes the fault, or returns an empty text.
 std::string fault_of(const Mesh& written)
 {
   const fs::path file = fs::temp_directory_path() / "benchmark_simplicial.off";

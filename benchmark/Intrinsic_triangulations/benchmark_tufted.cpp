@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Laplacian, mass and distances by the tufted cover beside those of the ordinary way, from
-// triangles to the result, on meshes named as arguments or on CGAL's own. The cover is that of the
-// triangles of the mesh without their orientation, and with a fin at every hundredth edge; the
-// ordinary way has a mesh first, with or without the time to make it.
+// Compares Laplacian, mass and distances by the tufted cover with the ordinary operators, from
+// triangles to the result. Arguments are meshes, by default CGAL's own. The cover belongs to the
+// triangles of the mesh without their orientation, and with a fin at every hundredth edge. The
+// ordinary operators need a mesh first, with or without the time to make it.
 //
-// Without arguments the same follows for 100 soups with as many faces as the meshes that they were
-// made from: an eighth of the faces are fins at edges with three to seven faces, lie on other
-// faces, touch a vertex only, or form Moebius bands; faces have random orientations.
+// Without arguments, the same comparison follows for 100 soups with as many faces as their original
+// meshes. An eighth of the faces are fins at edges with three to seven faces, lie on other faces,
+// touch only a vertex, or form Moebius bands. Faces have random orientations.
 
 #include "../../test/Intrinsic_triangulations/soups.h"
 #include "../Table.h"
@@ -51,7 +51,7 @@ Soup with_fins(const Mesh& mesh)
   return result;
 }
 
-// The times of the ways to operators, and from there to a distance.
+// Stores the times to compute operators, and a distance from them.
 struct Times
 {
   Samples operators, distance;
@@ -70,7 +70,7 @@ struct Times
   double all() const { return operators.least() + distance.least(); }
 };
 
-// A triangulation and a view of it.
+// Stores a triangulation and a view of it.
 struct Ordinary_surface
 {
   IT::Intrinsic_triangulation<> tri;
@@ -104,7 +104,7 @@ struct Comparison
     });
   }
 
-  // Ratios of times from a mesh, and from the triangles of which it is made first.
+  // Returns ratios of times from a mesh, and from the triangles of which it is made first.
   std::array<double, 4> ratios() const
   {
     const double made = mesh_alone.least();
@@ -141,7 +141,8 @@ void benchmark_mesh(const Table& table, const std::string& file)
             ratios[3]);
 }
 
-// Ratios of the times of soups to those of their meshes, in the order of `Comparison::ratios()`.
+// Stores ratios of the times of soups to the times of their meshes, in the order of
+// `Comparison::ratios()`.
 struct Ratios
 {
   std::array<std::vector<double>, 4> values;

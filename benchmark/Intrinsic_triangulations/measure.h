@@ -11,11 +11,11 @@
 
 #include <malloc.h>
 
-// CPU times of one task, in milliseconds: what else the machine does is not in them.
+// Measures CPU times of one task, in milliseconds, which exclude other processes of the machine.
 class Samples
 {
 public:
-  // Runs a task and returns what it returns.
+  // Runs a task and returns its result.
   template <typename Task>
   auto time(const Task& task)
   {
@@ -32,14 +32,14 @@ public:
     return sorted[sorted.size() / 2];
   }
 
-  // What other programs do to the caches is least in this one.
+  // Returns the least time, in which other programs affect the caches least.
   double least() const { return *std::min_element(m_samples.begin(), m_samples.end()); }
 
 private:
   std::vector<double> m_samples;
 };
 
-// Memory that has been freed stays with the process.
+// Keeps freed memory in the process.
 inline void keep_memory()
 {
   mallopt(M_TRIM_THRESHOLD, 1 << 30);

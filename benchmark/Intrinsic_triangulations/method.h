@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 
-// What the methods of keeping a correspondence have in common. A method is a class that is made
-// from a triangulation T2 = T1, with a member function make_Delaunay() that returns the number of
-// flips and a member function subdivide() that finds the connectivity of the common subdivision and
+// Defines the common parts of methods that keep a correspondence. A method is a class that is
+// constructed from a triangulation T2 = T1. Its member function make_Delaunay() returns the number
+// of flips. Its member function subdivide() finds the connectivity of the common subdivision and
 // returns its size. Either throws IT::Error if it fails. A method that can refine has a member
 // function refine(), to angles of 25 degrees, which returns the number of insertions.
 namespace Methods {
@@ -25,7 +25,7 @@ using IT::Face_index;
 using IT::Halfedge_index;
 using IT::Vertex_index;
 
-// A method has come to a result that is not a triangulation or no subdivision of the surface.
+// Reports that the result of a method is not a triangulation or not a subdivision of the surface.
 class Failure : public IT::Error
 {
 public:
@@ -42,7 +42,7 @@ struct Subdivision_size
   }
 };
 
-// The Euler characteristic must be that of the surface.
+// Checks that the Euler characteristic is the characteristic of the surface.
 inline void check(const Subdivision_size& size, const Delta_complex& surface)
 {
   const auto alternating_sum = [](std::size_t v, std::size_t e, std::size_t f) {

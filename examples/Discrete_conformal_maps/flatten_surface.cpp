@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
             << " steps of Newton's method; no other vertex has a curvature above "
             << map.max_curvature_error() << '\n';
 
-  // the mesh, cut such that the map is projective on each face
+  // This is the mesh, cut such that the map is projective on each face.
   Mesh flat;
   const Texture uv = flat.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   DCM::common_subdivision(

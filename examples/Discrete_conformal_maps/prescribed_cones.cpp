@@ -23,7 +23,7 @@ int main(int argc, char* argv[])
                                   mesh))
     return 1;
 
-  // zero where nothing else is said
+  // Other vertices have the condition of curvature zero.
   auto condition =
     mesh.add_property_map<Mesh::Vertex_index, DCM::Vertex_condition>("v:condition").first;
   for(unsigned i = 0; i < 4; ++i)

@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
   const Eigen::SparseMatrix<double> mass = IT::lumped_mass_matrix(fine);
   std::cout << prolongations.size() << " coarse levels\n";
 
-  // one unit of heat at the first vertex
+  // The first vertex has one unit of heat.
   Eigen::VectorXd heat = Eigen::VectorXd::Zero(mass.cols());
   heat[0] = 1 / mass.coeff(0, 0);
   for(double time = 1e-4; time < 1; time *= 10) {

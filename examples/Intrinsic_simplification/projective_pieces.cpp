@@ -41,7 +41,7 @@ int main(int argc, char* argv[])
   IS::projective_pieces(map, std::back_inserter(pieces));
   std::cout << mesh.number_of_faces() << " faces have " << pieces.size() << " pieces\n";
 
-  // the middle of a piece, carried by its matrix
+  // The matrix maps the center of a piece.
   const IS::Projective_piece& piece = pieces.front();
   std::array<double, 3> middle{};
   for(const auto& corner : piece.corners)

@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
   std::cout << result.removed << " vertices removed, " << coarse.mesh().number_of_vertices()
             << " left\n";
 
-  // the center of the first face, and back
+  // The center of the first face is mapped to the coarse surface, and back.
   const IS::Surface_map::Location there =
     map.to_coarse({IS::Face_index(0), {1. / 3, 1. / 3, 1. / 3}});
   const IS::Surface_map::Location back = map.to_fine(there);
@@ -46,7 +46,7 @@ int main(int argc, char* argv[])
             << back.first << " at " << back.second[0] << ' ' << back.second[1] << ' '
             << back.second[2] << '\n';
 
-  // the third coordinate as the right-hand side
+  // The third coordinate is the right-hand side.
   Eigen::VectorXd height(mesh.number_of_vertices());
   for(Mesh::Vertex_index v : mesh.vertices())
     height[v] = mesh.point(v).z();

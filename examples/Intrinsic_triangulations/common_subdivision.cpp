@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
   IT::Common_subdivision<Triangulation::Traits, Point> subdivision(correspondence);
   IT::interpolate(IT::Side::input, subdivision, mesh.points(), subdivision.mesh().points());
 
-  // which face of the Delaunay triangulation has been cut into most parts?
+  // This finds the face of the Delaunay triangulation that is cut into most parts.
   std::vector<int> parts(tri.mesh().number_of_faces(), 0);
   for(IT::Face_index f : subdivision.mesh().faces())
     ++parts[subdivision.parent_face(IT::Side::intrinsic, f)];

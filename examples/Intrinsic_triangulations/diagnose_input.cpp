@@ -21,7 +21,7 @@ typedef CGAL::Surface_mesh<Point> Mesh;
 
 int main()
 {
-  // three triangles at one edge, and one with two corners at one point
+  // Three triangles share one edge, and one triangle has two corners at one point.
   const std::vector<Point> points{{0, 0, 0},  {1, 0, 0}, {0, 1, 0},
                                   {0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
   const std::vector<std::array<std::size_t, 3>> triangles{

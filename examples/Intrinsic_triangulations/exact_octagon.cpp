@@ -32,7 +32,8 @@ void add_triangle(const std::array<unsigned, 3>& sides, IT::Delta_complex& mesh)
   }
 }
 
-// Edges 0 to 3 are the sides, each glued to the opposite one; 4 to 8 are the diagonals of a fan.
+// Edges 0 to 3 are the sides, each glued to the opposite one; edges 4 to 8 are the diagonals of a
+// fan.
 IT::Delta_complex make_octagon()
 {
   IT::Delta_complex mesh;

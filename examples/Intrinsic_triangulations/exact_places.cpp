@@ -36,7 +36,7 @@ int main()
   std::cout.precision(17);
   std::cout << "The diagonals cross at " << place.on_input.t << " of the long one\n";
 
-  // barycentric coordinates in the first face of the input; they are divided by their sum
+  // Barycentric coordinates in the first face of the input are divided by their sum.
   for(const auto& p : {std::array{2., 0., 1.}, std::array{3., 1., 1.}}) {
     const IT::Surface_element element =
       IT::element_across(correspondence, IT::Side::input, {IT::Face_index(0), p});

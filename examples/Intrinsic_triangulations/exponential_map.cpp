@@ -42,12 +42,12 @@ int main(int argc, char* argv[])
     std::cout << "to " << PMP::construct_point(on_input.end, mesh) << " over " << path.size()
               << " edges of the mesh: " << to_string(on_input.status) << '\n';
 
-    // back along the same line
+    // The geodesic leads back along the same line.
     const auto back =
       IT::trace_geodesic(tri.input(), on_input.end, -on_input.length * on_input.direction);
     std::cout << "  and back to " << PMP::construct_point(back.end, mesh) << '\n';
 
-    // the first edge around the vertex may be another one on the other side
+    // The first edge around the vertex may be another one on the other side.
     const auto on_intrinsic = IT::trace_geodesic(tri.intrinsic(), v, vector);
     std::cout << "  on the other triangulation in face " << on_intrinsic.end.first << '\n';
   }

@@ -19,7 +19,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
 
-// The corners 0, 2, 4 of a triangle and the midpoints of its sides.
+// Makes the net from the corners 0, 2, 4 of a triangle and the midpoints of its sides.
 Mesh make_net()
 {
   Mesh net;

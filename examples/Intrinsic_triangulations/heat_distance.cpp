@@ -32,7 +32,7 @@ int main(int argc, char* argv[])
   const IT::Vertex_index source(0);
   const Eigen::VectorXd on_mesh = IT::heat_distance(tri.input(), source);
 
-  // prepared once, asked as often as wanted
+  // The solver is prepared once, and can be used any number of times.
   const IT::Heat_distance<> distance(tri.intrinsic());
   const Eigen::VectorXd on_Delaunay = distance.distances(source);
 

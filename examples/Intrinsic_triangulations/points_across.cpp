@@ -21,7 +21,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// The largest difference of coordinates; infinite if the faces differ.
+// Returns the largest difference of coordinates, or infinity if the faces differ.
 double difference(const IT::Face_location<double>& p, const IT::Face_location<double>& q)
 {
   if(p.first != q.first)

@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
   for(const IT::Remaining_face& f : result.remaining)
     std::cout << f.face << " is below the bound: " << IT::to_string(f.reason) << '\n';
 
-  // the vertices of the mesh keep their indices, inserted ones come after them
+  // The vertices of the mesh keep their indices, and inserted ones come after them.
   if(tri.number_of_inserted_vertices() > 0) {
     const IT::Vertex_index first(tri.input_mesh().number_of_vertices());
     const auto [face, coordinates] =

@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
   IT::make_Delaunay(tri);
   const IT::Correspondence<> correspondence(tri);
 
-  // shortest paths from point to point, on the mesh
+  // Shortest paths lead from point to point on the mesh.
   const auto faces = static_cast<Mesh::size_type>(mesh.number_of_faces());
   std::vector<IT::Face_location<double>> points;
   for(Mesh::size_type k : {0u, 1u, 2u, 0u})

@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
   IT::Intrinsic_triangulation<> tri(cover.mesh());
   IT::make_Delaunay(tri);
 
-  // functions have one value at each point
+  // Functions have one value at each point.
   const IT::Tufted_surface<> surface(cover, tri.intrinsic());
   const Eigen::SparseMatrix<double> laplacian = IT::cotan_laplacian(surface);
   const Eigen::VectorXd distance = IT::heat_distance(surface, std::array{IT::Vertex_index(0)});

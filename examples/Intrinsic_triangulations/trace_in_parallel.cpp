@@ -17,7 +17,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef IT::Correspondence<> Correspondence;
 
-// the sum of the places of all crossings, which shows every bit of them
+// Returns the sum of the positions of all crossings, which shows every bit of them.
 double sum_of_places(const Correspondence& correspondence)
 {
   double sum = 0;

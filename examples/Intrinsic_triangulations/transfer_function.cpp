@@ -19,7 +19,7 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// The height of the vertices above the plane z = 0.
+// Returns the height of the vertices above the plane z = 0.
 Eigen::VectorXd heights(const Mesh& mesh)
 {
   Eigen::VectorXd result(static_cast<Eigen::Index>(mesh.number_of_vertices()));
