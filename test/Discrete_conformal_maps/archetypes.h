@@ -89,7 +89,7 @@ void expect_minimum(const Minimizer& minimizer)
   const DCM::Minimization_result result = minimizer(energy, u, DCM::Minimization_domain(), visitor);
   EXPECT_EQ(result.status, DCM::Minimization_status::converged);
   EXPECT_EQ(result.iterations, visitor.calls);
-  // no eigenvalue of the Hessian is less than one
+  // No eigenvalue of the Hessian is less than one.
   for(Eigen::Index i = 0; i < size; ++i)
     EXPECT_NEAR(u[i], double(i), 3 * (result.gradient_norm + result.gradient_error));
 }

@@ -140,7 +140,7 @@ struct Bounded_surface
 
   bool is_on_boundary(Vertex_index v) const { return half.is_border(v); }
 
-  // what is prescribed on the double
+  // Returns the conditions prescribed on the double.
   Conditions doubled(const Conditions& condition) const
   {
     Conditions result;

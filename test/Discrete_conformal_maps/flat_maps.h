@@ -29,7 +29,7 @@ inline std::vector<double> lengths_of(const Triangulation& t)
   return result;
 }
 
-// curvatures of vertices inside, exterior angles of those on the boundary
+// Returns curvatures of vertices inside, and exterior angles of vertices on the boundary.
 inline std::vector<double> curvatures(const Triangulation& t)
 {
   const Delta_complex& mesh = t.mesh();
@@ -55,7 +55,7 @@ inline Conditions as_log_scales(const std::vector<double>& values)
   return result;
 }
 
-// flat inside, unscaled on the boundary
+// Returns conditions that are flat inside, and unscaled on the boundary.
 inline Conditions default_conditions(const Delta_complex& mesh)
 {
   Conditions result(mesh.number_of_vertices());
@@ -117,7 +117,7 @@ inline std::vector<double> scaled_lengths(const Planar_conformal_map& map)
   return result;
 }
 
-// which faces of T_3 have a part of the input; there is none beyond a border
+// Determines which faces of T_3 have a part of the input. No part is beyond a border.
 class Used_faces
 {
 public:
@@ -138,7 +138,7 @@ private:
 
 inline Used_faces used_faces(const Planar_conformal_map& map) { return Used_faces(map); }
 
-// the greatest distance from the origin
+// Returns the greatest distance from the origin.
 inline double size_of(const Planar_conformal_map& map)
 {
   double result = 0;
@@ -214,7 +214,7 @@ inline bool has_no_seam(const Planar_conformal_map& map)
 
 // ---- The map ----
 
-// the place of a vertex of the subdivision in a face of T_1, a simplicial complex
+// Returns the position of a vertex of the subdivision in a face of T_1, a simplicial complex.
 inline Location on_face(const DCM::Discrete_conformal_map& map, Face_index f, const Location& p)
 {
   const Delta_complex& mesh = mesh_A(map);

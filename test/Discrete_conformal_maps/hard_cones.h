@@ -10,7 +10,7 @@
 // Cones that are hard to get, and coarse surfaces for them.
 namespace Test_surfaces {
 
-// with fewer than 100 vertices
+// Returns a surface with fewer than 100 vertices.
 inline Mesh coarse_surface(std::size_t genus, unsigned int seed)
 {
   return perturbed(genus == 0 ? unit_sphere(4) : frame(genus, 1), 0.05, seed);

@@ -54,7 +54,7 @@ public:
     flip_until_Delaunay([this](std::size_t h) { return Euclidean_flip(h); });
   }
 
-  // the vertices of the mesh come first
+  // The vertices of the mesh come first.
   std::vector<Vertex_index> input_vertex;
 
   std::size_t number_of_input_vertices() const { return m_size; }
@@ -123,7 +123,8 @@ public:
   }
 
 private:
-  // halfedges by their ends; an edge of the second copy inside can have those of another edge
+  // Stores halfedges by their ends. An edge of the second copy inside can have the ends of another
+  // edge.
   typedef std::map<std::tuple<std::size_t, std::size_t, bool>, std::size_t> Known_sides;
 
   static bool has_boundary(const Mesh& mesh)
@@ -274,7 +275,7 @@ private:
       matrix(i, j) -= weight;
       matrix(j, i) -= weight;
     }
-    // rows are those of the double: the gradient of a vertex counts once for each of its copies
+    // Rows belong to the double: the gradient of a vertex counts once for each of its copies.
     Eigen::VectorXd rest(n);
     const std::vector<Long_real> present = curvatures();
     const std::vector<int> copies = numbers_of_copies();

@@ -88,7 +88,7 @@ TEST(Schwarz_Christoffel, rectangles_have_the_boundary_correspondence_of_ellipti
 class Half_plane_map
 {
 public:
-  // sides[i] is the distance of the images of t_i and t_i+1, up to a common factor
+  // The value sides[i] is the distance of the images of t_i and t_i+1, up to a common factor.
   Half_plane_map(const std::vector<double>& exponents, const std::vector<double>& sides)
     : m_exponent(exponents), m_place(exponents.size())
   {
@@ -112,8 +112,8 @@ public:
   double place(std::size_t i) const { return m_place[i]; }
 
 private:
-  // of logarithms of sides, relative to the first; the variables are logarithms of distances on the
-  // line
+  // Returns the errors of logarithms of sides, relative to the first. The variables are logarithms
+  // of distances on the line.
   Eigen::VectorXd errors(const Eigen::VectorXd& gap, const std::vector<double>& sides)
   {
     m_place[0] = 0;
@@ -130,7 +130,7 @@ private:
   double side(std::size_t i) const
   {
     const double a = m_place[i], b = m_place[i + 1];
-    // the second argument is the distance from the nearer end with a sign, without cancellation
+    // The second argument is the distance from the nearer end with a sign, without cancellation.
     const auto derivative = [&](double t, double from_end) {
       double result = 1;
       for(std::size_t k = 0; k < m_place.size(); ++k) {
@@ -213,7 +213,7 @@ std::vector<std::array<std::size_t, 4>> fours(const std::vector<Complex>& places
       for(std::size_t k = j + 1; k < n; ++k)
         for(std::size_t l = k + 1; l < n; ++l) {
           const double ratio = cross_ratio({places[i], places[j], places[k], places[l]});
-          // one half is that of symmetric corners, which is exact on any mesh
+          // The ratio of symmetric corners is one half, which is exact on any mesh.
           const bool is_trivial = std::abs(ratio - 0.5) < 1e-9;
           if((i + j + k + l) % 3 == 0 && ratio > 0.01 && ratio < 0.99 && !is_trivial)
             result.push_back({i, j, k, l});

@@ -20,7 +20,7 @@ typedef CGAL::Discrete_conformal_maps::Minimization_status Status;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-// x'Ax/2 - b'x
+// Represents x'Ax/2 - b'x.
 struct Quadratic_form
 {
   typedef double FT;
@@ -87,7 +87,7 @@ Quadratic_form random_form(Eigen::Index n, unsigned seed)
           random_vector(std::size_t(n), 2, seed + 1000)};
 }
 
-// the greatest error of a condition of the minimum
+// Returns the greatest error of a condition of the minimum.
 template <typename Energy>
 double violation(const Energy& energy, const Vector& u, const Vector& lower)
 {
@@ -112,7 +112,7 @@ TEST(Bounded_Newton_minimizer, finds_the_minimum_of_quadratic_forms)
     Vector u = random_vector(std::size_t(n), 3, seed + 3000);
     const auto result = Bounded_Newton_minimizer()(energy, u, lower);
     EXPECT_EQ(result.status, Status::converged) << seed;
-    // the inverse is less than 20, roundings of the gradient are of order 1e-14
+    // The inverse is less than 20, and rounding errors of the gradient are of order 1e-14.
     EXPECT_LT((u - expected).template lpNorm<Eigen::Infinity>(), 1e-11) << seed;
     for(Eigen::Index i = 0; i < n; ++i)
       EXPECT_EQ(u[i] == lower[i], expected[i] == lower[i]) << seed;

@@ -16,14 +16,14 @@ namespace Test_bounded_surfaces {
 using namespace Test_surfaces;
 using DCM::internal::Doubled_problem;
 
-// more of them when asked for
+// Returns the number of surfaces, which can be increased.
 unsigned int number_of_surfaces(unsigned int usual)
 {
   const char* text = std::getenv("NUMBER_OF_BOUNDED_SURFACES");
   return text ? static_cast<unsigned int>(std::atoi(text)) : usual;
 }
 
-// genus 0 to 5, 1 to 20 loops, or plates
+// Returns a surface of genus 0 to 5 with 1 to 20 loops, or a plate.
 Bounded_surface random_surface(unsigned int seed)
 {
   if(seed % 5 == 0)

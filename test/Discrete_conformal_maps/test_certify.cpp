@@ -43,7 +43,8 @@ void flip(IT::Intrinsic_triangulation<Traits>& t, const Flips& flips)
 
 // ---- The ideal Delaunay condition ----
 
-// Equation 4.5 without quotients, at lengths that flips in rational numbers have given
+// Returns the sign of Equation 4.5 without quotients, at lengths computed by flips in rational
+// numbers.
 CGAL::Sign ideal_Delaunay_sign(const IT::Diamond<Rational>& d)
 {
   return CGAL::compare((d.jk * d.il + d.ki * d.lj) * (d.jk * d.lj + d.ki * d.il),
@@ -210,7 +211,7 @@ class Traced_places
   using Vector_100 = std::array<Real_100, 2>;
 
 public:
-  // `length` has those of the edges of T_1
+  // `length` contains the lengths of the edges of T_1.
   Traced_places(const std::vector<Real_100>& length, const Flips& flips, const Correspondence& ab)
     : m_ab(ab), m_mesh(ab.mesh(Side::input)), m_length(length), m_place(ab.number_of_crossings())
   {
@@ -220,7 +221,7 @@ public:
       trace(IT::first_halfedge(e));
   }
 
-  // on the first halfedge of the edge of T_2
+  // Returns the position on the first halfedge of the edge of T_2.
   const Real_100& operator[](std::size_t crossing) const { return m_place[crossing]; }
   Delta_complex::size_type size() const { return m_ab.number_of_crossings(); }
 
@@ -236,7 +237,7 @@ private:
 
   const Real_100& length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
 
-  // the third corner of the face of `h`, whose source is at `s` and whose target is at `t`
+  // Returns the third corner of the face of `h`, whose source is at `s` and whose target is at `t`.
   Vector_100 apex(Halfedge_index h, const Vector_100& s, const Vector_100& t) const
   {
     const Real_100 &c = length(h), &a = length(m_mesh.next(h)), &b = length(m_mesh.prev(h));
@@ -296,7 +297,7 @@ private:
   std::vector<Real_100> m_length, m_place;
 };
 
-// the vertices of the subdivision along a halfedge of T_2
+// Returns the vertices of the subdivision along a halfedge of T_2.
 std::vector<Vertex_index> vertices_along(Halfedge_index h, const DCM::Triple_subdivision<>& s)
 {
   std::map<Vertex_index, Vertex_index> next;
@@ -543,7 +544,8 @@ struct Surface_100
 
   Real_100 of(Halfedge_index h) const { return length[mesh.edge(h)]; }
 
-  // where the third corner of the face of `h` lies, seen from the source of `h`, on its left
+  // Returns the position of the third corner of the face of `h`, seen from the source of `h`, on
+  // its left.
   std::array<Real_100, 2> apex(Halfedge_index h) const
   {
     const Real_100 c = of(h), a = of(mesh.next(h)), b = of(mesh.prev(h)),
@@ -551,7 +553,7 @@ struct Surface_100
     return {x, sqrt(b * b - x * x)};
   }
 
-  // the angle at the source of `h` in its face
+  // Returns the angle at the source of `h` in its face.
   Real_100 angle(Halfedge_index h) const
   {
     const auto [x, y] = apex(h);

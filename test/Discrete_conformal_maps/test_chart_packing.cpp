@@ -14,7 +14,7 @@ namespace Test_chart_packing {
 namespace DCM = CGAL::Discrete_conformal_maps;
 using Complex = std::complex<double>;
 
-// two opposite corners of the smallest box that holds the points
+// Returns two opposite corners of the smallest box that contains the points.
 template <typename Motion>
 std::pair<Complex, Complex> box(const std::vector<Complex>& points, const Motion& motion)
 {
@@ -53,7 +53,7 @@ TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
 {
   CGAL::Random random(1);
   for(int trial = 0; trial < 2000; ++trial) {
-    // on a grid, in a disk, or in a narrow strip
+    // Points are on a grid, in a disk, or in a narrow strip.
     std::vector<Complex> points;
     const int number = random.get_int(3, 14);
     for(int i = 0; i < number; ++i)

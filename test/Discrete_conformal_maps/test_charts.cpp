@@ -128,7 +128,7 @@ TEST(Charts, overlap_is_that_of_exact_Boolean_operations)
   EXPECT_TRUE(has_overlap);
 }
 
-// a map with its layout as it was, too: maps cannot be copied
+// Maps cannot be copied, so each is computed twice, with its unchanged layout, too.
 TEST(Charts, are_cut_where_they_overlap)
 {
   for(const Mesh& mesh : surfaces()) {

@@ -52,7 +52,7 @@ struct Written
     mesh.add_property_map<Mesh::Face_index, Parents>("f:parent").first;
 };
 
-// the barycentric coordinates of a point in the plane of a face
+// Returns the barycentric coordinates of a point in the plane of a face.
 std::array<double, 3> coordinates_in(Face_index f, const Mesh& mesh, const Point& p)
 {
   const Mesh::Halfedge_index h = mesh.halfedge(f);

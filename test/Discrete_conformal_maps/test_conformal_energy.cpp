@@ -70,7 +70,7 @@ void check_Lobachevsky_functions(int steps)
 
 // ---- Surfaces without boundary ----
 
-// not Delaunay
+// The triangulations are not Delaunay.
 std::vector<Named_triangulation> surfaces()
 {
   std::vector<Named_triangulation> result = closed_surfaces();
@@ -90,7 +90,7 @@ Energy energy_of(Triangulation t, const Numbers& target)
   return {t.mesh(), t.length_map(), target};
 }
 
-// as functions of u, not of the double nearest to the result
+// Returns the gradient as a function of u, not of the nearest number of type `double`.
 template <typename Energy>
 std::vector<Quad> precise_gradient(const Energy& energy, const Numbers& target)
 {
@@ -110,13 +110,13 @@ struct Flat
   template <typename FT>
   using Energy = DCM::Conformal_energy<FT>;
 
-  // between sides a and b
+  // Returns the angle between sides a and b.
   static double angle(double a, double b, double c)
   {
     return std::acos((a * a + b * b - c * c) / (2 * a * b));
   }
 
-  // what angles miss of pi
+  // Returns the difference between pi and the sum of angles.
   static double defect(double, double, double) { return 0; }
 };
 
@@ -134,7 +134,7 @@ struct Hyperbolic
                      (std::sinh(x) * std::sinh(y)));
   }
 
-  // L'Huilier's formula
+  // Uses L'Huilier's formula.
   static double defect(double a, double b, double c)
   {
     const double x = side(a), y = side(b), z = side(c);
@@ -193,7 +193,7 @@ TEST(Lobachevsky_function, has_its_special_values)
   EXPECT_NEAR(DCM::Lobachevsky_function(pi / 2), 0, ulp);
   EXPECT_NEAR(DCM::Lobachevsky_function(pi), 0, ulp * 40); // the slope there is log(2 ulp)
   EXPECT_NEAR(DCM::Lobachevsky_function(pi / 4), constants::catalan<double>() / 2, ulp);
-  // the volume of the regular ideal tetrahedron
+  // This is the volume of the regular ideal tetrahedron.
   EXPECT_NEAR(3 * DCM::Lobachevsky_function(pi / 3), 1.01494160640965362502, 3 * ulp);
   for(double theta = 0.01; theta < pi / 2; theta += 0.01)
     EXPECT_NEAR(
@@ -431,7 +431,7 @@ TEST(Hyperbolic_triangle, angles_are_precise_for_sides_of_any_size)
       for(std::size_t s = 0; s < 3; ++s) {
         const Precise angle = true_angle(l, s);
         sum += angle;
-        // angles of large triangles are small: it is relative errors that count
+        // Angles of large triangles are small, so relative errors count.
         EXPECT_LE(double(abs(Precise(triangle.angle(s)) - angle) / angle), 40 * eps) << size;
       }
       const Precise defect = constants::pi<Precise>() - sum;

@@ -21,13 +21,13 @@ namespace Test_crowding {
 using namespace Test_surfaces;
 using DCM::Spherical_conformal_map;
 
-// unit squares in a row, each cut along a diagonal
+// Returns unit squares in a row, each cut along a diagonal.
 Mesh strip(std::size_t n)
 {
   return grid(n, 1, [](double x, double y) { return Point(x, y, 0); });
 }
 
-// `n` by `m` squares along a spiral
+// Returns `n` by `m` squares along a spiral.
 Mesh spiral(std::size_t n, std::size_t m)
 {
   return grid(n, m, [m](double x, double y) {

@@ -66,7 +66,7 @@ TEST(Decorated_energy, scaled_triangles_are_weighted_Delaunay)
                                                            random_radii(s.triangulation, 1, 5));
     energy.evaluate(random_numbers(energy.size(), 2, 19));
     EXPECT_EQ(energy.number_of_flat_faces(), 0u);
-    // the Hessian is the Laplacian of the scaled surface, by independent formulas
+    // The Hessian is the Laplacian of the scaled surface, by independent formulas.
     const auto& surface = energy.surface();
     std::vector<double> length;
     for(Edge_index e : surface.mesh().edges())
@@ -151,7 +151,7 @@ TEST(Decorated_maps, have_the_curvatures_and_inversive_distances)
 {
   std::size_t distances = 0;
   for(const Named_triangulation& s : traced(all_surfaces()))
-    // circles inside must not cross the boundary
+    // Circles inside must not cross the boundary.
     for(const double part :
         has_border(s.triangulation.mesh()) ? std::array{0.1, 0.2} : std::array{0.5, 1.}) {
       const Radii radii = random_radii(s.triangulation, part, 7);

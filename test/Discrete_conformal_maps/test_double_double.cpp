@@ -21,7 +21,8 @@ using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1
 
 Big big(const Number& x) { return Big(x.high()) + Big(x.low()); }
 
-// a number with random digits, a random sign and an exponent up to `range` by absolute value
+// Returns a number with random digits, a random sign and an exponent up to `range` by absolute
+// value.
 Number random_number(CGAL::Random& random, int range)
 {
   const double high = std::ldexp(random.get_double(0.5, 1), random.get_int(-range, range + 1)) *
@@ -31,7 +32,7 @@ Number random_number(CGAL::Random& random, int range)
          Number(high * std::ldexp(random.get_double(-unit, unit), -random.get_int(0, 20)));
 }
 
-// the error in squares of half a unit of `double`, relative to `scale`
+// Returns the error in squares of half a unit of `double`, relative to `scale`.
 double error(const Number& x, const Big& expected, const Big& scale)
 {
   return std::ldexp(static_cast<double>(Big(abs((big(x) - expected) / scale))), 106);
@@ -50,7 +51,7 @@ TEST(Double_double, arithmetic_has_the_error_bounds_of_the_literature)
   for(int i = 0; i < 200000; ++i) {
     const int range = i % 2 == 0 ? 1 : 200;
     const Number x = random_number(random, range);
-    // every third pair cancels
+    // Every third pair cancels.
     const Number y =
       i % 3 == 0 ? x * Number(-1 + random.get_double(-1e-15, 1e-15)) : random_number(random, range);
     sum = (std::max)(sum, error(x + y, big(x) + big(y)));

@@ -26,7 +26,7 @@ Planar_conformal_map flatten_fixed(const Triangulation& t, const Conditions& con
     length_parameter(length).vertex_condition_map(as_map(condition)).flipping(Flipping::none));
 }
 
-// a triangulation with scaled lengths
+// Returns a triangulation with scaled lengths.
 Triangulation scaled(const Triangulation& t, const std::vector<double>& u)
 {
   std::vector<double> length = lengths_of(t);
@@ -249,7 +249,7 @@ TEST(Fixed_triangulation, fails_where_flips_succeed)
   std::size_t successes = 0, failures = 0;
   for(const auto& [m, seed] : traced(12, near_degenerate_mesh)) {
     const Planar_conformal_map free = DCM::flatten(m.mesh);
-    // needles may be smaller than the rounding of positions
+    // Needles may be smaller than the rounding errors of positions.
     EXPECT_TRUE(free.status() == Map_status::success || free.status() == Map_status::not_conformal);
     ASSERT_LT(free.max_curvature_error(), 1e-10);
     const Triangulation t(m.mesh);

@@ -26,7 +26,7 @@ void expect_scales(const Planar_conformal_map& map, const std::vector<double>& e
     EXPECT_NEAR(log_scale(map, v), expected[v], tolerance) << v;
 }
 
-// up to a constant
+// Checks that scale factors are opposite up to a constant.
 void expect_opposite_scales(const Planar_conformal_map& map, const std::vector<double>& u0,
                             double tolerance)
 {
@@ -34,7 +34,7 @@ void expect_opposite_scales(const Planar_conformal_map& map, const std::vector<d
     EXPECT_NEAR(log_scale(map, v) + u0[v], log_scale(map, 0) + u0[0], tolerance) << v;
 }
 
-// whose message contains the text
+// Checks that the message of the exception contains the text.
 void expect_invalid(const std::function<void()>& task, const std::string& text)
 {
   try {
@@ -102,7 +102,7 @@ Mesh rough_disk(std::size_t n)
   return perturbed(grid(n, n, hill), 0.3, 14);
 }
 
-// the vertices of the only boundary loop, in its order
+// Returns the vertices of the only boundary loop, in its order.
 std::vector<Vertex_index> boundary(const Delta_complex& mesh)
 {
   std::vector<Vertex_index> result;
@@ -361,7 +361,7 @@ private:
   std::size_t m_needed = 0;
 };
 
-// with three limbs that are long
+// Returns a sphere with three long limbs.
 Mesh sphere_with_limbs(std::size_t size, unsigned int seed)
 {
   Mesh result = random_sphere(size, seed);
@@ -381,7 +381,7 @@ Mesh sphere_with_limbs(std::size_t size, unsigned int seed)
   return result;
 }
 
-// whose order is not decided by rounding
+// Rounding does not decide the order of cones.
 TEST(Flatten, places_the_cones_of_a_linear_estimate_first)
 {
   for(unsigned int seed : seeds(10))

@@ -14,7 +14,7 @@ namespace Test_flatten_data {
 using namespace Test_surfaces;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// empty if the file is no surface
+// Reads a surface, or returns an empty mesh if the file contains none.
 Mesh read(const std::string& file)
 {
   std::vector<Point> points;
@@ -131,7 +131,7 @@ TEST(Flattened_data_meshes, extended_precision_takes_over)
   EXPECT_LT(map.max_curvature_error(), 1e-11);
   EXPECT_LT(map.minimization().gradient_error, 1e-15); // less than double can have
   EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
-  // an angle changes by up to 1e11 times the rounding error of the scale factors
+  // An angle changes by up to 1e11 times the rounding error of the scale factors.
   check_conditions(map, t.mesh(), condition, 1e-3);
 }
 

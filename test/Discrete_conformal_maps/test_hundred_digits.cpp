@@ -207,7 +207,7 @@ TEST(Hundred_digits, spheres_have_the_distances_of_a_convex_polyhedron)
     EXPECT_EQ(map.status(), DCM::Map_status::success);
     Reference_surface surface(mesh);
     surface.scale(scale_factors(map, mesh));
-    // positions in double precision do not resolve the ends of a long surface
+    // Positions in double precision do not resolve the ends of a long surface.
     const auto chord = [&](std::size_t v, std::size_t w) {
       const auto p = map.position_in<Long_real>(Vertex_index(Mesh::size_type(v))),
                  q = map.position_in<Long_real>(Vertex_index(Mesh::size_type(w)));

@@ -78,7 +78,7 @@ TEST(Hyperbolic_circles, have_the_angles_and_derivatives_of_fifty_digits)
         if(!energy.surface().mesh().is_isolated(vertex)) {
           EXPECT_NEAR(energy.gradient()[int(v)], double(gradient[v]), 1e-12);
         }
-        // the radius before and after
+        // These are the radii before and after scaling.
         const Number r = Number(scale) * Number(radii[v]), t = r * exp(Number(w[int(v)]));
         EXPECT_NEAR(double(energy.surface().scaled_radius(vertex) - t / (1 + t * t)), 0, 1e-40);
       }
@@ -242,7 +242,7 @@ TEST(Hyperbolic_circles, with_radii_of_zero_are_none)
     EXPECT_EQ(zero.log_scale(v), none.log_scale(v));
   for(Halfedge_index h : zero.ideal().mesh().halfedges())
     EXPECT_EQ(zero.hyperboloid_position(h), none.hyperboloid_position(h));
-  // and small ones make a difference of second order
+  // Small circles make a difference of second order.
   double before = 0;
   for(const double part : {1e-2, 1e-3, 1e-4}) {
     const Hyperbolic_conformal_map map = decorated(t, random_radii(t, part, 11));
@@ -268,7 +268,7 @@ TEST(Hyperbolic_circles, may_have_boundaries_cones_and_prescribed_radii)
                                         .vertex_condition_map(Test_surfaces::as_map(conditions))
                                         .vertex_radius_map(as_radii(radii)));
   };
-  // by symmetry, equal circles that touch, with eight regular triangles of angle alpha
+  // By symmetry, equal circles touch, with eight regular triangles of angle alpha.
   const double alpha = pi / 5;
   const Hyperbolic_conformal_map map =
     with(Conditions(6, Vertex_condition::curvature(2 * pi - 4 * alpha)));
@@ -276,7 +276,7 @@ TEST(Hyperbolic_circles, may_have_boundaries_cones_and_prescribed_radii)
   const double side = 2 * std::acosh(1 / (2 * std::sin(alpha / 2)));
   for(Vertex_index v : t.mesh().vertices())
     EXPECT_NEAR(map.circle_radius(v), side / 2, 1e-10);
-  // a prescribed factor is kept
+  // A prescribed factor is kept.
   Conditions conditions(6, Vertex_condition::curvature(5));
   const double u = std::log(std::tanh(0.7) / length);
   conditions[3] = Vertex_condition::log_scale(u);

@@ -76,7 +76,7 @@ void check(const DCM::Hyperbolic_conformal_map& map, double tolerance)
   std::sort(expected.begin(), expected.end());
   for(std::size_t i = 0; i < found.size(); ++i)
     EXPECT_NEAR(found[i][0], expected[i][0], tolerance * (1 + std::abs(expected[i][0])));
-  // positions from cross ratios: areas add up by Gauss and Bonnet
+  // Positions follow from cross ratios, and areas add up by Gauss and Bonnet.
   double area = 0;
   const auto lifted = t.lift(false);
   EXPECT_EQ(lifted.size(), mesh.number_of_faces());

@@ -11,13 +11,13 @@ namespace Test_hyperbolic_tiling {
 
 using namespace Test_surfaces;
 
-// the direction in which the geodesic from `p` to `z` starts
+// Returns the direction in which the geodesic from `p` to `z` starts.
 double direction(const Complex& p, const Complex& z)
 {
   return std::arg((z - p) / (1. - std::conj(p) * z));
 }
 
-// of the polygon with these corners, by Gauss and Bonnet
+// Returns the area of the polygon with these corners, by Gauss and Bonnet.
 double hyperbolic_area(const std::vector<Complex>& corner)
 {
   double result = -2 * pi;

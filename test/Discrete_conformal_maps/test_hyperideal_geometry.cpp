@@ -75,7 +75,7 @@ std::vector<Circle> random_circles(std::size_t n, std::mt19937& random)
   return result;
 }
 
-// i and j are opposite to each other.
+// Returns the diamond, in which i and j are opposite to each other.
 template <typename FT>
 Diamond<FT> diamond(const Circle& i, const Circle& l, const Circle& j, const Circle& k)
 {
@@ -131,7 +131,7 @@ TEST(Hyperideal_geometry, an_edge_that_was_flipped_is_not_flipped_back)
   for(int trial = 0; trial < 50; ++trial) {
     const auto v = random_circles(4, random);
     auto d = diamond<double>(v[0], v[1], v[2], v[3]);
-    // close to a tie: the apex moves along its ray
+    // Close to a tie, the apex moves along its ray.
     auto at = [&](double factor) {
       auto moved = v;
       moved[3].s *= factor;

@@ -65,7 +65,7 @@ Rational random_positive(CGAL::Random& random)
   return Rational(random.get_int(1, 1000)) / random.get_int(1, 1000);
 }
 
-// n points in order around the light cone
+// Returns n points in order around the light cone.
 std::vector<Ideal_point> random_polygon(std::size_t n, CGAL::Random& random)
 {
   std::vector<Ideal_point> result;
@@ -77,7 +77,7 @@ std::vector<Ideal_point> random_polygon(std::size_t n, CGAL::Random& random)
   return result;
 }
 
-// i, l, j, k in this order
+// Returns the diamond of points i, l, j, k in this order.
 Diamond<Rational> diamond(const std::vector<Ideal_point>& p)
 {
   return {length(p[0], p[2]), length(p[2], p[3]), length(p[3], p[0]), length(p[0], p[1]),
@@ -99,8 +99,8 @@ TEST(Ideal_geometry, flip_is_exact_there_and_back)
   }
 }
 
-// positive if the polyhedron with faces ijk and jil is strictly convex along ij: then the corner l
-// is on the side of the plane ijk away from the origin
+// Returns a positive sign if the polyhedron with faces ijk and jil is strictly convex along ij.
+// Then the corner l is on the side of the plane ijk away from the origin.
 CGAL::Sign convexity(const std::vector<Ideal_point>& p)
 {
   const Vector_3 i = p[0].vector(), l = p[1].vector(), j = p[2].vector(), k = p[3].vector();
@@ -154,7 +154,7 @@ struct Strip_in_cone
 
   const Ideal_point& end() const { return points[b]; }
 
-  // the ends of the inner edges
+  // Returns the ends of the inner edges.
   std::vector<std::array<Ideal_point, 2>> inner_edges() const
   {
     std::size_t i = 1, j = points.size() - 1;
@@ -215,7 +215,8 @@ TEST(Ideal_geometry, rounded_strip_keeps_its_digits)
   IT::Ideal_strip<Rational> exact;
   IT::Ideal_strip<double> rounded;
   const auto expect_close = [](const Rational& x, double y, std::size_t n) {
-    // in each triangle four roundings, half a unit in the last place each, and ten at the end
+    // Each triangle contributes four rounding errors of half a unit in the last place, and the end
+    // contributes ten.
     EXPECT_NEAR(y / CGAL::to_double(x), 1, (10 + 4 * static_cast<double>(n)) * 2.3e-16);
   };
   for(std::size_t n = 0; n < 60; ++n) {
@@ -235,8 +236,8 @@ TEST(Ideal_geometry, rounded_strip_keeps_its_digits)
 
 // ---- Circles ----
 
-// |sin(alpha - beta)|, a chord of a circle of diameter 1, from the tangents of the halves of both
-// angles
+// Returns |sin(alpha - beta)|, a chord of a circle of diameter 1, from the tangents of the halves
+// of both angles.
 Rational chord(const Rational& a, const Rational& b)
 {
   const Rational sine = (2 * a * (1 - b * b) - 2 * b * (1 - a * a)) / ((1 + a * a) * (1 + b * b));
@@ -292,7 +293,7 @@ TEST(Ideal_geometry, lengths_have_a_range)
   for(double length : {0., -1., 1e-160, 1e160, std::numeric_limits<double>::infinity(),
                        std::numeric_limits<double>::quiet_NaN()})
     EXPECT_FALSE(is_length(length));
-  // at the ends of the range decisions are right
+  // Decisions are correct at the ends of the range.
   const Double_traits::Is_locally_Delaunay is_Delaunay;
   EXPECT_FALSE(is_Delaunay({1e150, 1e-150, 1e-150, 1e-150, 1e-150}));
   EXPECT_FALSE(is_Delaunay({1e150, 1e-150, 1e149, 1e149, 1e-150}));
@@ -311,7 +312,7 @@ constexpr std::array<Side, 2> both_sides{Side::input, Side::intrinsic};
 
 Side other(Side side) { return side == Side::input ? Side::intrinsic : Side::input; }
 
-// with no regard to the triangle inequality
+// Returns numbers without regard to the triangle inequality.
 std::vector<double> positive_numbers(std::size_t n, double range, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -439,7 +440,7 @@ TEST(Ideal_geometry, flips_back_to_the_input_are_exact)
     u.recompute_lengths(); // along T1, without the flips in between
     for(Edge_index e : mesh.edges())
       EXPECT_EQ(t.length(e), u.length(e));
-    // an edge that is shared again has its length from T1: so not with t itself
+    // An edge that is shared again has its length from T1, so t itself is not used.
     std::vector<Rational> length;
     for(Edge_index e : mesh.edges())
       length.push_back(t.length(e));
@@ -457,7 +458,7 @@ TEST(Ideal_geometry, flips_back_to_the_input_are_exact)
   }
 }
 
-// what is missing of the triangle inequality, relative to the longest side
+// Returns the greatest violation of the triangle inequality, relative to the longest side.
 template <typename Traits>
 typename Traits::FT triangle_defect(const IT::Intrinsic_triangulation<Traits>& t)
 {
@@ -620,7 +621,7 @@ public:
     return {m_mesh.next(a.h), {a.q[1], a.q[2], a.q[0]}};
   }
 
-  // with this side
+  // Returns the triangle, turned so that it begins with this side.
   Lifted_triangle turned(Lifted_triangle a, Halfedge_index h) const
   {
     while(a.h != h)
@@ -628,7 +629,8 @@ public:
     return a;
   }
 
-  // the triangle beyond the side h: its apex follows from the relation of four light-like vectors
+  // Returns the triangle beyond the side h, whose apex follows from the relation of four light-like
+  // vectors.
   Lifted_triangle beyond(const Lifted_triangle& a) const
   {
     const Halfedge_index o = m_mesh.opposite(a.h);
@@ -647,7 +649,8 @@ public:
     return beyond(turned(a, m_mesh.prev(a.h)));
   }
 
-  // the end of a halfedge of T2 that starts at the source of the outgoing halfedge `a` of T1
+  // Returns the end of a halfedge of T2 that starts at the source of the outgoing halfedge `a` of
+  // T1.
   Vector_3 end_of(Halfedge_index h, Lifted_triangle a) const
   {
     const auto trace = IT::trace_intrinsic_edge(m_t, h);
@@ -695,7 +698,7 @@ private:
            determinant(a.q[0], a.q[1], p) >= 0;
   }
 
-  // straight from the source of the outgoing halfedge `a` to `p`
+  // Walks straight from the source of the outgoing halfedge `a` to `p`.
   std::pair<Halfedge_index, std::array<Rational, 3>> walk(Lifted_triangle a,
                                                           const Vector_3& p) const
   {
@@ -785,8 +788,8 @@ TEST(Ideal_geometry, scaled_meshes_become_delaunay)
 // Exact numbers give the truth.
 TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
 {
-  // every edge comes from a few flips, each with three roundings, and every strip is a few
-  // triangles long
+  // Every edge results from a few flips, each with three rounding errors, and every strip is a few
+  // triangles long.
   const double digits = 1e-13;
   std::size_t crossings = 0;
   for(const auto& [name, regular] : traced(meshes()))

@@ -98,7 +98,7 @@ struct Sample
   Complex expected;
 };
 
-// as a part of the area of the face of T_1
+// Returns the area relative to the area of the face of T_1.
 double area_on_A(const Planar_conformal_map& map, Face_index f)
 {
   const auto& s = map.subdivision();
@@ -137,7 +137,7 @@ Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random&
   return result;
 }
 
-// the place on the face beyond an edge of T_1
+// Returns the position on the face beyond an edge of T_1.
 Location beyond_edge(const Planar_conformal_map& map, const Location& p, Halfedge_index h)
 {
   return on_face(map, mesh_A(map).face(mesh_A(map).opposite(h)), p);
@@ -187,7 +187,7 @@ void check_isometry(const Flat_surface& surface)
   CGAL::Random random(4);
   for(int i = 0; i < 1000; ++i) {
     const Location p = random_front_location(map, random);
-    // the direction is known to 1e-12 over 1e-3 of an edge
+    // The direction is known to 1e-12 over 1e-3 of an edge.
     EXPECT_LT(places.distance(places.place(p), m.back(map(p))), 1e-8 * size_of(map)) << i;
   }
 }
@@ -299,7 +299,7 @@ TEST(Planar_conformal_map, is_linear_on_the_subdivision)
     const auto& s = m.map.subdivision();
     const double size = size_of(m.map);
     for(Face_index f : s.mesh().faces())
-      // in a sliver, a point may count as one of the next face, perhaps beyond a seam
+      // In a sliver, a point may count as a point of the next face, possibly beyond a seam.
       if(m.map.is_original(s.parent_face(Layer::A, f)) && area_on_A(m.map, f) > 1e-12) {
         const Sample sample = random_point(m.map, f, random);
         EXPECT_LT(std::abs(m.map(sample.on_A) - sample.expected), 1e-9 * size) << f;
@@ -349,7 +349,8 @@ TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
     condition[v] = Vertex_condition::curvature(pi / 3);
   const Planar_conformal_map map = flatten(t, condition);
   const Delta_complex& a = mesh_A(map);
-  // with vertices on the ring, the foot of the bisector of a face goes to that of its image
+  // With vertices on the ring, the foot of the bisector of a face is mapped to the foot in its
+  // image.
   for(Face_index f : a.faces()) {
     std::vector<Complex> place;
     for(Halfedge_index h : CGAL::halfedges_around_face(a.halfedge(f), a))

@@ -221,7 +221,7 @@ struct Dome
         boundary.push_back({i, j});
   }
 
-  // corners of a face, laid out in a plane of its own
+  // Returns the corners of a face, laid out in a separate plane.
   static std::array<Complex, 3> flat(const std::array<std::size_t, 3>& f)
   {
     const auto u = place(f[1]) - place(f[0]), v = place(f[2]) - place(f[0]);
@@ -253,7 +253,7 @@ Eigen::MatrixXcd conformal_energy(const Dome& dome)
       result(j, j) += weight;
       result(i, j) -= weight;
       result(j, i) -= weight;
-      // twice the area is the sum of Im(conj(z_i) z_j) over sides
+      // Twice the area is the sum of Im(conj(z_i) z_j) over sides.
       result(i, j) += Complex(0, 0.25);
       result(j, i) -= Complex(0, 0.25);
     }
@@ -270,7 +270,7 @@ Eigen::MatrixXcd boundary_mass(const Dome& dome)
   return result;
 }
 
-// of L z = lambda B z with the least lambda > 0, by B z = mu (L + B) z
+// Returns the eigenvector of L z = lambda B z with the least lambda > 0, by B z = mu (L + B) z.
 std::vector<Complex> dense_eigenvector(const Dome& dome)
 {
   const Eigen::MatrixXcd l = conformal_energy(dome), b = boundary_mass(dome);
@@ -301,7 +301,7 @@ TEST(Layout_choice, large_ranges_of_scale)
       const Planar_conformal_map map = problem.map(layout);
       const double range = log_scale(map, 0) - log_scale(map, std::size_t(4 * rings));
       EXPECT_GT(range, rings);
-      // a dozen roundings on each of the ways through 4 faces per ring
+      // A dozen rounding errors occur on each of the paths through 4 faces per ring.
       const double error = DCM::max_cross_ratio_error(map);
       EXPECT_LT(error, 48 * rings * std::exp(range) * std::numeric_limits<double>::epsilon());
       EXPECT_EQ(map.status(),

@@ -58,7 +58,7 @@ Squares comb(int teeth, int length)
   return result;
 }
 
-// rows of squares, joined at their ends by turns
+// Returns rows of squares, joined alternately at their ends.
 Squares serpentine(int length, int rows)
 {
   Squares result;
@@ -71,7 +71,7 @@ Squares serpentine(int length, int rows)
   return result;
 }
 
-// the ways of a maze: squares of a random tree
+// Returns the corridors of a maze: squares of a random tree.
 Squares maze(int size, CGAL::Random& random)
 {
   constexpr std::array<std::pair<int, int>, 4> step{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -121,14 +121,14 @@ std::vector<Case> hard_disks(unsigned int seed)
 
 // ---- Independent measures ----
 
-// by half of the angle, which keeps its digits
+// Returns the angle from half of it, which keeps its digits.
 double angle_opposite(double a, double b, double c)
 {
   const double s = (a + b + c) / 2, rest = (std::max)(s - a, 0.);
   return 2 * std::atan2(std::sqrt((std::max)((s - b) * (s - c), 0.)), std::sqrt(s * rest));
 }
 
-// the sums of angles in the scaled lengths, on the double
+// Returns the sums of angles in the scaled lengths, on the double.
 std::vector<double> angle_sums(const Planar_conformal_map& map)
 {
   const Delta_complex& flat = mesh_C(map);
@@ -153,7 +153,7 @@ double curvature_inside(const Planar_conformal_map& map, const Mesh& mesh)
 
 using Points = std::vector<std::complex<double>>;
 
-// the images of the vertices on the boundary
+// Returns the images of the vertices on the boundary.
 Points boundary_image(const Planar_conformal_map& map)
 {
   const auto& s = map.subdivision();

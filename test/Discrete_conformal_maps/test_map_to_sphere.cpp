@@ -206,7 +206,7 @@ TEST(Map_to_sphere, platonic_solids_stay)
     const Spherical_conformal_map map = DCM::map_to_sphere(m);
     check_map(map);
     EXPECT_LT(distance_from_center(map), 1e-13);
-    // equal masses, so it is centered already; only the scale is not one
+    // Masses are equal, so the image is centered already. Only the scale is not one.
     const std::size_t n = m.number_of_vertices();
     if(n == 8)
       continue; // the corners of a cube do not have the same areas in a triangulation
@@ -296,7 +296,7 @@ TEST(Map_to_sphere, disks_become_hemispheres)
       const auto z = Spherical_conformal_map::to_plane(map.position(Vertex_index(v.idx())));
       EXPECT_LE(std::abs(z), 1 + 1e-15);
     }
-    // the image keeps its left and right
+    // The image preserves orientation.
     const Mesh::Face_index f = *m.faces().begin();
     const auto h = m.halfedge(f);
     const auto at = [&](Mesh::Halfedge_index x) {
@@ -607,7 +607,7 @@ TEST(Map_to_sphere, is_continuous_on_the_subdivision)
                p),
       1e-9);
   }
-  // faces cover the sphere without folds
+  // Faces cover the sphere without folds.
   for(Face_index f : subdivision.mesh().faces()) {
     const Halfedge_index h = subdivision.mesh().halfedge(f);
     const auto at = [&](Halfedge_index x) {
@@ -730,7 +730,7 @@ TEST(Plane_predicates, are_exact)
 {
   CGAL::Random random(1);
   for(int i = 0; i < 20000; ++i) {
-    // a grid of few points a few roundings wide: most are degenerate
+    // A grid of few points has the width of a few rounding errors, so most tuples are degenerate.
     std::array<std::array<double, 2>, 4> p;
     std::array<std::array<Extended, 2>, 4> e;
     std::array<Exact::Point_2, 4> q;

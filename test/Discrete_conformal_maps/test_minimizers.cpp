@@ -54,7 +54,7 @@ Minimization_result expect_minimum(Energy energy, Vector u, bool floats)
   EXPECT_EQ(energy.gradient().template lpNorm<Eigen::Infinity>(), result.gradient_norm);
   Vector difference = u - energy.minimum();
   if(floats) {
-    // a thousand roundings of numbers of the size of the mean of |u|
+    // The bound is a thousand rounding errors of numbers of the size of the mean of |u|.
     EXPECT_NEAR(u.mean(), mean, 1e-13 * (1 + u.cwiseAbs().mean()));
     difference.array() -= difference.mean();
   }
@@ -213,7 +213,7 @@ TEST(Newton_minimizer, components)
   EXPECT_NEAR(u.head(16).mean(), before.head(16).mean(), 1e-13);
   const Vector difference = u - minimum;
   for(int i = 0; i < 16; ++i) {
-    // the inverse of the Hessian is of order ten
+    // The inverse of the Hessian is of order ten.
     EXPECT_NEAR(difference[i], difference[0], 1e-11);
     EXPECT_NEAR(difference[16 + i], difference[20], 1e-11);
   }
@@ -234,7 +234,7 @@ TEST(Newton_minimizer, badly_scaled_variables)
   EXPECT_TRUE(result.status == Status::converged) << to_string(result.status);
   for(std::size_t i = 0; i < links.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    // the curvature is at least 0.4 of the scale
+    // The curvature is at least 0.4 of the scale.
     EXPECT_NEAR(links[i].scale * u[k], links[i].scale * minimum[k], 1e-12);
   }
 }
@@ -356,7 +356,7 @@ TEST(Newton_minimizer, not_a_number_elsewhere)
   EXPECT_EQ(x, 1);
 }
 
-// -log(1 - x^2) + x, which is not defined beyond 1.
+// The energy -log(1 - x^2) + x is not defined beyond 1.
 TEST(Newton_minimizer, barrier)
 {
   for(double start : {-0.9999999, 0., 0.5, 0.9999999}) {

@@ -23,7 +23,7 @@ double dot(const Spherical_circle& a, const Spherical_circle& b)
   return a.center[0] * b.center[0] + a.center[1] * b.center[1] + a.center[2] * b.center[2];
 }
 
-// by the chord of unit vectors
+// Returns the distance from the chord of unit vectors.
 double distance_of_centers(const Spherical_circle& a, const Spherical_circle& b)
 {
   double square = 0;

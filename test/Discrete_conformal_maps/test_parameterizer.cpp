@@ -32,14 +32,14 @@ Mesh bent_triangles(std::size_t n)
   const auto place = [](double x, double y) {
     return Point(x + y / 2, std::sqrt(0.75) * y, 0.05 * std::sin(x) * std::cos(y));
   };
-  // the diagonals of grid() lead from (0, 0) to (1, 1); those of a rhombus of two equilateral
-  // triangles do not
+  // The diagonals of grid() lead from (0, 0) to (1, 1). Diagonals of a rhombus of two equilateral
+  // triangles do not.
   Mesh mesh = grid(n, n, [&](double x, double y) { return place(double(n) - x, y); });
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
   return mesh;
 }
 
-// that mesh with two triangles that are not Delaunay
+// Returns this mesh with two triangles that are not Delaunay.
 Mesh with_bad_edge(Mesh mesh)
 {
   for(Edge_index e : mesh.edges())
@@ -218,7 +218,7 @@ TEST(Parameterizer, says_when_an_edge_has_to_be_flipped)
   const Parameterization<Mesh> p = parameterize(bad);
   EXPECT_EQ(p.code, SMP::ERROR_NO_1_TO_1_MAPPING);
   EXPECT_TRUE(p.uv.empty());
-  // Ptolemy's flips alone: Delaunay, but for the scale factors
+  // The lengths result only from Ptolemy flips: the mesh is Delaunay up to the scale factors.
   Mesh steep = perturbed(
     grid(8, 8, [](double x, double y) { return Point(x, y, 3 * std::sin(x) * std::sin(y)); }), 0.1,
     2);

@@ -157,7 +157,8 @@ struct Family
 {
   std::string name;
   Mesh (*make)(CGAL::Random&);
-  // whether rounding of distances changes angles: curvatures are those of the rounded lengths then
+  // States whether rounding of distances changes angles. Curvatures then belong to the rounded
+  // lengths.
   bool is_at_rounding = false;
 };
 
@@ -240,7 +241,7 @@ TEST(Random_families, successes_have_what_is_promised)
     if(map.status() != DCM::Map_status::success)
       continue;
     ++found[family.name];
-    // positions in `double` do not have the shapes of crowded faces
+    // Positions in `double` do not represent the shapes of crowded faces.
     EXPECT_LT(map.crowded_faces().empty() ? error_of_cross_ratios(map)
                                           : DCM::max_cross_ratio_error(map),
               1e-8);

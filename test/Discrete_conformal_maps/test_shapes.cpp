@@ -22,7 +22,7 @@ Mesh flat_grid_mesh(std::size_t m, std::size_t n, double width)
               [&](double x, double y) { return Point(width * x / double(m), y / double(n), 0); });
 }
 
-// curved, with an uneven boundary
+// Returns a curved disk with an uneven boundary.
 Mesh random_disk(unsigned int seed)
 {
   return perturbed(
@@ -65,7 +65,7 @@ std::vector<Flat_boundary> flat_boundaries(const Planar_conformal_map& map)
   return result;
 }
 
-// positive if it is to the left
+// Returns turning angles, which are positive to the left.
 std::vector<double> turning_angles(const std::vector<Complex>& p)
 {
   std::vector<double> result;
@@ -119,14 +119,14 @@ void expect_rectangle(const Flat_boundary& boundary, const std::vector<Vertex_in
       corner.push_back(boundary.points[i]);
   }
   ASSERT_EQ(corner.size(), 4u);
-  // straight sides, opposite ones equally long
+  // Sides are straight, and opposite sides are equally long.
   const double a = std::abs(corner[1] - corner[0]), b = std::abs(corner[2] - corner[1]);
   EXPECT_NEAR(std::abs(corner[3] - corner[2]), a, 1e-9 * a);
   EXPECT_NEAR(std::abs(corner[0] - corner[3]), b, 1e-9 * b);
   EXPECT_NEAR(area(boundary.points), a * b, 1e-9 * a * b);
 }
 
-// the center of the circle through three points
+// Returns the center of the circle through three points.
 Complex circumcenter(const Complex& a, const Complex& b, const Complex& c)
 {
   const Complex p = b - a, q = c - a;
@@ -230,7 +230,7 @@ TEST(Flatten_to_rectangle, has_right_angles_and_straight_sides)
   for(unsigned int seed = 1; seed <= 8; ++seed) {
     const Mesh mesh = random_disk(seed);
     const std::vector<Vertex_index> chosen = DCM::rectangle_corners(mesh);
-    // any others will do too
+    // Any other corners are possible, too.
     std::vector<Vertex_index> others;
     for(Vertex_index v : mesh.vertices())
       if(mesh.is_border(v) && v.idx() % 3 == seed % 3 && others.size() < 4)

@@ -22,7 +22,7 @@ using Numbers = Eigen::VectorXd;
 using Energy = DCM::internal::Spherical_energy<Quad>;
 using Peacock = DCM::internal::Peacock_triangulation<double>;
 
-// intrinsic Delaunay
+// Returns intrinsic Delaunay triangulations.
 std::vector<Triangulation> spheres()
 {
   std::vector<Triangulation> result;
@@ -53,7 +53,7 @@ void for_each_point(const Function& f)
 
 void move_origin(Energy& energy) { energy.set_origin(std::vector<Quad>(energy.scale_factors())); }
 
-// as functions of u, not of the double nearest to the result
+// Returns the gradient as a function of u, not of the nearest number of type `double`.
 std::vector<Quad> precise_gradient(const Energy& energy)
 {
   const Delta_complex& mesh = energy.surface().mesh();

@@ -38,7 +38,7 @@ Exact exact_determinant(const Point_3& p, const Point_3& q, const Point_3& r)
   return p[0] * minor(1, 2) + p[1] * minor(2, 0) + p[2] * minor(0, 1);
 }
 
-// the polygons that have three corners, in order, that turn right
+// Returns the polygons that have three corners, in order, that turn right.
 template <typename Point>
 std::vector<std::size_t> reversed(const std::vector<Point>& points, const Number_lists& polygons)
 {

@@ -187,7 +187,7 @@ struct Flat_three
   Flat_triangulation ab;
 };
 
-// whether A and C have an edge in common that B has not; it remains two edges
+// Returns whether A and C have a common edge that B has not. It remains two edges.
 bool have_common_edges_beside_B(const Triangulation& ab, const Triangulation& bc)
 {
   using Ends = std::set<std::pair<Vertex_index, Vertex_index>>;
@@ -284,7 +284,7 @@ bool has_three_vertices(Face_index f, const Delta_complex& mesh)
   return vertices.size() == 3;
 }
 
-// minus half the product of the vectors of two points of a face
+// Returns minus half the product of the vectors of two points of a face.
 template <typename Lengths>
 double product(const Barycentric& p, const Barycentric& q, Face_index f, const Delta_complex& mesh,
                const Lengths& length)
@@ -298,7 +298,7 @@ double product(const Barycentric& p, const Barycentric& q, Face_index f, const D
   return result;
 }
 
-// in the Euclidean face
+// Returns the squared distance in the Euclidean face.
 template <typename Lengths>
 double squared_distance(const Barycentric& p, const Barycentric& q, Face_index f,
                         const Delta_complex& mesh, const Lengths& length)
@@ -318,7 +318,7 @@ double longest_side(Face_index f, const Delta_complex& mesh, const Lengths& leng
 
 double greatest(const Barycentric& b) { return (std::max)({b[0], b[1], b[2]}); }
 
-// returns the number of pairs of corners
+// Returns the number of pairs of corners.
 std::size_t check_ideal(const Subdivision& s, const Triangulation& ab,
                         const Ideal_triangulation& bc)
 {
@@ -369,7 +369,7 @@ TEST(Chord_crossings, as_by_brute_force)
   CGAL::Random random(1);
   DCM::internal::Chord_crossings crossings;
   for(int round = 0; round < 2000; ++round) {
-    // families of chords as two sequences of brackets, shuffled
+    // Families of chords are two sequences of brackets, shuffled.
     std::array<std::vector<int>, 2> open;
     std::array<std::vector<std::array<std::size_t, 2>>, 2> chords;
     std::vector<std::pair<std::size_t, std::size_t>> ends; // family, chord

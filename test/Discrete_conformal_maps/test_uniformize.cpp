@@ -11,7 +11,7 @@ namespace Test_uniformize {
 using namespace Test_surfaces;
 using DCM::Surface_type;
 
-// in the standard fundamental domain of the modular group
+// Returns the modulus in the standard fundamental domain of the modular group.
 Complex reduced(Complex tau)
 {
   for(;;) {

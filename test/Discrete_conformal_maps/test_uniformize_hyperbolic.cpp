@@ -21,7 +21,7 @@ struct Polar_point
   double distance, angle;
 };
 
-// sinh(x/2) for the distance x, by the law of cosines
+// Returns sinh(x/2) for the distance x, by the law of cosines.
 double half_sinh(const Polar_point& p, const Polar_point& q)
 {
   const double radial = std::sinh((p.distance - q.distance) / 2),
@@ -37,7 +37,7 @@ struct Hyperbolic_surface
   std::vector<double> length;
 };
 
-// the angle at the source of `h` by the law of half angles
+// Returns the angle at the source of `h` by the law of half angles.
 double angle_at_source(const Hyperbolic_surface& s, Halfedge_index h)
 {
   const auto length = [&](Halfedge_index x) { return 2 * std::asinh(s.length[s.mesh.edge(x)]); };
@@ -81,7 +81,8 @@ Hyperbolic_surface regular_surface(int g, unsigned int seed)
   CGAL::Random random(seed);
   Sides faces;
   std::vector<double> length(std::size_t(5 * n + n / 2));
-  // edges: middle to corner k, middle to inner point k, corner k to it, corner k + 1 to it, sides
+  // Edges lead from the center to corner k, from the center to inner point k, from corners k and k
+  // + 1 to it, and along sides.
   const auto outgoing = [&](int k) { return 1 + k % n; };
   for(int k = 0; k < n; ++k) {
     const Polar_point middle{0, 0}, corner{radius, turn * k}, next{radius, turn * (k + 1)},
@@ -138,7 +139,7 @@ double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
   return 2 * std::asinh(std::sqrt((std::max)(x * x + y * y - t * t, 0.)) / 2);
 }
 
-// by the law of cosines
+// Returns the angle by the law of cosines.
 double angle_at_source(const Hyperbolic_conformal_map& map, Halfedge_index h)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -165,7 +166,7 @@ void check_curvatures(const Hyperbolic_conformal_map& map)
 void check_layout(const Hyperbolic_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
-  // an error of the last digit of a coordinate moves a point by up to exp(radius) units
+  // An error of the last digit of a coordinate moves a point by up to exp(radius) units.
   const double tolerance = 1e-13 * std::exp(map.radius());
   for(Halfedge_index h : mesh.halfedges()) {
     const Halfedge_index o = mesh.opposite(h);
@@ -270,7 +271,7 @@ std::vector<Vertex_index> loop_around_bar()
   return result;
 }
 
-// the halfedge of the base below a halfedge of a cover
+// Returns the halfedge of the base below a halfedge of a cover.
 Halfedge_index below(Halfedge_index h, unsigned int sheets)
 {
   return Halfedge_index(2 * (h.idx() / 2 / sheets) + h.idx() % 2);
@@ -322,8 +323,8 @@ TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
   }
 }
 
-// cosh(x/2) for a closed geodesic of length x on the Bolza surface is m + n sqrt(2) with integers,
-// m odd and as close to n sqrt(2) as it can be (Aurich, Bogomolny, Steiner 1991).
+// For a closed geodesic of length x on the Bolza surface, cosh(x/2) is m + n sqrt(2) with integers.
+// Here m is odd and as close to n sqrt(2) as possible (Aurich, Bogomolny, Steiner 1991).
 TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
 {
   const Hyperbolic_surface regular = regular_surface(2, 5);

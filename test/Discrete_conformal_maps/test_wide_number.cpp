@@ -34,7 +34,7 @@ class Wide_numbers : public testing::Test
 protected:
   typedef Wide_number<Mantissa> Number;
 
-  // with a random sign and exponent
+  // Returns a number with a random sign and exponent.
   Number random_number(int range)
   {
     const double unit = std::numeric_limits<double>::epsilon();
@@ -43,7 +43,7 @@ protected:
     return Number(m_random.get_bool() ? mantissa : -mantissa, m_random.get_int(-range, range + 1));
   }
 
-  // the error in units of rounding, relative to `scale`
+  // Returns the error in units of rounding, relative to `scale`.
   static double error(const Number& x, const Big& expected, const Big& scale)
   {
     const double unit = static_cast<double>(std::numeric_limits<Mantissa>::epsilon());
@@ -81,7 +81,7 @@ TYPED_TEST(Wide_numbers, elementary_functions)
   typedef Wide_number<TypeParam> Number;
   for(int i = 0; i < 200; ++i) {
     const double power = this->m_random.get_double(-5000, 5000);
-    // errors of a power are those of the exponent, times the exponent
+    // Errors of a power are the errors of the exponent, times the exponent.
     EXPECT_LE(this->error(exp(Number(power)), exp(Big(power))), 8 * (1 + std::abs(power)));
     const Number x = abs(this->random_number(5000));
     EXPECT_LE(this->error(log(x), log(big(x)), 1 + abs(log(big(x)))), 200);

@@ -26,7 +26,7 @@ inline bool is_on_border(Vertex_index v, const Delta_complex& mesh)
   return !mesh.is_isolated(v) && mesh.is_border(mesh.halfedge(v));
 }
 
-// what the angles at a vertex lack of those of a flat one
+// Returns the differences between 2 pi (or pi) and the sum of angles at each vertex.
 inline std::vector<double> curvatures(const Evolving_surface& s)
 {
   std::vector<double> result = angle_sums(s.mesh(), lengths_of(s));
@@ -65,7 +65,7 @@ inline void expect_triangles(const Evolving_surface& s)
     }
 }
 
-// a Delaunay triangulation of a surface of that Euler characteristic
+// Checks that the surface is a valid Delaunay triangulation with that Euler characteristic.
 inline void expect_valid(const Evolving_surface& s, int characteristic)
 {
   ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh(), true));
@@ -79,7 +79,7 @@ inline void expect_valid(const Evolving_surface& s, int characteristic)
   EXPECT_NEAR(total, 2 * pi * characteristic, angle_tolerance);
 }
 
-// all that can be seen of a surface
+// Returns the whole visible state of a surface.
 inline auto state_of(const Evolving_surface& s)
 {
   std::vector<std::tuple<Halfedge_index, Face_index, Vertex_index, std::complex<double>>> halfedges;
@@ -104,7 +104,7 @@ inline Evolving_surface evolving(const Delta_complex& mesh, unsigned int seed)
   return Evolving_surface(triangulation(mesh, random_lengths(mesh, seed)));
 }
 
-// every edge halved
+// Returns the mesh with every edge halved.
 inline Mesh subdivided(const Mesh& mesh, int times)
 {
   if(times == 0)

@@ -23,7 +23,7 @@ using IS::Surface_map;
 using IS::parameters::number_of_vertices;
 using Coordinates = std::array<double, 3>;
 
-// a surface, before and after its simplification
+// Stores a surface, before and after its simplification.
 struct Simplified
 {
   Evolving_surface surface;
@@ -41,7 +41,7 @@ struct Simplified
   {}
 };
 
-// by curvature alone, so that what is flat goes first
+// Simplifies by curvature alone, so that flat vertices are removed first.
 inline Simplified simplified_by_curvature(Evolving_surface surface, std::size_t n)
 {
   const Surface_level fine(surface);
@@ -52,7 +52,7 @@ inline Simplified simplified_by_curvature(Evolving_surface surface, std::size_t 
   return {std::move(surface), fine, coarse};
 }
 
-// two levels of a hierarchy, neither of them the surface as it was
+// Returns two levels of a hierarchy, none of them the original surface.
 inline Simplified simplified_twice()
 {
   Evolving_surface surface(random_sphere(300, 7));
@@ -63,7 +63,7 @@ inline Simplified simplified_twice()
   return {std::move(surface), fine, coarse};
 }
 
-// with better faces than simplification leaves, and with vertices that the fine level has not
+// Returns a coarse level with better faces, and with vertices that the fine level does not have.
 inline Simplified refined_after(Simplified s, double angle)
 {
   IS::refine(s.surface, IS::parameters::minimum_angle(angle).maximum_number_of_insertions(1000));
@@ -156,7 +156,7 @@ inline Point place(const Location& p, const Surface_level& level, const Mesh& me
                         [&](Vertex_index v) { return mesh.point(level.surface_vertex(v)); });
 }
 
-// a polygon in the plane
+// Returns a polygon in the plane.
 inline Mesh flat_mesh(unsigned int seed) { return planar_mesh(random_points(60, 1000, seed)); }
 
 inline Simplified simplified_inside(const Mesh& mesh)
@@ -179,7 +179,7 @@ void for_each_flat_polygon(const Check& check)
   }
 }
 
-// whether two segments of the plane cross
+// Returns whether two segments of the plane cross.
 inline bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const auto side = [](const Point& p, const Point& q, const Point& r) {
@@ -189,7 +189,7 @@ inline bool cross(const Point& a, const Point& b, const Point& c, const Point& d
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-// a regular tetrahedron, and what is left without its first vertex
+// Returns a regular tetrahedron, and the surface without its first vertex.
 inline Simplified without_tip()
 {
   Evolving_surface s(tetrahedron());

@@ -32,7 +32,8 @@ TEST(Allocations, a_removal_allocates_nothing)
   Counting_visitor visitor;
   simplify(s, IS::parameters::number_of_vertices(std::size_t(1000)).visitor(std::ref(visitor)));
   EXPECT_EQ(visitor.removals, 2000u);
-  // two vectors of the history, four to five doublings each, and a few stars of higher degree
+  // Allocations are two vectors of the history, with four to five doublings each, and a few stars
+  // of higher degree.
   EXPECT_LE(visitor.last - visitor.first, 40u);
 }
 

@@ -13,7 +13,7 @@ using namespace Test_surfaces;
 static_assert(sizeof(IS::Surface_operation) == 32);
 static_assert(sizeof(IS::Face_corner) == 4);
 
-// the operation at time `t` if it is of this type
+// Returns the operation at time `t`, which must be of this type.
 template <typename Operation>
 const Operation operation(const IS::Surface_history& history, std::size_t t)
 {
@@ -73,7 +73,7 @@ TEST(Surface_history, keeps_the_faces_of_each_operation)
   EXPECT_EQ(removal.weight, (std::array<double, 2>{0.125, 0.5}));
 }
 
-// the first corner of the whole face at the boundary is stored for a removal and an insertion
+// A removal and an insertion store the first corner of the whole face at the boundary.
 TEST(Surface_history, keeps_the_faces_of_changes_at_the_boundary)
 {
   const Mesh strip = grid(1, 1, [](double x, double y) { return Point(x, y, 0); });

@@ -46,10 +46,10 @@ struct System
   }
 };
 
-// a torus of which the tube has n vertices around
+// Returns a torus whose tube has n vertices around it.
 Mesh torus(std::size_t n) { return perturbed(embedded_torus(3 * n, n), 0.3 / double(n), 1); }
 
-// a square with hills, and a boundary
+// Returns a square with hills and a boundary.
 Mesh hills(std::size_t n)
 {
   return grid(n, n, [n](double i, double j) {
@@ -91,7 +91,7 @@ TEST(Multigrid, constants_are_taken_out)
     const Vector b = random_numbers(std::size_t(m.size()), 1, 2) + Vector::Constant(m.size(), 0.5);
     const Multigrid_result result = system.solver(0).solve(b);
     EXPECT_NEAR(m.dot(result.solution), 0, 1e-12 * m.sum() * result.solution.norm());
-    // the rank-one term fixes the mean and leaves the rest alone
+    // The rank-one term fixes the mean and changes nothing else.
     const Eigen::MatrixXd pinned = Eigen::MatrixXd(system.laplacian) + m * m.transpose();
     const Vector compatible = b - m * (b.sum() / m.sum());
     expect_solution(result, pinned.ldlt().solve(compatible), system.laplacian);

@@ -15,7 +15,7 @@ using namespace Test_surfaces;
 namespace IS = CGAL::Intrinsic_simplification;
 using Location = IS::Surface_map::Location;
 
-// three points of each face
+// Returns three points of each face.
 std::vector<Location> points(const IS::Surface_level& level)
 {
   std::vector<Location> result;

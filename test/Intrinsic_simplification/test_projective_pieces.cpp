@@ -30,7 +30,7 @@ const Coordinates& on(Level side, const Corner& c)
   return side == Level::fine ? c.fine : c.coarse;
 }
 
-// of a triangle, in units of the face
+// Returns the area of a triangle, relative to the face.
 double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
 {
   return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
@@ -305,7 +305,7 @@ TEST(Projective_pieces, after_one_removal_are_the_common_subdivision)
 
 // ---- How many ----
 
-// how far two maps are apart, at points of the first piece
+// Returns the distance of two maps, at points of the first piece.
 double distance(const Projective_piece& p, const Projective_piece& q)
 {
   double result = 0;

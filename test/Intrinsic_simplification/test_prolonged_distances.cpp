@@ -47,7 +47,7 @@ TEST(Prolonged_distances, on_a_square)
       EXPECT_NEAR(distances(v, w), distance(v, w, mesh), 2 * edge);
     }
   }
-  // vertices of both levels are exact
+  // Vertices of both levels are exact.
   for(Vertex_index v : c.coarse.mesh().vertices())
     for(Vertex_index w : c.coarse.mesh().vertices()) {
       const Vertex_index i = c.coarse.surface_vertex(v), j = c.coarse.surface_vertex(w);

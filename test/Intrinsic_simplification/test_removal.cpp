@@ -72,7 +72,7 @@ TEST(Flattening, angle_changes_are_those_of_the_neighbors)
   });
 }
 
-// to half of the digits of the scale factor, and of a sine near the angle pi
+// Half of the digits of the scale factor are correct, and of a sine near the angle pi.
 TEST(Flattening, area_change)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
@@ -89,7 +89,7 @@ TEST(Flattening, outgoing_halfedges_are_in_order)
   });
 }
 
-// three triangles around a vertex
+// Returns three triangles around a vertex.
 Delta_complex tripod() { return glue({{1, 4, -2}, {2, 5, -3}, {3, 6, -1}}); }
 
 Removal_status status_of(const Evolving_surface& s, Vertex_index v)
@@ -121,7 +121,7 @@ TEST(Flattening, a_star_around_an_obtuse_triangle_cannot_become_flat)
 
 TEST(Flattening, scale_of_the_tip_of_a_regular_tetrahedron)
 {
-  // the center of the unit triangle is at a distance of 1 / sqrt(3)
+  // The center of the unit triangle has the distance 1 / sqrt(3).
   const Evolving_surface s(tetrahedron());
   Flattened_star star;
   ASSERT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
@@ -251,7 +251,7 @@ TEST(Removal, a_vertex_on_a_diagonal)
   ASSERT_EQ(s.flatten(Vertex_index(4), star), Removal_status::possible);
   ASSERT_EQ(s.remove(star), Removal_status::possible);
   EXPECT_NEAR(area_of(s), 4, 1e-12);
-  // and the middles of the sides, which are straight
+  // The midpoints of the sides, which are straight, can be removed, too.
   for(const unsigned int v : {1u, 3u, 5u, 7u}) {
     ASSERT_EQ(s.flatten(Vertex_index(v), star), Removal_status::possible);
     ASSERT_EQ(s.remove(star), Removal_status::possible);

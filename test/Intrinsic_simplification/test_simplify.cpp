@@ -68,7 +68,7 @@ TEST(Simplification, polyhedra_to_their_corners)
   }
 }
 
-// positions are rounded, and with them the curvatures
+// Positions are rounded, and so are the curvatures.
 TEST(Simplification, rotated_polyhedra_to_their_corners)
 {
   Mesh mesh = subdivided(cube(), 3);
@@ -122,7 +122,7 @@ TEST(Simplification, goes_on)
   }
 }
 
-// of the vertices that are left none can be removed, each for a reason
+// None of the remaining vertices can be removed, each for a reason.
 TEST(Simplification, ends_where_nothing_can_be_removed)
 {
   for(const auto& [c, seed] : traced(complexes(), 5)) {
@@ -174,7 +174,7 @@ TEST(Simplification, protected_vertices_stay)
 
 // ---- Order ----
 
-// sees that the surface is valid all the time
+// Checks that the surface is always valid.
 struct Checking_visitor
 {
   const Evolving_surface& surface;
@@ -216,7 +216,7 @@ TEST(Simplification, takes_parameters_in_any_order)
   EXPECT_EQ(visitor.order.size(), 55u);
 }
 
-// a visitor with functions that are not constant, whose copies count together
+// Represents a visitor with functions that are not constant, whose copies count together.
 struct Counting_visitor : IS::Default_simplification_visitor
 {
   void after_removal(Vertex_index) { ++own, ++*all; }
@@ -236,7 +236,7 @@ TEST(Simplification, takes_visitors_and_references_to_them)
   EXPECT_EQ(referred.own, 55u);
 }
 
-// a user's cost: the number of the vertex
+// Represents a user-defined cost: the index of the vertex.
 struct Last_number_first
 {
   double operator()(const Flattened_star& star) const { return -double(star.center().idx()); }
@@ -252,14 +252,14 @@ TEST(Simplification, takes_the_cheapest_first)
   EXPECT_TRUE(std::is_sorted(visitor.order.rbegin(), visitor.order.rend()));
 }
 
-// a function of the star alone that removals nearby make greater or smaller
+// Represents a function of the star alone, which removals nearby increase or decrease.
 struct Distance_from_degree_six
 {
   double operator()(const Flattened_star& star) const { return std::abs(double(star.size()) - 6); }
   void after_removal(const Flattened_star&) {}
 };
 
-// the costs of all vertices that can be removed
+// Returns the costs of all vertices that can be removed.
 std::map<Vertex_index, double> costs(const Evolving_surface& s)
 {
   std::map<Vertex_index, double> result;
@@ -270,7 +270,7 @@ std::map<Vertex_index, double> costs(const Evolving_surface& s)
   return result;
 }
 
-// compares each removal with all others that are possible
+// Compares each removal with all other possible removals.
 struct Comparing_visitor : IS::Default_simplification_visitor
 {
   const Evolving_surface& surface;
@@ -347,7 +347,7 @@ TEST(Simplification, can_be_stopped_by_an_exception)
   EXPECT_EQ(s.mesh().number_of_vertices(), 20u);
 }
 
-// A vertex of high degree
+// The apexes are vertices of high degree.
 TEST(Simplification, bipyramid)
 {
   Evolving_surface s(bipyramid(2000, 0.5));
@@ -375,7 +375,7 @@ std::vector<Cell_polygon> cell_polygons()
           {"comb", 20, 9, 4, [](int i, int j) { return j < 1 || i % 2 == 0; }}};
 }
 
-// each cell divided into 2 n^2 triangles
+// Divides each cell into 2 n^2 triangles.
 Mesh mesh_of(const Cell_polygon& p, int n)
 {
   Mesh mesh;

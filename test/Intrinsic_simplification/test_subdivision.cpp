@@ -52,7 +52,7 @@ void expect_polygons(const Subdivision& subdivision)
       }
 }
 
-// the place of the target of h in the parent of its face
+// Returns the position of the target of h in the parent of its face.
 Location location(const Subdivision& subdivision, Level side, Halfedge_index h)
 {
   return {subdivision.parent_face(side, subdivision.mesh().face(h)),

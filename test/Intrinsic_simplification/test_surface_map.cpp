@@ -90,7 +90,8 @@ TEST(Surface_map, keeps_the_boundary)
   });
 }
 
-// twice the area of a triangle in units of the face; differences first, for it may be tiny
+// Returns twice the area of a triangle, relative to the face. Differences are computed first,
+// because it may be tiny.
 double signed_area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -166,7 +167,8 @@ TEST(Surface_map, changes_of_scale_keep_circumcircles)
     if(s.fine.mesh().source(h) != Vertex_index(0))
       continue;
     const Location q = map.to_coarse({s.fine.mesh().face(h), {1 / 3., 1 / 3., 1 / 3.}});
-    // the tip, in the middle of the new face, has three fifths, and two corners have one fifth each
+    // The tip, in the middle of the new face, has three fifths, and two corners have one fifth
+    // each.
     const Coordinates expected{1 / 5., 2 / 5., 2 / 5.};
     Coordinates sorted = q.second;
     std::sort(sorted.begin(), sorted.end());

@@ -108,7 +108,7 @@ TEST(Surface_surgery, closes_short_loops_only)
   EXPECT_EQ(IS::close_boundary_loops(s, 16), 1u);
 }
 
-// the disk of a regular polygon is flat
+// The disk of a regular polygon is flat.
 TEST(Surface_surgery, disks_of_regular_polygons)
 {
   for(std::size_t n : {3u, 4u, 5u, 8u, 30u, 1000u}) {
@@ -129,7 +129,7 @@ TEST(Surface_surgery, disks_of_regular_polygons)
   }
 }
 
-// one edge, two edges, and one long edge among short ones
+// The boundaries are one edge, two edges, and one long edge among short ones.
 TEST(Surface_surgery, disks_of_long_edges_are_cones)
 {
   for(const std::vector<double>& sides :
@@ -150,7 +150,7 @@ TEST(Loop_signatures, against_cutting)
     const IT::Loop_signatures signatures(c.mesh);
     CGAL::Random random(3);
     for(int i = 0; i < 60; ++i) {
-      // a random walk up to the first vertex that it meets again
+      // The random walk ends at the first vertex that it meets again.
       std::vector<Halfedge_index> walk;
       Halfedge_index h(static_cast<unsigned>(random.get_int(0, int(c.mesh.num_halfedges()))));
       auto met = walk.end();
@@ -356,7 +356,7 @@ TEST(Pinch_handles, flat_tori_of_known_length)
   }
 }
 
-// how far a length is from the closest one of a vector of the lattice, relatively
+// Returns the relative distance of a length from the closest length of a vector of the lattice.
 double deviation_from_lattice(double length, const Flat_surface& torus)
 {
   double result = no_bound;

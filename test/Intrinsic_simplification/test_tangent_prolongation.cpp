@@ -53,7 +53,7 @@ TEST(Tangent_prolongation, of_one_level_is_the_identity)
   }
 }
 
-// the direction of a coarse halfedge on a flat surface, from its first piece
+// Returns the direction of a coarse halfedge on a flat surface, from its first piece.
 Complex direction(Halfedge_index h, const Surface_map& map, const Flat_surface& flat)
 {
   const auto trace = IS::trace_coarse_edge(h, map);
@@ -94,7 +94,8 @@ TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
 {
   const Mesh sphere = unit_sphere(16);
   const auto points = sphere.points();
-  // seen in the tangent plane with the first outgoing halfedge of the fine mesh ahead
+  // Returns the vector in the tangent plane, relative to the first outgoing halfedge of the fine
+  // mesh.
   const auto value = [&](Vertex_index v) {
     const Kernel::Vector_3 n = points[v] - CGAL::ORIGIN, field(-n.y(), n.x(), 0);
     const Halfedge_index h =
@@ -109,7 +110,8 @@ TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
   simplify(surface, number_of_vertices(std::size_t(300)));
   const Surface_level coarse(surface);
   const Surface_map map(surface, fine, coarse);
-  // at coarse vertices, in the frame of the coarse level: that of the fine one turned by the matrix
+  // At coarse vertices, the matrix rotates the frame of the fine level to the frame of the coarse
+  // level.
   const Matrix p = tangent_prolongation(map);
   Eigen::VectorXcd values(300);
   for(Vertex_index v : coarse.mesh().vertices()) {
@@ -120,7 +122,7 @@ TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
   double sum = 0;
   for(Vertex_index v : fine.mesh().vertices())
     sum += std::norm(result[v.idx()] - value(v));
-  // of the order of the squared length of coarse edges, which is 0.05
+  // The error is of the order of the squared length of coarse edges, which is 0.05.
   EXPECT_LT(std::sqrt(sum / static_cast<double>(fine.mesh().number_of_vertices())), 0.05);
 }
 

@@ -17,7 +17,7 @@ using IS::Trace_piece;
 using IS::Trace_place;
 using Trace = std::vector<Trace_piece>;
 
-// the vertex at which an end is; it must be at one
+// Returns the vertex at an end, which must be at a vertex.
 Vertex_index vertex_of(const Trace_piece& piece, std::size_t end, const Delta_complex& mesh)
 {
   const Coordinates& b = piece.ends[end].coordinates;
@@ -27,7 +27,7 @@ Vertex_index vertex_of(const Trace_piece& piece, std::size_t end, const Delta_co
   return mesh.source(IT::sides(piece.face, mesh)[s]);
 }
 
-// the side of the face on which an end is, and the place on it
+// Returns the side of the face that contains an end, and its position on it.
 IT::Edge_point<double> edge_point(const Trace_piece& piece, std::size_t end,
                                   const Delta_complex& mesh)
 {
@@ -150,7 +150,7 @@ TEST(Trace, fine_edges_lie_on_the_coarse_surface)
   });
 }
 
-// the number of crossings, of vertices between the ends, and of bends
+// Returns the number of crossings, of vertices between the ends, and of bends.
 std::array<std::size_t, 3> counts(const Trace& trace)
 {
   std::array<std::size_t, 3> result{};

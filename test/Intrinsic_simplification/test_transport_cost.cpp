@@ -23,7 +23,7 @@ struct Transport
   double cost = 0;                      // of moving a unit
 };
 
-// the lengths after the center of `star` has been flattened
+// Returns the lengths after the center of `star` has been flattened.
 auto flattened(const Evolving_surface& s, const Flattened_star& star)
 {
   return [&](Edge_index e) {
@@ -34,7 +34,7 @@ auto flattened(const Evolving_surface& s, const Flattened_star& star)
   };
 }
 
-// the change of the curvature of each vertex by flattening the center
+// Returns the change of the curvature of each vertex by flattening the center.
 std::vector<double> curvature_changes(const Evolving_surface& s, const Flattened_star& star)
 {
   std::vector<double> change = angle_sums(s.mesh(), flattened(s, star));
@@ -131,7 +131,7 @@ TEST(Transport_cost, weights_and_units)
 
 // ---- Functions ----
 
-// the integrals of products of the gradient with those of the hat functions
+// Returns the integrals of products of the gradient with the gradients of the hat functions.
 std::vector<double> flux_by_gradients(const Mesh& mesh, const std::vector<double>& value)
 {
   std::vector<double> result(mesh.number_of_vertices(), 0);
@@ -237,7 +237,7 @@ TEST(Transport_cost, change_of_area)
       if(s.flatten(v, star) != Removal_status::possible || has_repeated_neighbors(star))
         continue;
       const double change = std::abs(area_of(s.mesh(), flattened(s, star)) - area);
-      // shares are not known to the brute force where nothing changes
+      // The brute-force method does not know shares if nothing changes.
       const double length = change < 1e-6 * area ? 1 : transport(s, star).cost;
       EXPECT_NEAR(cost(star), 3 * change / area * length, angle_tolerance);
     }
@@ -266,7 +266,8 @@ public:
     : m_torus(torus), m_mass(std::move(mass)), m_moment(m_mass.size())
   {}
 
-  // the vector of an edge: the one with its length among those between lifts of its ends
+  // Returns the vector of an edge. Among the vectors between lifts of its ends, it has the length
+  // of the edge.
   Complex vector(const Evolving_surface& s, Halfedge_index h) const
   {
     const Vector from = m_torus.point[s.mesh().source(h)], to = m_torus.point[s.mesh().target(h)];
@@ -329,7 +330,7 @@ private:
   std::vector<Complex> m_moment;
 };
 
-// masses whose sum is one
+// Returns masses whose sum is one.
 std::vector<double> random_masses(std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -357,7 +358,7 @@ TEST(Transport_cost, on_a_flat_torus_vectors_lead_to_centers_of_mass)
       const Vertex_index v((7 * i) % 20);
       if(s.flatten(v, star) != Removal_status::possible)
         continue;
-      // vectors are as long as edges, and directions have been computed hundreds of times
+      // Vectors are as long as edges, and directions have been computed hundreds of times.
       EXPECT_NEAR(cost(star), expected.cost(s, v), 1e-8) << "after " << i << " removals";
       Evolving_surface before = s;
       if(s.remove(star) != Removal_status::possible)

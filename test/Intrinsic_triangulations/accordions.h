@@ -48,7 +48,7 @@ private:
     return result;
   }
 
-  // triangles between two columns, the lowest first
+  // Adds triangles between two columns, the lowest first.
   static void join(const std::vector<Vertex_index>& a, const std::vector<Vertex_index>& b,
                    Mesh& mesh)
   {

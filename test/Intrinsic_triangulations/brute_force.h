@@ -35,7 +35,8 @@ struct Lattice_range
 {
   std::int64_t first, last;
 
-  // over the corners p, p + v, p - w, p + v - w of all differences of points of s and t
+  // Constructs the range over the corners p, p + v, p - w, p + v - w of all differences of points
+  // of s and t.
   Lattice_range(const std::array<std::int64_t, 3>& p_v_w, std::int64_t determinant)
   {
     const auto [p, v, w] = p_v_w;

@@ -43,7 +43,8 @@ struct Vector_keeper : IT::Default_flip_visitor
     vector[mesh.opposite(h)] = sum;
   }
 
-  // of the circle through the face of `h`, with the apex beyond; positive inside
+  // Returns the side of the circle through the face of `h` on which the apex beyond lies; positive
+  // inside.
   int side_of_circle(Halfedge_index h) const
   {
     const auto exact = [](const Vector& v) {
@@ -52,7 +53,7 @@ struct Vector_keeper : IT::Default_flip_visitor
     };
     const Vector ij = vector[h], ik = ij + vector[mesh.next(h)],
                  il = vector[mesh.next(mesh.opposite(h))];
-    // relative to l
+    // Vectors are relative to l.
     const Vector i{-il.x, -il.y}, j = ij + i, k = ik + i;
     return Test_surfaces::side_of_circle(exact(i), exact(j), exact(k));
   }
@@ -80,7 +81,7 @@ void shuffle(Triangulation& t, std::size_t flips, Portable_random& random)
   shuffle(t, flips, random, [](Halfedge_index) {});
 }
 
-// all coordinates divided by a number
+// Returns the triangulation with all coordinates divided by a number.
 inline Exact_triangulation with_squared_lengths(const Flat_surface& surface, int divisor = 1)
 {
   Delta_complex mesh = surface.mesh;

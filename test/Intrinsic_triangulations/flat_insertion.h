@@ -92,7 +92,7 @@ inline double longest(const Flat_surface& s)
 class Flat_insertion
 {
 public:
-  // every edge of T1 whose number is a multiple of `constrained` is constrained; none if that is 0
+  // Every edge of T1 whose index is a multiple of `constrained` is constrained, or none if it is 0.
   Flat_insertion(const Flat_surface& surface, unsigned int constrained)
     : m_surface(refined(surface)),
       m_tri(with_constraints(m_surface, constrained)),
@@ -129,7 +129,7 @@ public:
     return true;
   }
 
-  // at a place away from all edges of T1
+  // Inserts at a position away from all edges of T1.
   bool insert_into_face(Face_index f, CGAL::Random& random)
   {
     const auto side = IT::sides(f, m_tri.mesh());
@@ -141,7 +141,7 @@ public:
            insert(f, from_corner, {}, 0);
   }
 
-  // at a place on an edge of T1 that crosses the face
+  // Inserts at a position on an edge of T1 that crosses the face.
   bool insert_on_input(Face_index f, CGAL::Random& random)
   {
     const auto side = IT::sides(f, m_tri.mesh());
@@ -161,7 +161,7 @@ public:
     return insert(f, start + i * m_surface.a + j * m_surface.b, {x, offset}, 1);
   }
 
-  // at a quarter, a half, or three quarters; by the edge, or by a point of a face
+  // Splits at a quarter, a half, or three quarters, by the edge, or by a point of a face.
   bool split(Halfedge_index h, CGAL::Random& random)
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -250,7 +250,7 @@ public:
     }
   }
 
-  // T2 without garbage, and where its elements are
+  // Stores T2 without garbage, and the positions of its elements.
   struct Result
   {
     Triangulation triangulation;
@@ -278,7 +278,8 @@ public:
   }
 
 private:
-  // a place on an edge of T1: a vector from the source of the halfedge, which is null for no edge
+  // Stores a position on an edge of T1: a vector from the source of the halfedge, which is null for
+  // no edge.
   struct On_input
   {
     Halfedge_index halfedge;
@@ -297,7 +298,7 @@ private:
       IT::parameters::edge_length_map(length).edge_is_constrained_map(is_constrained));
   }
 
-  // `p` leads from the first corner of the face
+  // Inserts at `p`, a vector from the first corner of the face.
   bool insert(Face_index f, const Vector& p, const On_input& on, double closeness)
   {
     const auto side = IT::sides(f, m_tri.mesh());
@@ -338,7 +339,7 @@ private:
     set_vector(h, -(m_vector[m_tri.mesh().next(h)] + m_vector[m_tri.mesh().prev(h)]));
   }
 
-  // `h` leads on from a vertex that has split an edge
+  // Sets both parts of an edge, where `h` continues from the vertex that has split it.
   void set_parts(Halfedge_index h, const Vector& im, const Vector& mj)
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -388,7 +389,7 @@ private:
            crossings_with_input({p - Vector{1, -d}, {2, -2 * d}}) == 0;
   }
 
-  // the halfedges of T1 that start at a vertex, or on which it lies, with its place
+  // Returns the halfedges of T1 that start at a vertex, or contain it, with its position.
   std::vector<On_input> outgoing_halfedges_at(Vertex_index v) const
   {
     std::vector<On_input> result;
@@ -426,7 +427,7 @@ private:
   {
     const Halfedge_index h = m_tri.mesh().halfedge(e);
     ASSERT_EQ(m_tri.coordinates().normal_coordinate(e), normal_coordinate(h)) << e;
-    // a flip in a thin quadrilateral multiplies errors by as much as a hundred
+    // A flip in a thin quadrilateral multiplies errors by up to a hundred.
     EXPECT_NEAR(m_tri.length(e) / length(m_vector[h]), 1, 1e-9) << e;
     for(Halfedge_index x : {h, m_tri.mesh().opposite(h)})
       check_roundabout(x);

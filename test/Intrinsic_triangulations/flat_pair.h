@@ -32,7 +32,7 @@ public:
   Flat_pair(const Flat_pair&) = delete;
   Flat_pair& operator=(const Flat_pair&) = delete;
 
-  // strictly convex, and not too long for brute force afterwards
+  // Returns whether the diamond is strictly convex, and not too long for brute force afterwards.
   bool can_flip(Halfedge_index h) const
   {
     if(IT::flip_status(h, mesh) != Operation_status::possible)
@@ -54,7 +54,7 @@ public:
   Segment segment1(Halfedge_index h) const { return {t1.point[t1.mesh.source(h)], t1.vector[h]}; }
   Segment segment2(Halfedge_index h) const { return {t1.point[mesh.source(h)], vector[h]}; }
 
-  // of the edge of h in T2
+  // Returns the normal coordinate of the edge of h in T2.
   std::int64_t normal_coordinate(Halfedge_index h) const
   {
     std::int64_t count = 0;
@@ -67,7 +67,7 @@ public:
     return count;
   }
 
-  // the first halfedge of T1 at or counterclockwise from h
+  // Returns the first halfedge of T1 at or counterclockwise from h.
   Halfedge_index roundabout(Halfedge_index h) const
   {
     Halfedge_index result;

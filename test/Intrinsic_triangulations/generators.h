@@ -148,8 +148,8 @@ inline Mesh bipyramid(std::size_t n, double height)
   return make_mesh(points, triangles);
 }
 
-// m times n squares, each cut in two. The vertices have the numbers 0, 1, ..., n, ... row by row.
-// The last rows or columns are joined to the first if these are closed.
+// Returns m times n squares, each cut in two. The vertices have the numbers 0, 1, ..., n, ... row
+// by row. The last rows or columns are joined to the first if these are closed.
 inline Triangles lattice(std::size_t m, std::size_t n, bool has_closed_columns = false,
                          bool has_closed_rows = false)
 {
@@ -531,7 +531,7 @@ Flat_surface flat_surface(const Sides& sides, const Place& place, const Vector& 
   return result;
 }
 
-// m times n cells, each cut in two, their corners moved at random.
+// Returns m times n cells, each cut in two, with corners moved at random.
 inline Flat_surface flat_torus(int m, int n, unsigned int seed, const Vector& right = {1000, 130},
                                const Vector& up = {-270, 900})
 {
@@ -557,8 +557,8 @@ inline Flat_surface flat_torus(int m, int n, unsigned int seed, const Vector& ri
   return flat_surface(sides, place, m * right, n * up);
 }
 
-// n points on either boundary; the edges across wind around it `twists` times. No four points that
-// could be neighbours are on a circle.
+// Returns a cylinder with n points on each boundary; the edges across wind around it `twists`
+// times. No four points that could be neighbors are on a circle.
 inline Flat_surface flat_cylinder(int n, int twists, int height = 700)
 {
   const std::int64_t width = 1000, shift = 300;

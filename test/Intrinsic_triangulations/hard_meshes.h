@@ -21,7 +21,7 @@ class Portable_random
 public:
   explicit Portable_random(std::uint64_t seed) : m_bits(seed) {}
 
-  // in [least, bound)
+  // Returns a number in [least, bound).
   double get_double(double least, double bound)
   {
     return least + (bound - least) * std::ldexp(static_cast<double>(m_bits() >> 11), -53);

@@ -42,7 +42,7 @@ public:
            p.second[1] * vector(h[0]) - p.second[2] * vector(h[2]);
   }
 
-  // takes vectors of the frame of a face to the plane
+  // Returns the rotation of vectors from the frame of a face to the plane.
   Complex frame(Face_index f) const
   {
     const Complex axis = vector(m_faces.sides(f)[0]);
@@ -65,7 +65,7 @@ private:
 
 // ---- A cone ----
 
-// n triangles around an apex, which is vertex 0, with these angles and long legs.
+// Represents n triangles around an apex, which is vertex 0, with these angles and long legs.
 struct Cone
 {
   explicit Cone(const std::vector<double>& angles)
@@ -91,14 +91,14 @@ struct Cone
     return {};
   }
 
-  // distance and angle (on the surface) from the apex
+  // Returns the distance and the angle (on the surface) from the apex.
   Complex polar(const Location& p) const
   {
     const Complex v = IT::logarithm(mesh.input(), outgoing(p.first), p);
     return {std::abs(v), std::arg(v) / (2 * pi) * total};
   }
 
-  // the unit vector away from the apex, in the frame of the face
+  // Returns the unit vector away from the apex, in the frame of the face.
   Complex outwards(const Location& p) const
   {
     const Location tip = Flat_faces(Side::input, mesh).on(outgoing(p.first), 0);

@@ -74,7 +74,7 @@ public:
     return {h, m_mesh.next(h), m_mesh.next(m_mesh.next(h))};
   }
 
-  // the place of a point on a halfedge, in the face of that
+  // Returns the position of a point on a halfedge, in the face of the halfedge.
   Location on(Halfedge_index h, double t) const
   {
     Location result{m_mesh.face(h), {0, 0, 0}};
@@ -84,10 +84,10 @@ public:
     return result;
   }
 
-  // the corner opposite to a halfedge
+  // Returns the corner opposite to a halfedge.
   Location apex(Halfedge_index h) const { return on(m_mesh.prev(h), 0); }
 
-  // source and target of `h` on the x-axis, and the apex above
+  // Places the source and the target of `h` on the x-axis, and the apex above.
   std::array<Place, 3> layout(Halfedge_index h) const
   {
     const Real c = length(h), a = length(m_mesh.next(h)), b = length(m_mesh.prev(h));
@@ -95,7 +95,7 @@ public:
             Place{(c * c + (b - a) * (b + a)) / (2 * c), 2 * area(m_mesh.face(h)) / c}};
   }
 
-  // `p` where layout(h) places it
+  // Returns the position of `p` in layout(h).
   Place place(Halfedge_index h, const Location& p) const
   {
     const auto corner = layout(h);
@@ -120,14 +120,14 @@ public:
     return sum;
   }
 
-  // the angle from `h` to the next outgoing halfedge at its source
+  // Returns the angle from `h` to the next outgoing halfedge at its source.
   Real angle(Halfedge_index h) const
   {
     const Place apex = layout(h)[2];
     return std::atan2(apex.y, apex.x);
   }
 
-  // between points of one face (Equation 3.7)
+  // Returns the distance between points of one face (Equation 3.7).
   Real distance(const Location& p, const Location& q) const
   {
     std::array<Real, 3> w;
@@ -139,7 +139,8 @@ public:
     return std::sqrt((std::max)(Real(0), sum));
   }
 
-  // the length of some path between points of one face or of neighbours; infinite if there is none
+  // Returns the length of a path between points of one face or of neighbors, or infinity if none
+  // exists.
   Real path(const Location& p, const Location& q) const
   {
     Real best = p.first == q.first ? distance(p, q) : std::numeric_limits<Real>::infinity();
@@ -160,7 +161,8 @@ private:
     return static_cast<std::size_t>(std::find(side.begin(), side.end(), h) - side.begin());
   }
 
-  // where the line between the two places crosses the edge, or its nearer end
+  // Returns the path that crosses the edge on the line between the two positions, or at its nearer
+  // end.
   Real path_across(Halfedge_index g, const Location& p, const Location& q) const
   {
     const Halfedge_index o = m_mesh.opposite(g);

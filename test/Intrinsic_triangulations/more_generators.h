@@ -90,7 +90,7 @@ inline Mesh with_near_coincident_vertices(Mesh mesh, double distance, unsigned i
 
 // ---- Flat surfaces ----
 
-// m times n squares of width 1000, each cut in two, their corners moved at random.
+// Returns m times n squares of width 1000, each cut in two, with corners moved at random.
 inline Flat_surface flat_grid(std::size_t m, std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -126,7 +126,7 @@ public:
     return IT::make_Delaunay(m_triangulation, CGAL::parameters::visitor(std::ref(*this)));
   }
 
-  // the other sides of the triangle tell what the new one is
+  // The other sides of the triangle determine the new one.
   void after_flip(Halfedge_index h)
   {
     const Delta_complex& mesh = m_triangulation.mesh();

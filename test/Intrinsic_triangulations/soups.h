@@ -212,7 +212,7 @@ private:
     return m_soup.points.size() - 1;
   }
 
-  // three to seven faces at an edge
+  // Adds three to seven faces at an edge.
   void add_fins()
   {
     const auto [a, b, c] = random_face();
@@ -220,7 +220,7 @@ private:
       put({b, a, add_point_near(a, length(a, b))});
   }
 
-  // that touches a vertex only
+  // Adds a face that touches only a vertex.
   void add_at_vertex()
   {
     const auto [a, b, c] = random_face();
@@ -228,7 +228,7 @@ private:
     put({a, d, e});
   }
 
-  // a Moebius band at a vertex
+  // Adds a Moebius band at a vertex.
   void add_band()
   {
     const auto [a, b, c] = random_face();

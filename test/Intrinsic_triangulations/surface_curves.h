@@ -80,7 +80,7 @@ inline Known_curve stadium_in_square(std::size_t n, CGAL::Random& random)
                      });
 }
 
-// from border to border
+// Returns a line from border to border.
 inline Known_curve line_in_square(std::size_t n, CGAL::Random& random)
 {
   const double angle = random.get_double(0, 6.28), offset = random.get_double(-0.3, 0.3);

@@ -214,7 +214,7 @@ Net unfolded(const Mesh& mesh, const std::vector<char>& is_cut)
 {
   Net result;
   std::vector<std::size_t> corner(mesh.number_of_halfedges());
-  // all faces follow across its other sides
+  // All faces follow across its other sides.
   const Halfedge_index first =
     *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(),
                   [&](Halfedge_index h) { return is_cut[mesh.edge(h)] != 0; });
@@ -262,7 +262,7 @@ TEST(Archimedean_solids, have_equal_edges_and_their_circumradius)
         glued.mesh, IT::parameters::edge_length_map(IT::stored_length_map<double>(glued.mesh)));
       EXPECT_TRUE(p.certificate().is_convex());
       ASSERT_EQ(p.points().size(), solid.vertices);
-      // the closed forms
+      // The closed forms are known.
       double edge = std::numeric_limits<double>::infinity();
       CGAL::Kernel_traits<IT::Convex_polyhedron::Point>::Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
       for(const auto& v : p.points()) {
@@ -279,7 +279,7 @@ TEST(Archimedean_solids, have_equal_edges_and_their_circumradius)
           edges += &v != &w && distance_of(v, w) < edge * (1 + 1e-9);
       }
       EXPECT_EQ(edges, 2 * solid.edges);
-      // every vertex has its place
+      // Every vertex has its position.
       std::vector<Vertex_index> folded(solid.vertices);
       for(Vertex_index v : net.mesh.vertices())
         folded[net.vertex_of_solid[v].idx()] = glued.vertices[v];

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-// counted_new.cpp
+// These functions are defined in counted_new.cpp.
 std::size_t number_of_allocations();
 std::size_t bytes_in_use();
 
@@ -18,7 +18,7 @@ namespace Test_allocations {
 
 using namespace Test_surfaces;
 
-// a wavy square of n x n cells, with every diagonal the same way
+// Returns a wavy square of n x n cells, with parallel diagonals.
 Mesh wavy_square(std::size_t n)
 {
   return grid(n, n, [](double i, double j) {
@@ -26,7 +26,7 @@ Mesh wavy_square(std::size_t n)
   });
 }
 
-// a torus of n x n cells with a wavy radius
+// Returns a torus of n x n cells with a wavy radius.
 Mesh wavy_torus(std::size_t n)
 {
   Mesh mesh = embedded_torus(n, n);
@@ -65,7 +65,7 @@ TEST(Allocations, make_Delaunay_allocates_its_stack_only)
   EXPECT_GT(flips, 1000u);
 }
 
-// of the object that `make()` returns, for each of `edges` edges
+// Returns the bytes of the object that `make()` returns, for each of `edges` edges.
 template <typename Make>
 double bytes_per_edge(std::size_t edges, const Make& make)
 {

@@ -138,7 +138,7 @@ private:
     ++counts[2];
   }
 
-  // tries it on a copy
+  // Returns whether a vertex can be removed, by a trial on a copy.
   bool can_be_removed(Vertex_index v) const
   {
     Triangulation t = m_t;

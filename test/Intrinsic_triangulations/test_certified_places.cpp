@@ -55,7 +55,7 @@ struct Plane
     return point[mesh(side).source(h)];
   }
 
-  // of coordinates divided by their sum
+  // Returns the point with these coordinates, divided by their sum.
   Exact_point at(Side side, const Location& p) const
   {
     const auto h = IT::sides(p.first, mesh(side));
@@ -69,7 +69,8 @@ struct Plane
     return {x / sum, y / sum};
   }
 
-  // where the line of one halfedge crosses another, from its source (0) to its target (1)
+  // Returns the position at which the line of one halfedge crosses another, from its source (0) to
+  // its target (1).
   Rational crossing(Side side, Halfedge_index h, Halfedge_index line) const
   {
     const Side across = other(side);
@@ -79,7 +80,7 @@ struct Plane
     return height(p) / (height(p) - height(q));
   }
 
-  // the vertex, edge or face that has `p`, by looking at all of them
+  // Returns the vertex, edge or face that contains `p`, by a test of all of them.
   Surface_element element(Side side, const Exact_point& p) const
   {
     for(Vertex_index v : mesh(side).vertices())
@@ -344,7 +345,7 @@ TEST(Certified_places, elements_with_inserted_vertices)
     const auto count = check_elements(t, mesh, random);
     for(std::size_t k = 0; k < 3; ++k)
       sum[k] += count[k];
-    // and the inserted vertices themselves
+    // The inserted vertices themselves are tested, too.
     const Exact_correspondence c(t);
     for(Vertex_index v : t.mesh().vertices())
       if(t.is_inserted(v)) {

@@ -29,7 +29,7 @@ struct Needle
         make_mesh({{0, 0, 0}, {1, -u, 0}, {1, v, 0}}, {{first, (first + 1) % 3, (first + 2) % 3}}))
   {}
 
-  // from the equations of the bisectors
+  // Returns the circumcenter from the equations of the bisectors.
   static Plane_vector circumcenter(double u, double v) { return {(1 + u * v) / 2, (v - u) / 2}; }
 
   Plane_vector at(Halfedge_index h, double t) const

@@ -63,7 +63,7 @@ std::set<std::size_t> random_edges(const Mesh& mesh, std::size_t n, Portable_ran
   return result;
 }
 
-// those at which faces meet at more than 40 degrees
+// Returns the edges at which faces meet at more than 40 degrees.
 std::set<std::size_t> feature_edges(const Mesh& mesh)
 {
   const auto normal = [&](Mesh::Halfedge_index h) {

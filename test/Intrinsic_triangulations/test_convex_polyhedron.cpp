@@ -165,7 +165,7 @@ TEST(Convex_polyhedron, flat_vertices_of_lengths_are_flat_by_rounding)
 
 TEST(Convex_polyhedron, unfolds_a_dent)
 {
-  // the cap above a plane is reflected in it: angles at vertices on the plane stay the same
+  // The cap above a plane is reflected in it, so angles at vertices on the plane do not change.
   const std::size_t n = 7;
   Mesh mesh = bipyramid(n, 0.8), dented = mesh;
   dented.point(Vertex_index(unsigned(n))) = Point(0, 0, -0.8 + 1e-3);
@@ -314,7 +314,7 @@ TEST(Convex_polyhedron, cross_folds_to_a_cube)
 
 TEST(Convex_polyhedron, closed_zipper_of_the_cross_is_convex)
 {
-  // each side is glued to the one that is as far from corner 0 on the other way around
+  // Each side is glued to the side with the same distance from corner 0 in the other direction.
   std::vector<std::pair<std::size_t, std::size_t>> sides;
   for(std::size_t start = 0; start < 14; ++start) {
     sides.clear();

@@ -287,7 +287,7 @@ TEST(Diagnose, caps_and_needles_are_noted)
   expect_only(diagnose(needle, {{0, 1, 2}}), Defect_kind::NEEDLE_FACE, 1);
 }
 
-// the square of the least height over the square of the greatest coordinate
+// Returns the square of the least height over the square of the greatest coordinate.
 Rational squared_relative_height(const std::array<Point, 3>& p)
 {
   std::array<CGAL::Simple_cartesian<Rational>::Point_3, 3> q;

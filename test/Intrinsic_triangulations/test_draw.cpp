@@ -31,7 +31,7 @@ TEST(Draw, adds_the_common_subdivision_to_a_scene)
     CGAL::add_to_graphics_scene(tri, mesh.points(), scene, nofill);
     EXPECT_EQ(scene.number_of_elements(Scene::POS_COLORED_SEGMENTS),
               2 * subdivision.mesh().number_of_edges());
-    // polygons of n corners are drawn as n - 2 triangles
+    // Polygons of n corners are drawn as n - 2 triangles.
     EXPECT_EQ(scene.number_of_elements(Scene::POS_COLORED_FACES),
               nofill ? 0
                      : 3 * (2 * subdivision.mesh().number_of_edges() -

@@ -23,7 +23,7 @@ using Exact_triangulation = IT::Intrinsic_triangulation<IT::Exact_Euclidean_geom
 
 // ---- Homotopy ----
 
-// a 2 x 2 matrix of determinant one, modulo a prime
+// Represents a 2 x 2 matrix of determinant one, modulo a prime.
 struct Matrix
 {
   static constexpr std::uint64_t prime = 2147483647;
@@ -63,7 +63,7 @@ public:
   }
 
   bool is_closed() const { return m_is_closed; }
-  // one for each generator
+  // Returns one halfedge for each generator.
   const Halfedges& generators() const { return m_generators; }
 
   Matrix operator()(Halfedge_index h) const
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  // all that is beyond the boundary is one face
+  // Returns a face; the outside of the boundary is one face.
   std::size_t face(Halfedge_index h) const
   {
     return m_mesh.is_border(h) ? m_mesh.num_faces() : m_mesh.face(h).idx();

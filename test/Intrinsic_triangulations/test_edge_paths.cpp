@@ -96,7 +96,7 @@ void check_random_paths(Triangulation t, int n, unsigned int seed)
       IT::Shortest_paths shortest(t.input());
       shortest.add_source(v);
       shortest.run();
-      // the search knows flat triangles by their rounded lengths
+      // The search uses rounded lengths of flat triangles.
       EXPECT_GE(paths.length(0), shortest.distance(w) * (1 - 1e-9));
       EXPECT_NEAR(IT::path_on_input(t, path).length, paths.length(0), 1e-12 * before);
     }
@@ -130,7 +130,7 @@ TEST(Edge_paths, random_paths_on_data_meshes)
 
 // ---- Flat surfaces ----
 
-// the vector along a path in the plane, all around
+// Returns the vector along a path in the plane.
 Vector displacement(const Halfedges& path, const Flat_triangulation& flat)
 {
   Vector sum{0, 0};

@@ -295,7 +295,7 @@ TEST(Exact_Delaunay, flat_polygons)
 {
   for(unsigned int seed : seeds(20)) {
     const int n = 8 + 4 * static_cast<int>(seed);
-    // a narrow range of coordinates has many cocircular points
+    // A narrow range of coordinates has many cocircular points.
     const int range = seed % 2 == 0 ? n : 1000;
     check_flat_surface(flat_polygon(random_points(static_cast<std::size_t>(n), range, seed)), seed);
   }
@@ -303,7 +303,7 @@ TEST(Exact_Delaunay, flat_polygons)
 
 // ---- Ties ----
 
-// whatever the triangulation before
+// All ties are found, whatever the initial triangulation is.
 TEST(Exact_Delaunay, finds_all_ties)
 {
   for(const auto& [tied, seed] : traced(105, tied_mesh)) {
@@ -338,7 +338,7 @@ void check_kernel(const Tied_mesh& tied)
   using Other_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
   Other_mesh mesh;
   CGAL::copy_face_graph(tied.mesh, mesh);
-  // a third of the size is no number of type `double`
+  // A third of the size is not a number of type `double`.
   for(auto v : mesh.vertices()) {
     const auto p = mesh.point(v);
     mesh.point(v) = typename Kernel::Point_3(p.x() / 3, p.y() / 3, p.z() / 3);

@@ -61,7 +61,7 @@ void expect_places(const Any_triangulation& tri)
   }
 }
 
-// a stored length is that of the exact surface
+// Checks that each stored length is the length on the exact surface.
 void expect_lengths(const Exact_triangulation& tri)
 {
   Exact_triangulation fresh = tri;
@@ -371,7 +371,7 @@ TEST(Exact_refinement, inserts_about_as_many_vertices_as_double_on_ordinary_mesh
   }
 }
 
-// the crossed edges that can be split
+// Returns the crossed edges that can be split.
 template <typename Inserter>
 std::vector<Halfedge_index> crossed_edges(const Inserter& inserter)
 {

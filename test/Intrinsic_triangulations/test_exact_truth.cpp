@@ -21,7 +21,7 @@ using namespace Test_surfaces;
 
 // ---- CGAL's Delaunay triangulation of the flat torus ----
 
-// from a vertex to another one along a vector, in one of the two directions
+// Stores an edge from a vertex to another one along a vector, in one of the two directions.
 using Torus_edge = std::tuple<unsigned int, unsigned int, std::int64_t, std::int64_t>;
 
 Torus_edge torus_edge(unsigned int p, unsigned int q, const Vector& v)
@@ -114,20 +114,20 @@ struct Square_keeper : IT::Default_flip_visitor
 
   const Expression& operator()(Halfedge_index h) const { return square[mesh.edge(h)]; }
 
-  // twice the scalar product of the sides at the source of `h`, in its face
+  // Returns twice the scalar product of the sides at the source of `h`, in its face.
   Expression at_source(Halfedge_index h) const
   {
     return (*this)(h) + (*this)(mesh.prev(h)) - (*this)(mesh.next(h));
   }
 
-  // four times the area of the face of `h`
+  // Returns four times the area of the face of `h`.
   Expression area(Halfedge_index h) const
   {
     const Expression product = at_source(h);
     return sqrt(4 * (*this)(h) * (*this)(mesh.prev(h)) - product * product);
   }
 
-  // the law of cosines at i, where the angles of both faces at ij add up
+  // The law of cosines holds at i, where the angles of both faces at ij add up.
   void after_flip(Halfedge_index h)
   {
     const Halfedge_index o = mesh.opposite(h);

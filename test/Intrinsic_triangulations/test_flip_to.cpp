@@ -22,7 +22,7 @@ bool all_are_shared(const Triangulation& t)
                      [&](Edge_index e) { return t.coordinates().is_shared(e); });
 }
 
-// that `t` has become `target`, up to the numbers of elements
+// Checks that `t` has become `target`, up to the numbers of elements.
 void expect_same_triangulation(const Triangulation& t, const Triangulation& target)
 {
   EXPECT_TRUE(t.is_valid(true));

@@ -121,7 +121,7 @@ bool cross(const Plane_point& p, const Plane_point& q, const Plane_point& r, con
          CGAL::orientation(r, s, p) * CGAL::orientation(r, s, q) < 0;
 }
 
-// whether the vertex `v` of `over` is on the edge `e` of its input
+// Returns whether the vertex `v` of `over` is on the edge `e` of its input.
 bool is_on(Vertex_index v, Edge_index e, const Triangulation& over)
 {
   if(over.is_inserted(v)) {
@@ -131,7 +131,7 @@ bool is_on(Vertex_index v, Edge_index e, const Triangulation& over)
   return over.input_mesh().vertex(e, 0) == v || over.input_mesh().vertex(e, 1) == v;
 }
 
-// of the edge of `over`, over its input
+// Returns the normal coordinate of the edge of `over`, over its input.
 std::int64_t normal_coordinate(Edge_index edge, const Triangulation& over, const Points& points)
 {
   const Vertex_index u = over.mesh().vertex(edge, 0), v = over.mesh().vertex(edge, 1);

@@ -12,7 +12,7 @@ namespace Test_hard_meshes {
 using namespace Test_surfaces;
 using Rational = CGAL::Exact_rational;
 
-// by exact arithmetic on the positions
+// Returns the squared length by exact arithmetic on the positions.
 Rational squared_length(Halfedge_index h, const Mesh& mesh)
 {
   const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h));

@@ -42,13 +42,13 @@ Values exact_distances(const Mesh& mesh, const std::function<double(const Point&
 
 double straight(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
-// on the unit sphere
+// Returns the distance on the unit sphere.
 double along_great_circle(const Point& p, const Point& q)
 {
   return 2 * std::asin((std::min)(1., straight(p, q) / 2));
 }
 
-// the shortest of the lifts
+// Returns the distances to the nearest lifts.
 Values torus_distances(const Flat_surface& torus, Vertex_index source)
 {
   Values result(static_cast<Eigen::Index>(torus.point.size()));
@@ -182,7 +182,7 @@ double from_edges_of_unit_square(const Point& p)
 
 Mesh flat_disk() { return Round_cone{20, 126, 2 * pi}.mesh(); }
 
-// from -1 to 1, with 41 straight rows
+// Returns a square from -1 to 1, with 41 straight rows.
 Mesh rows()
 {
   return grid(40, 40, [](double x, double y) { return Point(x / 20 - 1, y / 20 - 1, 0); });
@@ -450,7 +450,7 @@ TEST(Vector_heat, holonomy_around_a_cone)
     };
     const std::size_t ring = 20;
     const Field field = heat.transport(vertex(cone.number(ring, 0)), outward(ring, 0));
-    // off the cut, where the vectors from both sides meet
+    // Vertices on the cut, where the vectors from both sides meet, are excluded.
     for(std::size_t i = 0; i < cone.n; ++i)
       if(std::abs(cone.direction(i)) < 0.4 * angle) {
         const Complex expected = outward(ring, i) * std::polar(1., -cone.direction(i));

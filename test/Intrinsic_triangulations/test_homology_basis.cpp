@@ -44,7 +44,7 @@ Chain chain(const Halfedges& halfedges)
 class Chain_space
 {
 public:
-  // returns whether the chain was not in the space
+  // Returns whether the chain was not in the space.
   bool add(Chain c)
   {
     while(!c.empty() && m_row.count(c.begin()->first) > 0) {
@@ -68,7 +68,7 @@ private:
   std::map<std::size_t, Chain> m_row; // by their first edges
 };
 
-// the space of all boundaries of faces
+// Returns the space of all boundaries of faces.
 Chain_space boundaries(const Delta_complex& mesh)
 {
   Chain_space result;
@@ -227,7 +227,7 @@ TEST(Tree_cotree, all_surfaces)
         lengths[e.idx()] = t.length(e);
       const IT::Tree_cotree trees(c.mesh, lengths);
       expect_trees(trees, c.mesh, faces, twice_genus);
-      // each generator is crossed once in either direction
+      // Each generator is crossed once in either direction.
       const Halfedges relation = trees.relation(0);
       EXPECT_EQ(relation.size(), 2 * twice_genus);
       EXPECT_EQ(std::set<Halfedge_index>(relation.begin(), relation.end()).size(), relation.size());
@@ -258,7 +258,7 @@ TEST(Cut_graph, ends_are_closed)
       EXPECT_TRUE(count[v.idx()] > 0 || !is_terminal[v.idx()] || c.mesh.number_of_vertices() == 1);
       isolated += count[v.idx()] == 0;
     }
-    // what remains is connected and has the same cycles
+    // The remaining surface is connected and has the same cycles.
     EXPECT_EQ(open - seams, isolated - (isolated == c.mesh.number_of_vertices() ? 1 : 0));
   }
 }

@@ -23,7 +23,7 @@ Triangulation refined(Triangulation t, const NamedParameters& np)
   return t;
 }
 
-// with faces that are small beside edges of length one
+// Refines with faces that are small compared with edges of length one.
 Triangulation refined(const Triangulation& t)
 {
   return refined(t, IT::parameters::maximum_circumradius(0.3));
@@ -142,7 +142,7 @@ TEST(Input_with_inserted_vertices, refuses_vertices_that_rounding_has_moved)
   inserter.insert({Face_index(0), {0.5, 0.25, 0.25}});
   Triangulation good = IT::input_with_inserted_vertices(t);
   EXPECT_TRUE(good.is_valid(true));
-  // on an edge, but not as a vertex of it
+  // The vertex is on an edge, but not inserted as its vertex.
   t.split_face({Face_index(1), {0.5, 0.5, 0}}, {{0, 0, 0}, {0, 0, 0}},
                Location(Face_index(1), {0.5, 0.5, 0}));
   EXPECT_THROW(IT::input_with_inserted_vertices(t), IT::Numerical_error);

@@ -94,7 +94,7 @@ void check_points_across(const Flat_insertion::Result& r, const Flat_surface& su
       const Location &on_input = side == Side::input ? p : q,
                      &on_intrinsic = side == Side::input ? q : p;
       const auto h = IT::sides(on_input.first, surface.mesh);
-      // the place on T2 as seen from the corner of the face of T1
+      // This is the position on T2 as seen from the corner of the face of T1.
       const Place offset = Real(on_input.second[1]) *
                              Place{Real(surface.vector[h[0]].x), Real(surface.vector[h[0]].y)} -
                            Real(on_input.second[2]) *

@@ -229,7 +229,7 @@ TEST(IO, truncated_at_every_byte)
     const std::string text = text_of(t);
     for(std::size_t size = 0; size + 1 < text.size(); ++size) {
       const Outcome o = outcome(text.substr(0, size));
-      // the last number may have lost digits
+      // The last number may have lost digits.
       EXPECT_TRUE(o != Outcome::valid || text.find('\n', size) + 1 == text.size()) << size;
     }
   }

@@ -92,7 +92,7 @@ struct Long_torus
     edges = {v, w, v + w};
   }
 
-  // of the lattice of (7, 1) and (2, 9)
+  // Returns the length of a vector of the lattice of (7, 1) and (2, 9).
   static Gmpfr length(const Wide_vector& v)
   {
     const cpp_int x = 7 * v.x + 2 * v.y, y = v.x + 9 * v.y;
@@ -116,7 +116,7 @@ TEST(Large_coordinates, Delaunay_triangulation_far_from_the_input)
     const std::size_t flips = IT::make_Delaunay(t);
     EXPECT_GE(flips, static_cast<std::size_t>(steps - 2));
     EXPECT_TRUE(IT::is_Delaunay(t));
-    // the shortest vectors of the lattice: (7, 1), (2, 9) and their difference
+    // The shortest vectors of the lattice are (7, 1), (2, 9) and their difference.
     const std::array<Wide_vector, 3> shortest{{{1, 0}, {0, 1}, {-1, 1}}};
     cpp_int sum = 0;
     for(const Wide_vector& v : shortest) {

@@ -130,7 +130,7 @@ TEST(Local_triangulations, take_equal_and_collinear_points)
   EXPECT_TRUE(IT::local_triangulations(std::vector<Point>(9, Point(1, 2, 3)), 5).empty());
   EXPECT_TRUE(
     IT::local_triangulations(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 5).empty());
-  // one triangle, seen from each corner
+  // The result is one triangle, seen from each corner.
   EXPECT_EQ(IT::local_triangulations(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 5).size(),
             3u);
   std::vector<Point> points = sphere(100);

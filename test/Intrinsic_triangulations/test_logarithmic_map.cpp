@@ -122,7 +122,7 @@ void check_all_at_once(Side side, const Triangulation& t)
     EXPECT_DOUBLE_EQ(std::abs(one.vector), std::abs(of_vertices[v].vector));
     EXPECT_DOUBLE_EQ(std::abs(IT::logarithmic_map(t.surface(side), p, q).vector),
                      std::abs(at_point[v].vector));
-    // the rounded lengths of T2 let lines miss the vertices that they pass by symmetry
+    // The rounded lengths of T2 let lines miss vertices that they pass by symmetry.
     if(one.status == Status::straight && side == Side::input)
       expect_end(side, Vertex_index(0), q, one, t,
                  1e-9 * static_cast<double>(faces.longest_edge()));
@@ -260,7 +260,7 @@ TEST(Logarithmic_map, over_the_edges_of_a_cube)
     EXPECT_NEAR(std::abs(logarithms[v].vector), truth, 1e-14);
     EXPECT_EQ(logarithms[v].status, Status::straight);
   }
-  // between the midpoints of diagonals, the centers of opposite sides
+  // The path leads between the midpoints of diagonals, the centers of opposite sides.
   const Location bottom{Face_index(0), {0.5, 0, 0.5}}, top{Face_index(2), {0.5, 0, 0.5}};
   EXPECT_NEAR(std::abs(IT::logarithmic_map(t.input(), bottom, top).vector), 2, 1e-14);
 }

@@ -54,7 +54,7 @@ public:
     for(const auto& p : m_corners) {
       const auto length = [&](std::size_t i) {
         const Place &a = p[i], &b = p[(i + 1) % 3];
-        // bitwise equal for both triangles at an edge, also beyond the seam
+        // The length is bitwise equal for both triangles at an edge, also beyond the seam.
         return double(float(std::hypot(a[0] - b[0], a[1] - b[1])));
       };
       result.push_back({length(0), length(1), length(2)});

@@ -37,7 +37,7 @@ int iterations(const NamedParameters& parameters)
   return choose_parameter(get_parameter(parameters, CGAL::internal_np::number_of_iterations), -1);
 }
 
-// as in functions of CGAL that take the class of sequences apart
+// Takes the class of sequences apart, as functions of CGAL do.
 template <typename CGAL_NP_TEMPLATE_PARAMETERS>
 int iterations_of_class(const CGAL_NP_CLASS& parameters)
 {

@@ -31,7 +31,7 @@ Values values(const Mesh& mesh, const std::function<double(const Point&)>& f)
   return result;
 }
 
-// lengths in another unit
+// Returns the triangulation with lengths in another unit.
 Triangulation scaled(const Delta_complex& mesh, std::vector<double> lengths, double factor)
 {
   for(double& length : lengths)
@@ -251,7 +251,8 @@ TEST(Operators, loops)
   const Triangulation torus = triangulation(flat_torus(1, 1, 0));
   EXPECT_EQ(largest(Matrix(IT::cotan_laplacian(torus.input()))), 0);
   EXPECT_GT(IT::lumped_mass_matrix(torus.input()).coeff(0, 0), 0);
-  // a cone: the edge from the tip to the boundary has the angle at its two sides at the boundary
+  // The mesh is a cone: the edge from the tip to the boundary has the angle at its two sides at the
+  // boundary.
   const Triangulation t = triangulation(cone(false), {1.5, 2});
   const Matrix l = IT::cotan_laplacian(t.input());
   EXPECT_NEAR(l.coeff(0, 0), 1 / std::tan(std::acos(2 / 3.)), 1e-14);
@@ -370,7 +371,7 @@ TEST(Tangent_frames, transport_back_is_the_inverse)
     for(Halfedge_index h : complex.mesh.halfedges()) {
       EXPECT_NEAR(std::abs(frames.transport(h) * frames.transport(complex.mesh.opposite(h)) - 1.),
                   0, 1e-14);
-      // the edge itself arrives as the edge
+      // The edge itself is transported to the edge.
       EXPECT_NEAR(std::abs(frames.transport(h) * std::polar(1., frames.angle(h)) +
                            std::polar(1., frames.angle(complex.mesh.opposite(h)))),
                   0, 1e-14);
@@ -514,7 +515,7 @@ TEST(Poisson, wave_on_a_flat_torus)
   for(int n : {6, 12, 24, 48}) {
     const Flat_surface surface = flat_torus(n, n, 5);
     const Triangulation t = triangulation(surface);
-    // the wave that is 0 along b and makes one turn along a
+    // The wave is constant along b and has one period along a.
     const double area = static_cast<double>(det(surface.a, surface.b));
     Values u(static_cast<Eigen::Index>(surface.point.size()));
     for(Vertex_index v : surface.mesh.vertices())

@@ -144,7 +144,7 @@ TEST(Parallel, correspondence)
     });
 }
 
-// where crossings have scales
+// Crossings have scales in this geometry.
 TEST(Parallel, ideal_correspondence)
 {
   IT::Intrinsic_triangulation<IT::Ideal_geometry_traits<>> tri(large_torus());

@@ -201,7 +201,8 @@ public:
     }
   }
 
-  // the place of a point of T1 on T2, by the direction and length of the line from a corner to it
+  // Returns the position of a point of T1 on T2, by the direction and length of the line from a
+  // corner to it.
   Location across(const Location& p, std::size_t corner) const
   {
     const Flat_faces faces(Side::input, m_triangulation);

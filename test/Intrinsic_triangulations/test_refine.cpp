@@ -322,7 +322,7 @@ TEST(Refine, stopped_by_the_visitor)
 
 TEST(Refine, narrow_cone)
 {
-  // a pyramid as slim as a needle: 4 faces with 1 degree each at the apex
+  // The mesh is a needle-like pyramid: 4 faces with 1 degree each at the apex.
   const double height = 1 / (2 * std::tan(0.5 * pi / 180));
   const Mesh mesh = make_mesh({{0.5, 0.5, height}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}});
@@ -409,7 +409,7 @@ TEST(Refine, no_short_pieces_on_regular_grids)
 
 // ---- What it is for ----
 
-// positions of the vertices of T2, from those of the input
+// Returns positions of the vertices of T2, from the positions of the input.
 std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
 {
   const IT::Correspondence<> c(t);

@@ -112,7 +112,7 @@ struct Roots
 
   Complex number(const K& x) { return {&tower, {x}, {K(0)}}; }
 
-  // multiplied by what the tower multiplies it by
+  // Adds a number, multiplied by the factor of the tower.
   void add(const K& square, const Long_real& value_of_square)
   {
     const auto multiple = tower.root(square);
@@ -233,7 +233,7 @@ struct Unfolded
     }
   }
 
-  // POSITIVE if the edge is Delaunay, ZERO if it is a tie
+  // Returns POSITIVE if the edge is Delaunay, and ZERO if it is a tie.
   CGAL::Sign Delaunay_sign(Halfedge_index h, const Delta_complex& mesh) const
   {
     const auto& i = point[mesh.source(h)];
@@ -272,11 +272,11 @@ void check_accordion(const Accordion& accordion, std::size_t expected_ties)
   EXPECT_EQ(ties.size(), expected_ties);
 }
 
-// of widths whose squares are products of 2, 5, 13 and 17
+// The squared widths are products of 2, 5, 13 and 17.
 const std::vector<Panel> dependent_panels{{1, 1},  {2, 1},  {3, -2}, {4, 1},  {3, -1},
                                           {5, 1},  {5, -3}, {8, 1},  {9, -2}, {11, 3},
                                           {13, 1}, {14, 5}, {21, -1}};
-// of prime squares
+// The squared widths are primes.
 const std::vector<Panel> independent_panels{{1, 1},  {2, 1},  {3, -2}, {4, 1},  {5, -2},
                                             {6, 1},  {5, -4}, {7, 2},  {6, -5}, {8, 3},
                                             {8, -5}, {9, 4},  {10, -1}};
@@ -389,7 +389,7 @@ TEST(Roots, derived_traits_keep_exact_decisions)
   EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
   for(Edge_index e : t.mesh().edges())
     EXPECT_EQ(t.length(e), expected.length(e));
-  // the metric of an own condition can still be certified
+  // The metric of a user-defined condition can still be certified.
   EXPECT_FALSE(
     IT::certify_Delaunay(IT::Intrinsic_triangulation<Thrifty_traits>(mesh)).is_Delaunay());
 }

@@ -23,7 +23,7 @@ Values exact(const Known_curve& known)
                                   static_cast<Eigen::Index>(known.distance.size()));
 }
 
-// in edge lengths
+// Returns the mean error in edge lengths.
 double mean_error(const Values& computed, const Values& expected, double edge)
 {
   return (computed - expected).cwiseAbs().mean() / edge;

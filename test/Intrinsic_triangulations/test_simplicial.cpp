@@ -102,7 +102,7 @@ TEST(Simplicial, mesh_in_space)
     EXPECT_EQ(result.number_of_faces(), tri.mesh().number_of_faces());
     for(Vertex_index v : mesh.vertices())
       EXPECT_EQ(result.point(v), mesh.point(v));
-    // a straight line is no longer than the geodesic
+    // A straight line is not longer than the geodesic.
     for(Edge_index e : result.edges()) {
       const double in_space = std::sqrt(CGAL::squared_distance(result.point(result.vertex(e, 0)),
                                                                result.point(result.vertex(e, 1))));

@@ -32,7 +32,8 @@ struct Quadrangle
 
   bool has_straight_side() const { return det(l - k, i - k) == 0 || det(l - k, j - k) == 0; }
 
-  // positive if l is inside the circle through i, j, k; entries up to 2^14 do not overflow
+  // Returns a positive number if l is inside the circle through i, j, k. Entries up to 2^14 do not
+  // overflow.
   std::int64_t in_circle() const
   {
     const Vector a = i - l, b = j - l, c = k - l;
@@ -127,7 +128,7 @@ struct Traits_archetype
   using Integer = std::int64_t;
   using Geodesic_strip = IT::Euclidean_strip<double>;
 
-  // of the corner opposite to a, by the law of cosines
+  // Returns the angle of the corner opposite to a, by the law of cosines.
   static double angle(double a, double b, double c)
   {
     return std::acos(std::clamp((b * b + c * c - a * a) / (2 * b * c), -1., 1.));
@@ -143,7 +144,7 @@ struct Traits_archetype
   };
   struct Distance
   {
-    // Equation 3.7 as it stands
+    // Computes Equation 3.7 literally.
     double operator()(const std::array<double, 3>& side, const std::array<double, 3>& p,
                       const std::array<double, 3>& q) const
     {
@@ -247,7 +248,7 @@ void for_each_small_triangulation(const Check& check)
 
 using Rational = CGAL::Exact_rational;
 
-// (4 A)^2, exactly
+// Returns (4 A)^2, exactly.
 Rational squared_quadrupled_area(double a, double b, double c)
 {
   const Rational x(a), y(b), z(c);
@@ -435,7 +436,7 @@ TEST(Exact_geometry_traits, flat_triangles_and_straight_sides)
   EXPECT_FALSE(traits.is_triangle_object()(3, 4, 7 + tiny));
   EXPECT_FALSE(traits.is_length_object()(0));
   EXPECT_TRUE(traits.is_length_object()(tiny));
-  // two right triangles at i make a straight side
+  // Two right triangles at i form a straight side.
   EXPECT_FALSE(traits.is_convex_object()({4, 5, 3, 3, 5}));
   EXPECT_TRUE(traits.is_convex_object()({4, 5 - tiny, 3, 3, 5}));
 }

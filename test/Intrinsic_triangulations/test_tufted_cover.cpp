@@ -140,7 +140,7 @@ TEST(Tufted_cover, of_a_moebius_band_is_a_torus)
 
 TEST(Tufted_cover, vertices_are_fans)
 {
-  // two triangles that touch in a vertex, and an isolated vertex
+  // Two triangles touch in a vertex, and another vertex is isolated.
   const Cover cover = IT::tufted_cover(
     std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {5, 5, 5}},
     Triangles{{0, 1, 2}, {0, 3, 4}});

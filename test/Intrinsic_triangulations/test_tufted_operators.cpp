@@ -286,7 +286,7 @@ TEST(Tufted_operators, of_a_book_have_the_known_eigenfunctions)
   const std::size_t n = 8;
   const Book book({0.3, 2, 4.5}, n, n);
   const Matrix laplacian = IT::cotan_laplacian(Tufted(book.soup).surface());
-  // shares of vertices in the squares, over the area of a square
+  // These are the shares of vertices in the squares, over the area of a square.
   const Values share = values(book, 3, [](std::size_t, double x, double y) {
     return (x == 0 ? 1.5 : x == 1 ? 0.5 : 1) * (y == 0 || y == 1 ? 0.5 : 1);
   });
@@ -336,7 +336,7 @@ TEST(Tufted_operators, of_lengths_alone)
   const auto vertex = [&](std::size_t page, std::size_t i, std::size_t j) {
     return (i == 0 ? 0 : 1 + page * m + i - 1) * n + j % n;
   };
-  // sheared three times around: not Delaunay
+  // The triangulation is sheared three times around, so it is not Delaunay.
   std::vector<std::array<double, 3>> lengths;
   const double across = std::sqrt(0.75), far = std::hypot(across, 2.5),
                near = std::hypot(across, 1.5);
@@ -355,7 +355,7 @@ TEST(Tufted_operators, of_lengths_alone)
   Triangulation t(cover.mesh(), IT::parameters::edge_length_map(cover.edge_length_map(lengths)));
   IT::make_Delaunay(t);
   const Surface surface(cover, t.intrinsic());
-  // a lattice: each edge inside has the weight of two angles of sixty degrees
+  // Each edge inside the lattice has the weight of two angles of sixty degrees.
   const Matrix laplacian = IT::cotan_laplacian(surface);
   const double weight = 1 / std::sqrt(3.);
   const auto at = [&](std::size_t v) { return laplacian.coeff(int(v), int(v)); };
@@ -379,7 +379,7 @@ TEST(Tufted_operators, have_distances_of_unfolded_books)
     });
     const Values found = IT::heat_distance(
       Tufted(book.soup).surface(), std::array{Vertex_index(unsigned(book.vertex(0, 8, 4)))});
-    // the method's error on the plane, which two pages are
+    // This is the error of the method on the plane, which two pages form.
     static double error_of_two = 0;
     const double error = (found - exact).cwiseAbs().sum() / exact.sum();
     if(pages == 2)

@@ -38,7 +38,8 @@ View random_view(CGAL::Random& random)
   return result;
 }
 
-// the least length of a path to the point of the edge at `x`; infinite if it is not seen
+// Returns the least length of a path to the point of the edge at `x`, or infinity if it is not
+// visible.
 double least(const std::vector<View>& views, double x)
 {
   double result = infinity;
@@ -101,7 +102,8 @@ TEST(View_separation, is_the_same_at_all_scales)
   }
 }
 
-// the position at which the ray to the point of the edge at `x` passes the line at height 1
+// Returns the position at which the ray to the point of the edge at `x` passes the line at height
+// 1.
 double passage(const View& v, double x) { return x + (v.position.real() - x) / v.position.imag(); }
 
 View view_of_edge(CGAL::Random& random)

@@ -117,7 +117,7 @@ private:
       l += excess + 1e-24 * longest;
   }
 
-  // the corner opposite to side `c`, which is on the x-axis
+  // Returns the corner opposite to side `c`, which is on the x-axis.
   static Place apex(const Number& c, const Number& a, const Number& b)
   {
     using std::sqrt;
@@ -133,7 +133,7 @@ private:
     m_in_face[m_mesh.face(point.h).idx()].push_back(point);
   }
 
-  // a point on a side in both its faces
+  // Adds a point; a point on a side is added in both its faces.
   void add(const Location& p)
   {
     const Halfedge_index h = m_mesh.halfedge(p.first);
@@ -153,7 +153,7 @@ private:
     return {Place{0, 0}, Place{length(h), 0}, m_apex[h.idx()]};
   }
 
-  // in a face whose corners, from that of `h` on, are there
+  // Returns the position in a face with known corners, beginning with the corner of `h`.
   Place place(const Seat& seat, Halfedge_index h, const Triangle& corner) const
   {
     const std::size_t k = seat.h == h ? 0 : m_mesh.next(h) == seat.h ? 1 : 2;
@@ -196,7 +196,7 @@ private:
     return is_better;
   }
 
-  // the nearest that is not done and in reach
+  // Returns the nearest seat that is not done and in reach.
   std::size_t nearest(const std::vector<bool>& is_done) const
   {
     std::size_t result = m_seats.size();
@@ -253,7 +253,7 @@ private:
     return waiting.empty();
   }
 
-  // a bound for the distance of what is seen of a segment
+  // Returns a bound for the distance of the visible part of a segment.
   static Number nearest(const Place& a, const Place& b, const Place& right, const Place& left)
   {
     const Place s = b - a;
