@@ -17,18 +17,9 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
 
-template Planar_conformal_map flattened<Least_squares_layout, Free_shape>(Surface, Map_parameters,
-                                                                          Any_visitor);
-template Planar_conformal_map
-  flattened<Least_squares_layout, Circular_boundary>(Surface, Map_parameters, Any_visitor);
-template Planar_conformal_map
-  flattened<Least_squares_layout, Rectangular_boundary>(Surface, Map_parameters, Any_visitor);
-template Planar_conformal_map flattened<Named_layout, Free_shape>(Surface, Map_parameters,
-                                                                  Any_visitor);
-template Planar_conformal_map flattened<Named_layout, Circular_boundary>(Surface, Map_parameters,
-                                                                         Any_visitor);
-template Planar_conformal_map flattened<Named_layout, Rectangular_boundary>(Surface, Map_parameters,
-                                                                            Any_visitor);
+template Planar_conformal_map flattened<Free_shape>(Surface, Map_parameters, Any_visitor);
+template Planar_conformal_map flattened<Circular_boundary>(Surface, Map_parameters, Any_visitor);
+template Planar_conformal_map flattened<Rectangular_boundary>(Surface, Map_parameters, Any_visitor);
 template Spherical_conformal_map mapped_to_sphere(Surface, const Map_parameters&, Any_visitor);
 template Hyperbolic_conformal_map uniformized(const Surface&, const Map_parameters&, Any_visitor);
 

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
@@ -51,9 +52,8 @@ class Inscribed_polygon
 public:
   // `mass` contains the mass of each vertex; `start` is one of the vertices.
   // \pre every vertex of the problem that is not isolated is on the boundary
-  template <typename Visitor>
   Inscribed_polygon(Doubled_problem& problem, const std::vector<double>& mass, Vertex_index start,
-                    Visitor& visitor)
+                    Any_visitor& visitor)
     : m_problem(problem),
       m_at_infinity(start),
       m_surface(problem.triangulation().mesh(),

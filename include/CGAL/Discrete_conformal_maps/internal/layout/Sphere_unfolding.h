@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Stereographic_triangulation.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
@@ -42,8 +43,7 @@ public:
     m_result.log_scale.assign(problem.size(), 0.);
   }
 
-  template <typename Visitor>
-  Unfolded_sphere run(Visitor& visitor)
+  Unfolded_sphere run(Any_visitor& visitor)
   {
     try {
       unfold(visitor);
@@ -61,8 +61,7 @@ private:
   // Returns whether the result is good. Rounding errors alone are far below the tolerance.
   bool is_good() const { return m_result.is_good(tolerance::good_cross_ratio); }
 
-  template <typename Visitor>
-  void unfold(Visitor& visitor)
+  void unfold(Any_visitor& visitor)
   {
     if(m_problem.has_needles() && search_on_exact_surface(visitor))
       return;
@@ -82,8 +81,7 @@ private:
   }
 
   // Searches with needles of the exact surface, and returns whether the result is good.
-  template <typename Visitor>
-  bool search_on_exact_surface(Visitor& visitor)
+  bool search_on_exact_surface(Any_visitor& visitor)
   {
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
     visitor.start(Flattening_stage::optimize);
@@ -100,8 +98,8 @@ private:
   }
 
   // Minimizes the energy of `scale`, and returns whether the result is good.
-  template <typename FT, typename Visitor>
-  bool descend(Spherical_scale_factors<FT>& scale, Visitor& visitor)
+  template <typename FT>
+  bool descend(Spherical_scale_factors<FT>& scale, Any_visitor& visitor)
   {
     visitor.start(Flattening_stage::optimize);
     scale.descend(visitor);
@@ -120,8 +118,7 @@ private:
 
   // Finds scale factors beyond the range of `double`, from `start` on or from a guess. Returns
   // whether the result is good.
-  template <typename Visitor>
-  bool search_beyond_range(const std::vector<Extended>& start, Visitor& visitor)
+  bool search_beyond_range(const std::vector<Extended>& start, Any_visitor& visitor)
   {
     Spherical_scale_factors<Wide_number<double>> rounded(m_problem, m_at_infinity);
     if(!start.empty())
@@ -134,8 +131,8 @@ private:
   }
 
   // Searches scale factors up to `tolerance`, and returns whether the result is good.
-  template <typename FT, typename Visitor>
-  bool search(Spherical_scale_factors<FT>& scale, double tolerance, Visitor& visitor)
+  template <typename FT>
+  bool search(Spherical_scale_factors<FT>& scale, double tolerance, Any_visitor& visitor)
   {
     visitor.start(Flattening_stage::optimize);
     scale.minimize(tolerance, visitor);

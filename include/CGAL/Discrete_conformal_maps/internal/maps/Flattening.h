@@ -15,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
@@ -45,11 +46,10 @@ inline std::vector<Map_promise> planar_promises(const Plane_picture& picture)
 }
 
 // The steps from a doubled problem to a map.
-template <typename Visitor>
 class Flattening
 {
 public:
-  Flattening(Doubled_problem& problem, Visitor& visitor)
+  Flattening(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {}
 
@@ -87,7 +87,7 @@ public:
   // Returns the last minimization.
   const Minimization_result& minimization() const { return m_scale.result(); }
 
-  Visitor& visitor() const { return m_visitor; }
+  Any_visitor& visitor() const { return m_visitor; }
 
   // Calls `search()`, which finds scale factors. A numerical error ends the search.
   template <typename Search>
@@ -103,10 +103,9 @@ public:
   bool is_wide() const { return m_scale.is_wide(); }
   bool has_bounded_differences() const { return m_scale.has_bounded_differences(); }
 
-  // Lays the faces out by a model of a planar layout. `shape` has what else is promised about the
-  // image of the boundary.
-  template <typename Layout_model, typename Shape>
-  Planar_conformal_map finish(const Layout_model& layout, const Shape& shape)
+  // Lays the faces out. `shape` has what else is promised about the image of the boundary.
+  template <typename Shape>
+  Planar_conformal_map finish(Named_layout layout, const Shape& shape)
   {
     if(has_succeeded())
       m_builder.attempt([this] { m_scale.sharpen(m_visitor); });
@@ -149,8 +148,7 @@ private:
     return true;
   }
 
-  template <typename Layout_model>
-  void lay_out_or_fail(const Layout_model& layout)
+  void lay_out_or_fail(Named_layout layout)
   {
     m_visitor.start(Flattening_stage::layout);
     if(m_layout.exists)
@@ -242,8 +240,7 @@ private:
 
   // With more digits, if scale factors in `double` do not give the promised curvatures, or errors
   // of positions are more than their rounding.
-  template <typename Layout_model>
-  void lay_out_in_plane(const Layout_model& layout)
+  void lay_out_in_plane(Named_layout layout)
   {
     const std::vector<double> correction = area_correction();
     m_builder.add_to_scale_factors(correction);
@@ -345,7 +342,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Visitor& m_visitor;
+  Any_visitor& m_visitor;
   Flat_scale_factors m_scale;
   Map_builder m_builder;
   Planar_layout m_layout;
@@ -356,7 +353,7 @@ private:
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };
 
-template <typename Layout_model, typename Shape, typename Visitor>
+template <typename Shape, typename Visitor>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                Map_parameters parameters, Visitor visitor)
 {
@@ -369,14 +366,14 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
     Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
                             exactness, circles);
     problem.set_concurrency(parameters.concurrency);
-    Flattening<Visitor> flattening(problem, visitor);
+    Flattening flattening(problem, visitor);
     flattening.start_from(parameters.log_scale);
     flattening.attempt([&] {
       own_shape.solve(problem, flattening, [&] {
         flattening.find_scale_factors(minimizer_of(parameters), parameters.cones);
       });
     });
-    return flattening.finish(Layout_model{parameters.layout}, own_shape);
+    return flattening.finish(Named_layout{parameters.layout}, own_shape);
   };
   if(!parameters.has_exact_decisions)
     return with_digits_as_needed(std::move(input), find, !circles.exist());

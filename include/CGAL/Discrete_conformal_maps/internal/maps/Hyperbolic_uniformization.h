@@ -14,6 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
@@ -36,11 +37,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 using Intrinsic_triangulations::Tree_cotree;
 
 // The steps from a doubled problem to a map, whose group is the group of the whole double.
-template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
-  Hyperbolic_uniformization(Doubled_problem& problem, Visitor& visitor)
+  Hyperbolic_uniformization(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {
     m_builder.set_hyperbolic();
@@ -297,7 +297,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Visitor& m_visitor;
+  Any_visitor& m_visitor;
   Hyperbolic_scale_factors m_scale;
   Map_builder m_builder;
   Hyperbolic_layout m_layout;
@@ -321,7 +321,7 @@ uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
                             exactness, circles);
     problem.check_hyperbolic();
     problem.set_concurrency(parameters.concurrency);
-    Hyperbolic_uniformization<Visitor> uniformization(problem, visitor);
+    Hyperbolic_uniformization uniformization(problem, visitor);
     uniformization.find_scale_factors(minimizer_of(parameters));
     is_doubled = !problem.has_no_copies();
     return uniformization.finish();

@@ -14,6 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
@@ -199,8 +200,7 @@ public:
 
   // Traces T_1 and T_2, and T_2 and T_3, over each other, and makes their common subdivision,
   // unless it exists. Beside a factor of a layout, it takes most memory.
-  template <typename Visitor>
-  void subdivide(Visitor& visitor)
+  void subdivide(Any_visitor& visitor)
   {
     if(m_data.subdivision)
       return;

@@ -16,6 +16,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/with_digits_as_needed.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
@@ -31,11 +32,10 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The steps from a closed or doubled surface to its map.
-template <typename Visitor>
 class Sphere_mapping
 {
 public:
-  Sphere_mapping(Doubled_problem& problem, Visitor& visitor)
+  Sphere_mapping(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas(problem)), m_builder(problem)
   {
     check();
@@ -269,7 +269,7 @@ private:
   const Point& at(Vertex_index v) const { return m_layout.position[v.idx()]; }
 
   Doubled_problem& m_problem;
-  Visitor& m_visitor;
+  Any_visitor& m_visitor;
   std::vector<double> m_mass;
   Map_builder m_builder;
   Spherical_layout m_layout;
@@ -288,7 +288,7 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
                         Exactness exactness) {
     Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness);
     problem.set_concurrency(parameters.concurrency);
-    return Sphere_mapping<Visitor>(problem, visitor).run();
+    return Sphere_mapping(problem, visitor).run();
   };
   return with_digits_as_needed(std::move(input), find);
 }

@@ -13,7 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
-#include <type_traits>
 #include <utility>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -28,14 +27,12 @@ namespace internal {
 // An application compiles them from the headers, or links the compiled library, which has them for
 // `Any_visitor`.
 
-struct Least_squares_layout;
-struct Named_layout;
 struct Free_shape;
 class Circular_boundary;
 class Rectangular_boundary;
 
 // Maps a surface to the plane, as `flatten()` documents, with a boundary of this shape.
-template <typename Layout_model, typename Shape, typename Visitor>
+template <typename Shape, typename Visitor>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                Map_parameters parameters, Visitor visitor);
 
@@ -50,19 +47,14 @@ Hyperbolic_conformal_map
 uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
             const Map_parameters& parameters, Visitor visitor);
 
-// Maps a surface to the plane, with the visitor of the named parameters. Methods of layout that are
-// not the default are compiled only where one is chosen.
+// Maps a surface to the plane, with the visitor of the named parameters.
 template <typename Shape, typename NamedParameters>
 auto flattened_to(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                   Map_parameters parameters, const NamedParameters& np)
 {
-  constexpr bool is_default =
-    CGAL::parameters::is_default_parameter<NamedParameters, internal_np::layout_t>::value;
-  typedef std::conditional_t<is_default, Least_squares_layout, Named_layout> Layout_model;
   Default_flattening_visitor silent;
   auto&& visitor = Intrinsic_triangulations::internal::visitor_of(np, silent);
-  return flattened<Layout_model, Shape>(std::move(input), std::move(parameters),
-                                        Any_visitor::of(visitor));
+  return flattened<Shape>(std::move(input), std::move(parameters), Any_visitor::of(visitor));
 }
 
 } // namespace internal

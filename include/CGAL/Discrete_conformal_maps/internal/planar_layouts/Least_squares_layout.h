@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Unfolded_faces.h>
 
@@ -109,8 +108,6 @@ double side_weight(const FT& length)
 // their lengths, is least.
 struct Least_squares_layout
 {
-  explicit Least_squares_layout(Layout /* kind */ = Layout::least_squares) {}
-
   template <typename FT>
   void operator()(Unfolded_faces<FT>& faces, const Shared_order& order) const
   {

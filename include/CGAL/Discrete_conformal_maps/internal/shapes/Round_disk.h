@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
@@ -116,8 +117,9 @@ std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
   return unless_numbers_fail([&]() -> std::optional<Round_polygon> {
     const std::vector<double> area = vertex_areas(problem);
     Default_flattening_visitor silent;
+    Any_visitor visitor = Any_visitor::of(silent);
     const Inscribed_polygon<FT> polygon(problem, area, vertices_at_infinity(problem, area).front(),
-                                        silent);
+                                        visitor);
     if(!polygon.result().is_good(tolerance::cross_ratio))
       return std::nullopt;
     auto arcs = half_arcs(polygon.result().layout, boundary);
@@ -154,10 +156,9 @@ inline std::optional<double> exterior_angle_error(const Doubled_problem& problem
 // Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing if
 // no such map exists.
 // \pre the surface is a disk; `boundary` are the vertices of its boundary in cyclic order
-template <typename Visitor>
-std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,
-                                           const std::vector<Vertex_index>& boundary,
-                                           Visitor& visitor)
+inline std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,
+                                                  const std::vector<Vertex_index>& boundary,
+                                                  Any_visitor& visitor)
 {
   return unless_numbers_fail([&]() -> std::optional<Round_disk> {
     const std::vector<double> area = vertex_areas(problem);
