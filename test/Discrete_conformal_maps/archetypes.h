@@ -12,7 +12,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-// Models of concepts with nothing but what these ask for.
+// These models of concepts have only the required members.
 namespace archetypes {
 
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -24,7 +24,8 @@ struct No_value
   No_value& operator=(const No_value&) = delete;
 };
 
-// The sum of cosh(u_i - i) and of (u_i - u_(i + 1) + 1)^2 / 2, whose minimum is at u_i = i.
+// Represents the sum of cosh(u_i - i) and of (u_i - u_(i + 1) + 1)^2 / 2, whose minimum is at u_i =
+// i.
 class Energy_archetype : No_value
 {
 public:

@@ -7,7 +7,8 @@
 
 #include "flat_maps.h"
 
-// Surfaces with boundary of any genus, and their doubles, glued without the library.
+// This file generates surfaces with boundary of any genus, and their doubles, glued without the
+// library.
 namespace Test_surfaces {
 
 inline int side_of(Halfedge_index h)
@@ -16,7 +17,7 @@ inline int side_of(Halfedge_index h)
   return h.idx() % 2 == 0 ? e : -e;
 }
 
-// The same faces with the labels 1, 2, ...
+// Returns the same faces with the labels 1, 2, ...
 inline Sides renumbered(Sides faces)
 {
   std::map<int, int> label;
@@ -28,7 +29,7 @@ inline Sides renumbered(Sides faces)
   return faces;
 }
 
-// Some faces of a mesh without common vertices, in random order.
+// Returns some faces of a mesh without common vertices, in random order.
 inline std::vector<Mesh::Face_index> separate_faces(const Mesh& mesh, CGAL::Random& random)
 {
   std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end()), result;
@@ -48,7 +49,7 @@ inline std::vector<Mesh::Face_index> separate_faces(const Mesh& mesh, CGAL::Rand
   return result;
 }
 
-// Two poles and rings of vertices between them.
+// Returns a sphere of two poles and rings of vertices between them.
 inline Mesh sphere_of_rings(std::size_t rings, std::size_t n)
 {
   std::vector<Point> points{Point(0, 0, 1), Point(0, 0, -1)};
@@ -71,8 +72,8 @@ inline Mesh sphere_of_rings(std::size_t rings, std::size_t n)
   return make_mesh(points, triangles);
 }
 
-// A sphere with handles and triangular holes: pairs of its faces are removed and their sides glued
-// to each other, others are only removed.
+// Returns a sphere with handles and triangular holes. Pairs of its faces are removed and their
+// sides glued to each other; others are only removed.
 inline Sides surface_with_holes(std::size_t genus, std::size_t holes, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -101,7 +102,7 @@ inline Sides surface_with_holes(std::size_t genus, std::size_t holes, unsigned i
   return renumbered(result);
 }
 
-// A plate with a long boundary, and with square holes of eight sides.
+// Returns a plate with a long boundary, and with square holes of eight sides.
 inline Sides plate_with_square_holes(std::size_t holes)
 {
   const std::size_t m = 4 * holes + 3, n = 9;
@@ -120,7 +121,7 @@ inline Sides plate_with_square_holes(std::size_t holes)
   return renumbered(result);
 }
 
-// A surface with boundary and its double. Edges of the surface keep their numbers.
+// Stores a surface with boundary and its double. Edges of the surface keep their numbers.
 struct Bounded_surface
 {
   explicit Bounded_surface(const Sides& faces, unsigned int seed)
@@ -189,7 +190,8 @@ private:
   }
 };
 
-// Scale factors and exterior angles on the boundary, some of both inside, and else flat.
+// Returns scale factors and exterior angles on the boundary, and some of both inside. Other
+// vertices are flat.
 inline Conditions mixed_conditions(const Bounded_surface& s, double bound, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -204,7 +206,8 @@ inline Conditions mixed_conditions(const Bounded_surface& s, double bound, unsig
   return result;
 }
 
-// Exterior angles on the boundary and curvatures of some cones, that sum up to what they must.
+// Returns exterior angles on the boundary and curvatures of some cones, with the sum required by
+// Gauss and Bonnet.
 inline Conditions balanced_curvatures(const Bounded_surface& s, unsigned int seed)
 {
   CGAL::Random random(seed);

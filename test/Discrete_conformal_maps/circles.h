@@ -25,8 +25,8 @@ inline auto as_radii(const Radii& radii)
     [&radii](Vertex_index v) { return radii[v.idx()]; });
 }
 
-// Random parts of half the distance to the nearest vertex: no two of the circles meet. A third of
-// the vertices have none.
+// Returns random parts of half the distance to the nearest vertex, so that no two circles meet. A
+// third of the vertices have no circle.
 inline Radii random_radii(Triangulation t, double part, unsigned int seed)
 {
   IT::make_Delaunay(t);

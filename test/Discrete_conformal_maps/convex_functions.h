@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Convex functions with known minima: a linear part moves the minimum to a point that is chosen.
+// This file defines convex functions with known minima: a linear part moves the minimum to a chosen
+// point.
 
 #ifndef TEST_CONVEX_FUNCTIONS_H
 #define TEST_CONVEX_FUNCTIONS_H
@@ -23,7 +24,8 @@ struct Quadratic
   static double curvature(double) { return 1; }
 };
 
-// Linear far away: its curvature is zero, as a double, from about 380 on.
+// Represents a function that is linear far away: its curvature is zero, as a double, from about 380
+// on.
 struct Log_cosh
 {
   static double value(double x)
@@ -34,7 +36,7 @@ struct Log_cosh
   static double curvature(double x) { return 1 / std::cosh(x) / std::cosh(x); }
 };
 
-// A bend of width 1e-3, nearly straight elsewhere.
+// Represents a bend of width 1e-3, nearly straight elsewhere.
 struct Sharp_bend
 {
   static double value(double x) { return std::hypot(x, 1e-3); }
@@ -42,7 +44,7 @@ struct Sharp_bend
   static double curvature(double x) { return 1e-6 / std::pow(std::hypot(x, 1e-3), 3); }
 };
 
-// Cubic on one side, zero on the other.
+// Represents a function that is cubic on one side, and zero on the other.
 struct Cubic_ramp
 {
   static double value(double x) { return x > 0 ? x * x * x / 3 : 0; }
@@ -84,7 +86,7 @@ public:
 
   double value() const { return m_value; }
   const Vector& gradient() const { return m_gradient; }
-  // Five roundings per term and those of its sum, which are few here.
+  // Returns the error of five rounding errors per term, and the few rounding errors of the sum.
   double gradient_error() const
   {
     return 10 * std::numeric_limits<double>::epsilon() *
@@ -104,8 +106,8 @@ private:
   std::vector<Eigen::Triplet<double>> m_triplets;
 };
 
-// Base of the functions below: a model of ConvexEnergy out of `Derived::add_terms()`, less the
-// linear function that puts the minimum at `minimum`.
+// Implements a model of ConvexEnergy from `Derived::add_terms()`, minus the linear function that
+// moves the minimum to `minimum`.
 template <typename Derived>
 class Function
 {
@@ -150,7 +152,7 @@ private:
   std::size_t m_evaluations = 0;
 };
 
-// A sum of weight / scale * F(scale * (x - offset)), where x is u_i - u_j, or u_i.
+// Represents a sum of weight / scale * F(scale * (x - offset)), where x is u_i - u_j, or u_i.
 template <typename F>
 class Linked : public Function<Linked<F>>
 {
@@ -207,7 +209,8 @@ private:
   std::vector<Link> m_links;
 };
 
-// A sum of log(exp u_i + exp u_j + exp u_k), constant along constants but for its linear part.
+// Represents a sum of log(exp u_i + exp u_j + exp u_k), constant along constants except for its
+// linear part.
 class Log_sum_exp : public Function<Log_sum_exp>
 {
 public:
@@ -248,7 +251,7 @@ inline Vector random_vector(std::size_t size, double range, unsigned seed)
   return result;
 }
 
-// A grid of side * side variables, with weights 10^[-range, range].
+// Returns a grid of side * side variables, with weights 10^[-range, range].
 inline std::vector<Link> grid(Eigen::Index side, double range = 0, unsigned seed = 1)
 {
   std::mt19937 random(seed);
@@ -265,7 +268,7 @@ inline std::vector<Link> grid(Eigen::Index side, double range = 0, unsigned seed
   return result;
 }
 
-// That grid in triangles.
+// Returns that grid in triangles.
 inline std::vector<Log_sum_exp::Triple> triangles(Eigen::Index side)
 {
   std::vector<Log_sum_exp::Triple> result;

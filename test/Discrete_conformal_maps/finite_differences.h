@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-// The ideal polyhedron of a triangulation after many flips.
+// Returns the ideal polyhedron of a triangulation after many flips.
 template <typename FT, typename Triangulation>
 CGAL::Discrete_conformal_maps::internal::Ptolemy_surface<FT>
 flipped_at_random(const Triangulation& t)
@@ -28,8 +28,8 @@ flipped_at_random(const Triangulation& t)
   return result;
 }
 
-// The derivatives of `function()`, a range of precise numbers, by central differences from the
-// origin of an energy: a column for each of its variables.
+// Returns the derivatives of `function()`, a range of precise numbers, by central differences from
+// the origin of an energy. Each variable has a column.
 template <typename Energy, typename Function>
 Eigen::MatrixXd central_differences(Energy& energy, double step, const Function& function)
 {

@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 
-// Surfaces to flatten, and whether flat surfaces are what they ought to be.
+// This file generates surfaces to flatten, and checks flat surfaces.
 namespace Test_surfaces {
 
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -152,8 +152,9 @@ inline double log_scale(const Planar_conformal_map& map, std::size_t v)
   return map.log_scale(Vertex_index(static_cast<Delta_complex::size_type>(v)));
 }
 
-// The flat surface has what is prescribed on `input`, by the cosine law; on the boundary twice
-// that. Copies of vertices inside may not have all of their faces.
+// Checks that the flat surface has the prescribed conditions on `input`, by the cosine law, and
+// twice the exterior angle on the boundary. Copies of vertices inside may not have all of their
+// faces.
 inline void check_conditions(const Planar_conformal_map& map, const Delta_complex& input,
                              const Conditions& condition, double tolerance)
 {
@@ -171,8 +172,8 @@ inline void check_conditions(const Planar_conformal_map& map, const Delta_comple
   }
 }
 
-// Faces in the plane are what the lengths make of them, beside each other but at seams, and not
-// turned over.
+// Checks that faces in the plane have the prescribed lengths, lie side by side except at seams, and
+// are not reversed.
 inline void check_layout(const Planar_conformal_map& map, double tolerance = 1e-9)
 {
   const Delta_complex& mesh = mesh_C(map);

@@ -7,7 +7,7 @@
 
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 
-// Cones that are hard to get, and coarse surfaces for them.
+// This file generates cones that are hard to reach, and coarse surfaces for them.
 namespace Test_surfaces {
 
 // Returns a surface with fewer than 100 vertices.
@@ -16,7 +16,7 @@ inline Mesh coarse_surface(std::size_t genus, unsigned int seed)
   return perturbed(genus == 0 ? unit_sphere(4) : frame(genus, 1), 0.05, seed);
 }
 
-// Angle defects in multiples of pi / 2, from -3 pi to 3 pi / 2, on a closed surface.
+// Represents angle defects in multiples of pi / 2, from -3 pi to 3 pi / 2, on a closed surface.
 class Quarter_turns
 {
 public:
@@ -32,7 +32,7 @@ public:
     m_defect[v] = defect;
   }
 
-  // Gives what is missing to random vertices.
+  // Distributes the missing curvature over random vertices.
   void fill_up(CGAL::Random& random)
   {
     while(m_left != 0) {
@@ -59,7 +59,7 @@ private:
   int m_left; // what is to be added, by Gauss-Bonnet
 };
 
-// Angle defects with cones at few vertices, at many, or at a vertex and its neighbors.
+// Returns angle defects with cones at few vertices, at many, or at a vertex and its neighbors.
 inline std::vector<double> hard_cones(const Mesh& mesh, unsigned int seed)
 {
   CGAL::Random random(seed);

@@ -9,12 +9,14 @@
 
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 
-// Polygons of unit squares, and the ratios of the sides of their rectangles.
+// This file generates polygons of unit squares, and computes the ratios of the sides of their
+// rectangles.
 namespace Test_surfaces {
 
 typedef std::pair<int, int> Cell;
 
-// Unit squares with these lower left corners, each of n x n small ones with random diagonals.
+// Represents unit squares with these lower left corners, each of n x n small ones with random
+// diagonals.
 class Planar_cells
 {
 public:
@@ -36,13 +38,13 @@ public:
     mesh = make_mesh(points, triangles);
   }
 
-  // The vertex at a corner of small squares, in multiples of their sides.
+  // Returns the vertex at a corner of small squares, in multiples of their sides.
   Vertex_index at(const Cell& corner) const { return Vertex_index(m_index.at(corner)); }
 
-  // The vertex at a corner of unit squares.
+  // Returns the vertex at a corner of unit squares.
   Vertex_index at_corner(int x, int y) const { return at({m_n * x, m_n * y}); }
 
-  // The place of a vertex in multiples of the sides of small squares.
+  // Returns the position of a vertex in multiples of the sides of small squares.
   Cell place(Vertex_index v) const
   {
     const Point& p = mesh.point(v);
@@ -64,13 +66,14 @@ private:
   std::map<Cell, unsigned int> m_index;
 };
 
-// Where a map to the plane puts a vertex.
+// Returns the image of a vertex by a map to the plane.
 inline Complex image(const Planar_conformal_map& map, Vertex_index v)
 {
   return map(corner(mesh_A(map), v));
 }
 
-// The first side of the rectangle, from the first to the second corner, over the next one.
+// Returns the ratio of the first side of the rectangle, from the first to the second corner, to the
+// next one.
 template <typename... Parameters>
 double ratio_of_sides(const Mesh& mesh, const std::vector<Vertex_index>& corners,
                       const Parameters&... parameters)
@@ -83,7 +86,7 @@ double ratio_of_sides(const Mesh& mesh, const std::vector<Vertex_index>& corners
   return std::abs(z[1] - z[0]) / std::abs(z[2] - z[1]);
 }
 
-// That errors on finer and finer meshes decrease by a factor, to at most a bound.
+// Checks that errors on finer and finer meshes decrease by a factor, to at most a bound.
 inline void expect_convergence(const std::vector<double>& errors, double factor, double bound)
 {
   for(std::size_t i = 1; i < errors.size(); ++i)

@@ -11,7 +11,8 @@
 
 #include <Eigen/Dense>
 
-// Discrete conformal maps in a hundred digits, from the positions on, with nothing of the library.
+// This file computes discrete conformal maps in a hundred digits, from the positions on,
+// independently of the library.
 namespace Test_surfaces {
 
 typedef boost::multiprecision::cpp_bin_float_100 Long_real;
@@ -22,8 +23,8 @@ enum class Reference_faces
   hyperbolic // with sides x for scaled lengths sinh(x / 2)
 };
 
-// A closed surface of triangles: a mesh, or the double of one with boundary. Halfedges h, h ^ 1 are
-// the two sides of an edge.
+// Represents a closed surface of triangles: a mesh, or the double of one with boundary. Halfedges
+// h, h ^ 1 are the two sides of an edge.
 class Reference_surface
 {
 public:
@@ -63,13 +64,13 @@ public:
   std::size_t source(std::size_t h) const { return m_source[h]; }
   std::size_t target(std::size_t h) const { return m_source[h ^ 1]; }
 
-  // The scaled length of an edge.
+  // Returns the scaled length of an edge.
   Long_real length(std::size_t h) const
   {
     return m_length[h / 2] * exp((m_scale[source(h)] + m_scale[target(h)]) / 2);
   }
 
-  // Takes scale factors of the vertices of the mesh, and flips to the ideal Delaunay triangulation.
+  // Sets scale factors of the vertices of the mesh, and flips to the ideal Delaunay triangulation.
   template <typename Real>
   void scale(const std::vector<Real>& u)
   {
@@ -91,8 +92,8 @@ public:
     return result;
   }
 
-  // Newton's method for flat faces from the present scale factors on: gradients have a hundred
-  // digits, directions have those of `double`. Scale factors that are fixed stay.
+  // Applies Newton's method for flat faces from the present scale factors on. Gradients have a
+  // hundred digits, and directions have the digits of `double`. Fixed scale factors are kept.
   std::vector<Long_real> find_scale_factors(const std::vector<double>& rounded_curvature,
                                             const std::vector<bool>& is_fixed)
   {
@@ -163,14 +164,14 @@ private:
 
   const Long_real& plain(std::size_t h) const { return m_length[h / 2]; }
 
-  // The cosine of the angle opposite to h, in the scaled lengths.
+  // Returns the cosine of the angle opposite to h, in the scaled lengths.
   Long_real opposite_cosine(std::size_t h) const
   {
     const Long_real a = length(h), b = length(m_next[h]), c = length(m_next[m_next[h]]);
     return (b * b + c * c - a * a) / (2 * b * c);
   }
 
-  // The length of the other diagonal, in the plane.
+  // Returns the length of the other diagonal, in the plane.
   Long_real Euclidean_flip(std::size_t h) const
   {
     const Long_real& a = plain(h);
@@ -207,7 +208,7 @@ private:
     }
   }
 
-  // The angle at the source of h.
+  // Returns the angle at the source of h.
   Long_real angle(std::size_t h, Reference_faces faces) const
   {
     std::array<Long_real, 3> x;
@@ -230,8 +231,8 @@ private:
     return result;
   }
 
-  // Without fixed scale factors, curvatures must sum up to 2 pi times the Euler characteristic in
-  // all digits.
+  // Returns curvatures that, without fixed scale factors, sum up to 2 pi times the Euler
+  // characteristic in all digits.
   std::vector<Long_real> balanced(const std::vector<double>& curvature,
                                   const std::vector<bool>& is_fixed) const
   {
@@ -260,7 +261,8 @@ private:
     return sqrt(result);
   }
 
-  // The cotan Laplacian, where copies have the variables of the vertices of which they are copies.
+  // Returns Newton's direction by the cotan Laplacian, in which copies have the variables of their
+  // original vertices.
   Eigen::VectorXd Newton_direction(const std::vector<Long_real>& curvature,
                                    const std::vector<bool>& is_fixed) const
   {

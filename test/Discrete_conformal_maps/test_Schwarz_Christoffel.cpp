@@ -12,16 +12,17 @@
 
 #include <Eigen/Dense>
 
-// Polygons whose smooth maps to the half-plane are known by integrals: errors of discrete maps fall
-// as the mesh is refined.
+// These polygons have smooth maps to the half-plane that are known by integrals. Errors of discrete
+// maps decrease as the mesh is refined.
 namespace Test_Schwarz_Christoffel {
 
 using namespace Test_surfaces;
 
 // ---- Rectangles, whose maps are elliptic functions ----
 
-// The ratio of the sides of the rectangle whose corners are the images of four points of a circle
-// or a line; `ratio` is theirs: (z_2 - z_1)(z_4 - z_3) / ((z_3 - z_1)(z_4 - z_2)).
+// Returns the ratio of the sides of the rectangle whose corners are the images of four points of a
+// circle or a line. Their cross ratio is `ratio` = (z_2 - z_1)(z_4 - z_3) / ((z_3 - z_1)(z_4 -
+// z_2)).
 double rectangle_of_cross_ratio(double ratio)
 {
   return boost::math::ellint_1(std::sqrt(ratio)) / boost::math::ellint_1(std::sqrt(1 - ratio));
@@ -53,8 +54,8 @@ std::set<Cell> block(int m, int n)
   return result;
 }
 
-// The greatest error of a vertex on the bottom of a rectangle, whose place in the half-plane with
-// corners 0, k^2, 1 and infinity is k^2 sn^2.
+// Returns the greatest error of a vertex on the bottom of a rectangle. Its position in the
+// half-plane with corners 0, k^2, 1 and infinity is k^2 sn^2.
 double error_of_bottom(int width, int n)
 {
   const Planar_cells cells(block(width, 1), n, 3);
@@ -83,8 +84,8 @@ TEST(Schwarz_Christoffel, rectangles_have_the_boundary_correspondence_of_ellipti
 
 // ---- Polygons ----
 
-// An image of the upper half-plane with the derivative t^e_0 (t - t_1)^e_1 ..., t_0 = 0 and
-// t_1 = 1. The last corner is the image of infinity.
+// Represents an image of the upper half-plane with the derivative t^e_0 (t - t_1)^e_1 ..., t_0 = 0
+// and t_1 = 1. The last corner is the image of infinity.
 class Half_plane_map
 {
 public:
@@ -149,8 +150,8 @@ private:
   std::vector<double> m_exponent, m_place;
 };
 
-// Stairs with some steps of height 1, symmetric with respect to the diagonal from the lower left
-// corner: a square, an L and so on.
+// Represents stairs with some steps of height 1, symmetric with respect to the diagonal from the
+// lower left corner: a square, an L and so on.
 class Stairs
 {
 public:
@@ -182,9 +183,9 @@ public:
   std::vector<Complex> places; // of the corners on the unit circle
 
 private:
-  // The half-plane is that of t, with 0 and infinity on the axis. The map has the derivative
-  // t^e_0 (t^2 - t_1^2)^e_1 ..., where an angle a has the exponent a / pi - 1. In t^2, the first
-  // exponent is (e_0 - 1) / 2.
+  // Finds the corners on the line of the half-plane of t, with 0 and infinity on the axis. The map
+  // has the derivative t^e_0 (t^2 - t_1^2)^e_1 ..., where an angle a has the exponent a / pi - 1.
+  // In t^2, the first exponent is (e_0 - 1) / 2.
   void find_places(std::size_t n)
   {
     std::vector<double> exponents{-0.75, -0.5}, sides{double(m_steps)};
@@ -203,7 +204,7 @@ private:
   int m_steps;
 };
 
-// Some fours of corners whose cross ratios are not extreme.
+// Returns quadruples of corners whose cross ratios are not extreme.
 std::vector<std::array<std::size_t, 4>> fours(const std::vector<Complex>& places)
 {
   std::vector<std::array<std::size_t, 4>> result;

@@ -52,8 +52,8 @@ Eigen::MatrixXd columns(const Eigen::MatrixXd& m, const std::vector<Eigen::Index
   return m(c, c);
 }
 
-// The minimum of a small form under bounds: the one active set of all whose point and multipliers
-// are allowed.
+// Returns the minimum of a small form under bounds. Of all active sets, exactly one has an allowed
+// point and allowed multipliers.
 Vector brute_force_minimum(const Quadratic_form& form, const Vector& lower)
 {
   const Eigen::Index n = lower.size();
@@ -78,7 +78,7 @@ Vector brute_force_minimum(const Quadratic_form& form, const Vector& lower)
   return {};
 }
 
-// Positive definite, with entries of any sign.
+// Returns a positive definite form with entries of any sign.
 Quadratic_form random_form(Eigen::Index n, unsigned seed)
 {
   const Vector entries = random_vector(std::size_t(n * n), 1, seed);
@@ -135,7 +135,7 @@ TEST(Bounded_Newton_minimizer, separable_functions)
   }
 }
 
-// The only thing that holds the function are bounds. The total slope is that of the bounds.
+// Only bounds hold the function, and the total slope is the sum of the slopes at the bounds.
 TEST(Bounded_Newton_minimizer, function_that_falls_along_constants)
 {
   for(unsigned seed = 1; seed <= 20; ++seed) {

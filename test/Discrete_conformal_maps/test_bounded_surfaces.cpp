@@ -76,7 +76,7 @@ TEST(Bounded_surface, hyperbolic_metric_with_geodesic_boundary)
   }
 }
 
-// A disk whose boundary has `n` edges, one or two, in which vertices are inserted.
+// Returns a disk whose boundary has `n` edges, one or two, in which vertices are inserted.
 Sides disk_with_few_corners(int n, std::size_t insertions, unsigned int seed)
 {
   Sides faces{{1, 2, -1}};
@@ -98,7 +98,7 @@ Sides disk_with_few_corners(int n, std::size_t insertions, unsigned int seed)
   return faces;
 }
 
-// The center of mass decides which polyhedron it is.
+// Checks a hemisphere, whose polyhedron is determined by its center of mass.
 void check_hemisphere(const Bounded_surface& s)
 {
   const auto map = DCM::map_to_sphere(s.half, length_parameter(s.half_length));
@@ -126,7 +126,7 @@ TEST(Bounded_surface, hemisphere)
       seed % 2 == 0 ? plate_with_square_holes(0) : surface_with_holes(0, 1, seed), seed));
 }
 
-// On a boundary with one or two vertices no two are left to find the axis by.
+// A boundary with one or two vertices has no two other vertices to find the axis.
 TEST(Bounded_surface, hemisphere_with_few_corners)
 {
   for(unsigned int seed : seeds(1, number_of_surfaces(12) + 1))
@@ -154,7 +154,7 @@ TEST(Bounded_surface, the_inside_of_a_surface_is_not_copied)
   EXPECT_LT(DCM::map_to_sphere(mesh).ideal().mesh().number_of_vertices(), n + n / 2);
 }
 
-// A copy of some faces: every face of the copy has the sides of the one that it copies.
+// Every face of the copy of some faces has the sides of its original face.
 TEST(Doubled_surface, copies_some_faces)
 {
   for(unsigned int seed = 1; seed <= 20; ++seed) {
@@ -191,8 +191,8 @@ TEST(Doubled_surface, copies_some_faces)
 
 // ---- Energies ----
 
-// Half of the energy of the whole double and its derivatives, where scale factors are far from
-// zero.
+// Checks that the energy and its derivatives are half of those values of the whole double, with
+// scale factors far from zero.
 template <template <typename> class Triangle>
 void check_energy(unsigned int seed)
 {

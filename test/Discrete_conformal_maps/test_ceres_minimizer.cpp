@@ -25,7 +25,8 @@ typedef DCM::Minimization_status Status;
 constexpr Eigen::Index side = 10;
 constexpr std::size_t grid_size = side * side;
 
-// The inverse of the Hessian (max norm) is below 100 for these functions.
+// Checks that the minimizers agree. The inverse of the Hessian (max norm) is below 100 for these
+// functions.
 template <typename Energy>
 void expect_agreement(Energy energy, const Minimization_domain& domain)
 {
@@ -60,7 +61,7 @@ TEST(Ceres_minimizer, fixed_variables)
   expect_agreement(Linked<Log_cosh>(grid(side), minimum), domain);
 }
 
-// An energy that claims to know no rounding.
+// Represents an energy that claims to have no rounding errors.
 struct Without_error : Linked<Log_cosh>
 {
   using Linked<Log_cosh>::Linked;

@@ -154,7 +154,8 @@ TEST(Certify_ideal_Delaunay, what_exact_flips_make_passes)
   }
 }
 
-// Rectangles with sides 3 and 4, and quadrangles on a circle with sides 52, 25, 39, 60.
+// The ties are rectangles with sides 3 and 4, and quadrangles on a circle with sides 52, 25, 39,
+// 60.
 TEST(Certify_ideal_Delaunay, knows_ties)
 {
   const Delta_complex torus = glue({{1, 2, 3}, {-1, -2, -3}});
@@ -200,12 +201,12 @@ TEST(Certify_ideal_Delaunay, of_the_empty_surface)
 
 // ---- The order of ends ----
 
-// Many digits: what is not a tie is told from one.
+// With many digits, an edge that is not a tie is distinguished from one.
 using Real_100 = boost::multiprecision::cpp_bin_float_100;
 using Ideal_traits_100 = IT::Ideal_geometry_traits<Real_100>;
 
-// The places of edges of T_1 on edges of T_2, from the lengths of T_1: these are flipped to those
-// of T_2, over whose faces the edges of T_1 are straight.
+// Computes the positions of edges of T_1 on edges of T_2, from the lengths of T_1. These are
+// flipped to the lengths of T_2, whose faces the edges of T_1 cross straight.
 class Traced_places
 {
   using Vector_100 = std::array<Real_100, 2>;
@@ -404,7 +405,7 @@ struct Tested
   std::size_t pairs = 0, exchanged = 0, ties = 0;
 };
 
-// Subdivisions with the right places, and with places of T_3 on another surface.
+// Checks subdivisions with correct positions, and with positions of T_3 on another surface.
 void check_order(const Triangulation& start, const std::vector<Real_100>& length, double range,
                  unsigned int seed, Tested& tested)
 {
@@ -463,8 +464,8 @@ Mesh read_data_mesh(const std::string& name)
   return mesh;
 }
 
-// All edges and pairs are accounted for, but those of a second copy at its end, which are mirror
-// images of others; what fails, fails by rounding.
+// Checks that all edges and pairs are counted, except for the end of a second copy, whose elements
+// are mirror images of others. Failures are rounding errors.
 void check_map(const DCM::Discrete_conformal_map& map, const DCM::Map_certificate& c)
 {
   std::size_t edges = 0;
@@ -503,7 +504,7 @@ TEST(Certify, maps_of_data_meshes)
   EXPECT_GT(pairs, 100u);
 }
 
-// Meshes full of right angles, whose ties are rounded.
+// These meshes have many right angles, whose ties are rounded.
 TEST(Certify, maps_with_ties)
 {
   for(const Named_mesh& m : traced(meshes())) {
@@ -512,7 +513,7 @@ TEST(Certify, maps_with_ties)
   }
 }
 
-// The lengths of T_3 once more, by the flips that led to it.
+// The lengths of T_3 are computed again by the flips that led to it.
 TEST(Certify, agrees_with_exact_flips_of_maps)
 {
   for(const Named_mesh& m : traced(meshes())) {
@@ -536,7 +537,7 @@ TEST(Certify, agrees_with_exact_flips_of_maps)
 
 // ---- Exact surfaces ----
 
-// A surface with lengths in a hundred digits, which is flipped by the law of cosines.
+// Represents a surface with lengths in a hundred digits, which is flipped by the law of cosines.
 struct Surface_100
 {
   Delta_complex mesh;
@@ -579,8 +580,8 @@ struct Surface_100
   }
 };
 
-// The greatest error of the curvature at a vertex that is no cone, if the scale factors of a map
-// are those of the intrinsic Delaunay triangulation of the mesh as it is.
+// Returns the greatest error of the curvature at a vertex that is not a cone, if the scale factors
+// of a map are applied to the intrinsic Delaunay triangulation of the exact mesh.
 double true_curvature_error(const Mesh& mesh, const Planar_conformal_map& map)
 {
   const Triangulation t(mesh);
@@ -607,7 +608,7 @@ double true_curvature_error(const Mesh& mesh, const Planar_conformal_map& map)
   return static_cast<double>(result);
 }
 
-// A torus with vertices at a distance of `height` from the middle of edges.
+// Returns a torus with vertices at a distance of `height` from the midpoints of edges.
 Mesh torus_with_needles(double height, unsigned int seed)
 {
   Mesh mesh = perturbed(embedded_torus(6, 5), 0.2, seed);
@@ -622,8 +623,8 @@ Mesh torus_with_needles(double height, unsigned int seed)
   return mesh;
 }
 
-// The errors of a map with exact decisions are true on the exact surface, where faces are so thin
-// that rounded lengths are those of another one. With the default, they are not.
+// The errors of a map with exact decisions are true on the exact surface. Its faces are so thin
+// that rounded lengths belong to another surface. With the default, the errors are not true.
 TEST(Certify, errors_of_exact_maps_are_those_on_the_exact_surface)
 {
   for(const double height : traced({1e-4, 1e-7, 1e-9}))

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The rectangle of a chart against those along all lines through two of its points, one of which is
-// smallest.
+// The rectangle of a chart is compared with the rectangles along all lines through two of its
+// points, one of them the smallest.
 
 #include "../Intrinsic_triangulations/testing.h"
 
@@ -73,7 +73,7 @@ TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
   }
 }
 
-// Most points are dropped, but no corner of the hull: no direction has a point farther out.
+// Most points are dropped, but no corner of the hull: no direction has a point farther away.
 TEST(Chart_packing, keeps_the_hull_of_many_points)
 {
   CGAL::Random random(2);
@@ -97,7 +97,7 @@ TEST(Chart_packing, keeps_the_hull_of_many_points)
   }
 }
 
-// All on the hull: nothing may be lost.
+// All points are on the hull, so none may be lost.
 TEST(Chart_packing, keeps_all_points_in_convex_position)
 {
   std::vector<Complex> points;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where charts overlap in the plane, and charts that do not.
+// The charts overlap in the plane, or do not.
 
 #include "flat_maps.h"
 
@@ -21,7 +21,7 @@ typedef CGAL::Polygon_2<Exact> Polygon;
 typedef CGAL::Polygon_set_2<Exact> Polygon_set;
 typedef std::array<double, 2> Point_in_plane;
 
-// The faces of the common subdivision in the plane, as triangles.
+// Returns the faces of the common subdivision in the plane, as triangles.
 std::vector<Polygon> triangles(const Planar_conformal_map& map, const Mesh& input)
 {
   Mesh mesh;
@@ -55,7 +55,7 @@ double area(const Polygon_set& set)
   return CGAL::to_double(sum);
 }
 
-// Of two convex polygons, exactly.
+// Returns the exact intersection of two convex polygons.
 Polygon common_part(Polygon a, const Polygon& b)
 {
   for(auto side = b.edges_begin(); side != b.edges_end() && !a.is_empty(); ++side) {
@@ -75,7 +75,7 @@ Polygon common_part(Polygon a, const Polygon& b)
   return a;
 }
 
-// Exactly: what pairs of triangles have in common is joined.
+// Returns the exact area: the intersections of pairs of triangles are joined.
 double multiply_covered_area(const std::vector<Polygon>& triangles)
 {
   std::vector<Polygon> common;
@@ -89,8 +89,8 @@ double multiply_covered_area(const std::vector<Polygon>& triangles)
   return area(result);
 }
 
-// A strip of the plane along a spiral on a cone, n steps of a turn by `angle` each: flattened
-// without scaling it overlaps itself if it turns more than once.
+// Returns a strip of the plane along a spiral on a cone, with n steps of a turn by `angle` each.
+// Flattened without scaling, it overlaps itself if it turns more than once.
 Mesh winding_strip(std::size_t n, double angle)
 {
   Mesh mesh;
@@ -178,7 +178,7 @@ TEST(Charts, fit_into_the_unit_square)
   }
 }
 
-// Random convex polygons, many on top of each other.
+// Random convex polygons lie on top of each other.
 TEST(Covered_area, is_that_of_exact_Boolean_operations)
 {
   std::mt19937 random(5);

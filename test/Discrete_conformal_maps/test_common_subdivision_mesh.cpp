@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Meshes of the common subdivision, with positions, texture coordinates and parents.
+// These tests check meshes of the common subdivision, with positions, texture coordinates and
+// parents.
 
 #include "flat_maps.h"
 
@@ -20,7 +21,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Kernel_traits<Point>::Kernel Kernel;
 typedef std::array<Face_index, 3> Parents;
 
-// A mesh with all that is written.
+// Stores a mesh with all data that are written.
 template <std::size_t size>
 struct Written
 {
@@ -66,7 +67,8 @@ std::array<double, 3> coordinates_in(Face_index f, const Mesh& mesh, const Point
   return result;
 }
 
-// Faces are parts of their parents, cover each of these once, and edges lie on theirs.
+// Checks that faces are parts of their parents and cover each of these once, and that edges lie on
+// their parents.
 template <std::size_t size>
 void expect_cut(const Written<size>& written, const Mesh& input)
 {
@@ -107,8 +109,8 @@ double gap(const std::array<double, 3>& p, const std::array<double, 3>& q)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-// The map, evaluated by way of the crossings, agrees with what corners interpolate. `project` takes
-// homogeneous coordinates to points.
+// Checks that the map, evaluated along the crossings, agrees with the interpolation of corners.
+// `project` maps homogeneous coordinates to points.
 template <std::size_t size, typename Map, typename Project>
 void expect_images(const Written<size>& written, const Mesh& input, const Map& map,
                    const Project& project)
@@ -175,7 +177,7 @@ TEST(Common_subdivision_mesh, of_spherical_maps)
   }
 }
 
-// Another type of mesh, to which elements are added, and isolated vertices.
+// Elements are added to another type of mesh, with isolated vertices.
 TEST(Common_subdivision_mesh, of_other_types)
 {
   Mesh mesh = punctured(random_sphere(40, 5), {3});

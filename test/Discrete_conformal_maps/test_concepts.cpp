@@ -23,7 +23,8 @@ struct Flattening_visitor_archetype : No_value
   void after_iteration(std::size_t, double, double) { ++steps; }
 };
 
-// Newton's method on dense matrices, with steps that are halved until the gradient is shorter.
+// Implements Newton's method on dense matrices, with steps that are halved until the gradient is
+// shorter.
 class Minimizer_archetype
 {
 public:
@@ -84,7 +85,7 @@ private:
   double m_tolerance;
 };
 
-// An octahedron that is not regular, and its cones.
+// Returns an irregular octahedron, and its cones.
 Mesh octahedron()
 {
   typedef Mesh::Point Point;
@@ -118,8 +119,8 @@ TEST(Concepts, minimizer)
     mesh, DCM::parameters::vertex_condition_map(cones).minimizer(Minimizer_archetype(1e-13)));
   const auto reference = DCM::flatten(mesh, DCM::parameters::vertex_condition_map(cones));
   EXPECT_LE(map.max_curvature_error(), 1e-13);
-  // The scale factors are those of the same area. What curvatures of some 1e-13 do to them is
-  // bounded by the inverse of the Hessian, a Laplacian of six vertices with weights of about one.
+  // The scale factors preserve the area. The effect of errors of 1e-13 in curvatures is bounded by
+  // the inverse of the Hessian, a Laplacian of six vertices with weights of about one.
   for(Mesh::Vertex_index v : mesh.vertices())
     EXPECT_NEAR(map.log_scale(v), reference.log_scale(v), 1e-11);
 }

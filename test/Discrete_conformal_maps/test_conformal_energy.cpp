@@ -26,8 +26,8 @@ using Numbers = Eigen::VectorXd;
 
 // ---- Lobachevsky's function ----
 
-// The integral from 0 to theta <= pi / 2, the singularity by hand: the rest is analytic up to pi,
-// and Gauss' rule with 30 points has 45 digits.
+// Returns the integral from 0 to theta <= pi / 2. The singularity is integrated in closed form. The
+// rest is analytic up to pi, and Gauss' rule with 30 points has 45 digits.
 Precise integral(const Precise& theta)
 {
   if(theta == 0)
@@ -43,8 +43,8 @@ Precise true_Lobachevsky_function(const Precise& theta)
   return 2 * theta <= pi ? integral(theta) : Precise(-integral(pi - theta));
 }
 
-// Some units in the last place of the value, and what an argument that is off by that much changes;
-// near pi, which is NaN of type FT, the distance to it counts.
+// Checks the value up to some units in the last place, plus the change by such an error of the
+// argument. Near pi, the distance to pi counts, because pi is not a number of type FT.
 template <typename FT>
 void check_Lobachevsky_function(const FT& theta)
 {
@@ -221,7 +221,7 @@ TYPED_TEST(Conformal_energy, gradient_without_scaling_is_that_of_the_Delaunay_tr
   }
 }
 
-// Without scaling a Delaunay triangulation stays as it is.
+// Without scaling, a Delaunay triangulation is unchanged.
 TYPED_TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
@@ -249,7 +249,7 @@ TYPED_TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
     });
 }
 
-// Central differences over 2e-9: what they miss is of order 1e-18, and 34 digits less 9 are left.
+// Central differences over 2e-9 have errors of order 1e-18, and 34 digits minus 9 are left.
 TYPED_TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
@@ -263,8 +263,8 @@ TYPED_TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
   });
 }
 
-// Where four points are on a circle, the Hessian has a kink: what central differences miss is of
-// order 1e-14.
+// If four points are on a circle, the Hessian has a kink. Central differences have errors of order
+// 1e-14.
 TYPED_TEST(Conformal_energy, Hessian_is_the_derivative_of_the_gradient)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
@@ -336,7 +336,7 @@ TYPED_TEST(Conformal_energy, is_convex_and_continuous_along_segments)
   EXPECT_GT(flips, 1000u);
 }
 
-// One ideal polyhedron, and so the same functions, after any flips by Ptolemy's relation.
+// Flips by Ptolemy's relation preserve the ideal polyhedron, and so the functions.
 TYPED_TEST(Conformal_energy, does_not_depend_on_the_triangulation)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
@@ -408,7 +408,8 @@ TYPED_TEST(Conformal_energy, lengths_out_of_range_give_no_gradient_and_leave_a_w
 
 // ---- Hyperbolic triangles ----
 
-// By the law of cosines with 50 digits; the sides are given as doubles l = sinh(x/2).
+// Returns the angle by the law of cosines with 50 digits. The sides are given as numbers of type
+// `double`, l = sinh(x/2).
 Precise true_angle(const std::array<double, 3>& l, std::size_t s)
 {
   const auto cosh_of = [&](std::size_t i) -> Precise {
@@ -444,7 +445,7 @@ TEST(Hyperbolic_triangle, angles_are_precise_for_sides_of_any_size)
     }
 }
 
-// In half of a regular triangle with angle a, 2 cosh(x/2) sin(a/2) = 1.
+// Half of a regular triangle with angle a satisfies 2 cosh(x/2) sin(a/2) = 1.
 TEST(Hyperbolic_triangle, regular_triangles)
 {
   const double pi = constants::pi<double>();
@@ -459,7 +460,7 @@ TEST(Hyperbolic_triangle, regular_triangles)
   }
 }
 
-// A triangle that rounding has pressed flat, and one that is flat.
+// One triangle is flat by rounding, and another one is flat.
 TEST(Hyperbolic_triangle, flat_triangles_have_angles)
 {
   for(const double c : {3., 3.0000000001}) {

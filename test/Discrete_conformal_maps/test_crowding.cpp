@@ -45,8 +45,8 @@ Mesh stretched(Mesh mesh, double factor)
   return mesh;
 }
 
-// Puts a prism on a face, away from the origin: `rings` rings, whose distances are `step` times the
-// first side of the face, each `taper` times as thick as the one before.
+// Adds a prism on a face, away from the origin. Its `rings` rings have the distances of `step`
+// times the first side of the face. Each is `taper` times as thick as the previous one.
 void add_limb(Mesh& mesh, Mesh::Face_index f, std::size_t rings, double step, double taper)
 {
   std::vector<Mesh::Vertex_index> ring;
@@ -99,8 +99,8 @@ void check_crowded_faces(const Spherical_conformal_map& map, const Mesh& mesh)
   }
 }
 
-// In a row of squares, each is the image of the one before it under x -> q x, between the lines
-// from the origin: its cross ratio (q - 1)^2 / (4 q) is one, so q is 3 + 2 sqrt 2. The vertical
+// Checks a row of squares. Each is the image of the previous one under x -> q x, between the lines
+// from the origin. Its cross ratio (q - 1)^2 / (4 q) is one, so q is 3 + 2 sqrt 2. The vertical
 // edge at q^k has length one, and the chord 4 q^k / (1 + q^2k) on the sphere.
 void check_strip(std::size_t n)
 {
@@ -145,7 +145,7 @@ TEST(Crowding, stretched_spheres)
   }
 }
 
-// Newton's method with bounds loses its way if it starts from equal scale factors.
+// Newton's method with bounds does not converge if it starts from equal scale factors.
 TEST(Crowding, limbs)
 {
   for(const auto& [number, rings, step, taper] :
@@ -176,8 +176,8 @@ void check_disk(const Planar_conformal_map& map, const Mesh& mesh)
     EXPECT_TRUE(std::isfinite(map.log_scale(Vertex_index(v.idx())))) << v;
 }
 
-// The equator of the sphere above is the boundary of the disk: lengths are those on the sphere, up
-// to a factor.
+// Checks a disk whose boundary is the equator of the sphere above. Lengths are the lengths on the
+// sphere, up to a factor.
 void check_strip_in_disk(std::size_t n)
 {
   const Mesh mesh = strip(n);
@@ -199,7 +199,7 @@ TEST(Crowding, strips_in_disks)
     check_strip_in_disk(n);
 }
 
-// Cells of a comb: `teeth` corridors of this length, a cell apart.
+// Returns the cells of a comb: `teeth` corridors of this length, at the distance of a cell.
 std::set<Cell> comb(int teeth, int length)
 {
   std::set<Cell> result;
@@ -209,7 +209,7 @@ std::set<Cell> comb(int teeth, int length)
   return result;
 }
 
-// Cells of a corridor that turns at random, and never meets itself.
+// Returns the cells of a corridor that turns at random, and never meets itself.
 std::set<Cell> staircase(std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -243,7 +243,7 @@ TEST(Crowding, saw_teeth_in_disks)
   }
 }
 
-// A disk with vertices inside, whose double has many ties.
+// The disk has vertices inside, and its double has many ties.
 TEST(Crowding, spiral_on_the_hemisphere)
 {
   const Spherical_conformal_map map = DCM::map_to_sphere(spiral(200, 3));
@@ -252,7 +252,7 @@ TEST(Crowding, spiral_on_the_hemisphere)
   EXPECT_FALSE(map.crowded_faces().empty());
 }
 
-// Curvatures are those of a flat polygon also where faces have the size 1e-80.
+// Curvatures are curvatures of a flat polygon even if faces have the size 1e-80.
 TEST(Crowding, spiral_in_a_disk)
 {
   const Mesh mesh = spiral(150, 3);
@@ -271,7 +271,7 @@ TEST(Crowding, spiral_in_a_disk)
   EXPECT_NEAR(turns, 2 * pi, 1e-8);
 }
 
-// What is not crowded is in a rectangle as ever.
+// Faces that are not crowded are accurate in a rectangle.
 TEST(Crowding, spiral_in_a_rectangle)
 {
   const Mesh mesh = spiral(150, 3);
@@ -282,7 +282,7 @@ TEST(Crowding, spiral_in_a_rectangle)
 }
 
 // A flat rectangle, whose corners have right angles, is its own image. Searches from any scale
-// factors end where all are equal.
+// factors end with equal ones.
 TEST(Bounded_differences, lead_back_to_a_flat_rectangle)
 {
   typedef DCM::internal::Wide_number<DCM::internal::Extended> FT;

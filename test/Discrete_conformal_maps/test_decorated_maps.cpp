@@ -99,7 +99,7 @@ std::vector<Named_triangulation> all_surfaces()
   return result;
 }
 
-// The curvatures of the image, by the cosine law from distances of centers in the plane.
+// Checks the curvatures of the image, by the cosine law from distances of centers in the plane.
 void check_curvatures(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
@@ -121,7 +121,8 @@ void check_curvatures(const Planar_conformal_map& map)
     }
 }
 
-// Edges of the input that have not been flipped have the inversive distances of the input.
+// Checks that edges of the input that have not been flipped have the inversive distances of the
+// input.
 std::size_t check_inversive_distances(const Planar_conformal_map& map, const Radii& radii)
 {
   const Delta_complex& mesh = mesh_C(map);

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sums of two `double` against numbers of 120 digits.
+// Sums of two numbers of type `double` are compared with numbers of 120 digits.
 
 #include "../Intrinsic_triangulations/testing.h"
 

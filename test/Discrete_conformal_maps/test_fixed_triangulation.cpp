@@ -35,15 +35,16 @@ Triangulation scaled(const Triangulation& t, const std::vector<double>& u)
   return Triangulation(t.mesh(), length_parameter(length));
 }
 
-// An energy of a fixed triangulation whose lengths are so random that many faces are no triangles.
+// Returns an energy of a fixed triangulation with so random lengths that many faces are not
+// triangles.
 DCM::Conformal_energy<> wild_energy(const Numbers& target)
 {
   const Triangulation t(random_sphere(30, 3));
   return {t.mesh(), t.length_map(), target, Flipping::none};
 }
 
-// By how much the scaled lengths in a face obey the triangle inequality, relative to the longest:
-// the least.
+// Returns the least slack of the triangle inequality of scaled lengths in a face, relative to the
+// longest length.
 double least_slack(const Planar_conformal_map& map)
 {
   const std::vector<double> length = scaled_lengths(map);
@@ -59,7 +60,7 @@ double least_slack(const Planar_conformal_map& map)
   return result;
 }
 
-// Three vertices of a tetrahedron keep their scale.
+// Returns conditions that fix the scale factors of three vertices of a tetrahedron.
 Conditions around_apex(double curvature)
 {
   Conditions result = as_log_scales({0, 0, 0, 0});
@@ -81,8 +82,8 @@ TEST(Flat_triangle, beyond_the_triangle_inequality_angles_are_limits)
   EXPECT_FALSE(Flat_triangle({1, 3, 2.0001}).is_flat());
 }
 
-// The angle by which the corner grows with its scale is that of a finite difference.
-// Angles do not depend on the unit of lengths, in the range in which squares of lengths are finite.
+// The derivative of a corner by its scale factor is compared with a finite difference. Angles do
+// not depend on the unit of lengths, in the range with finite squares of lengths.
 TEST(Flat_triangle, angles_in_any_unit)
 {
   const std::array<double, 3> side{3, 5, 4};
@@ -207,7 +208,7 @@ TEST(Fixed_triangulation, lays_out_the_faces_of_a_disk)
   }
 }
 
-// Where no edge is flipped on the way, both are the same.
+// If no edge needs a flip, both maps are equal.
 TEST(Fixed_triangulation, is_that_which_flips_if_nothing_is_to_flip)
 {
   const Triangulation sphere(unit_sphere(3));
@@ -222,8 +223,8 @@ TEST(Fixed_triangulation, is_that_which_flips_if_nothing_is_to_flip)
 
 // ---- Failure ----
 
-// Three faces have at most an angle of three pi around their vertex. A face with an angle of pi has
-// no inside.
+// Three faces have an angle sum of at most three pi around their vertex. A face with an angle of pi
+// has no inside.
 TEST(Fixed_triangulation, a_vertex_may_need_more_angle_than_its_faces_have)
 {
   const Triangulation t(tetrahedron());
@@ -243,7 +244,7 @@ TEST(Fixed_triangulation, a_vertex_may_need_more_angle_than_its_faces_have)
   }
 }
 
-// The status is what the scaled lengths in the result say.
+// The status follows from the scaled lengths in the result.
 TEST(Fixed_triangulation, fails_where_flips_succeed)
 {
   std::size_t successes = 0, failures = 0;
@@ -270,7 +271,7 @@ TEST(Fixed_triangulation, fails_where_flips_succeed)
   EXPECT_GT(failures, 5u);
 }
 
-// With flips there always is a map.
+// With flips, a map always exists.
 TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
 {
   std::size_t failures = 0;
@@ -289,7 +290,7 @@ TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
   EXPECT_GT(failures, 20u);
 }
 
-// Enumerators are numbered from zero on; the value after the last has no text.
+// Enumerators are numbered from zero, and the value after the last one has no text.
 TEST(Map_status, every_value_has_a_name_and_a_message)
 {
   std::set<std::string> names, messages;

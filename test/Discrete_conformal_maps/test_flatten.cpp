@@ -53,8 +53,8 @@ struct Metric
   std::vector<double> length;
 };
 
-// The discretely conformal metric with scale factors `u`, in the triangulation that is Delaunay
-// with them.
+// Returns the discretely conformal metric with scale factors `u`, in the triangulation that is
+// Delaunay with them.
 Metric scaled(Triangulation t, const std::vector<double>& u)
 {
   IT::make_Delaunay(t);
@@ -66,7 +66,7 @@ Metric scaled(Triangulation t, const std::vector<double>& u)
   return result;
 }
 
-// Those with more than one vertex, and some of higher genus.
+// Returns surfaces with more than one vertex, and some of higher genus.
 std::vector<Named_triangulation> more_closed_surfaces()
 {
   std::vector<Named_triangulation> result;
@@ -186,7 +186,7 @@ TEST(Flatten, cube_has_eight_cones)
   expect_scales(flatten(t, condition), std::vector<double>(8, 0), 1e-14);
 }
 
-// Curvatures tell the metric up to a factor.
+// Curvatures determine the metric up to a factor.
 TEST(Flatten, takes_scaling_back)
 {
   for(const Named_triangulation& s : traced(more_closed_surfaces()))
@@ -210,7 +210,7 @@ TEST(Flatten, takes_scaling_of_a_flat_torus_back)
   expect_opposite_scales(map, u0, 1e-10);
 }
 
-// The scale factors at some vertices and the curvatures at others.
+// Some vertices have scale factors, others have curvatures.
 TEST(Flatten, takes_mixed_conditions)
 {
   for(const Named_triangulation& s : traced(more_closed_surfaces())) {
@@ -227,7 +227,8 @@ TEST(Flatten, takes_mixed_conditions)
   }
 }
 
-// Two pyramids over a regular polygon, whose faces become isosceles triangles with given angles.
+// The surface consists of two pyramids over a regular polygon, whose faces become isosceles
+// triangles with given angles.
 TEST(Flatten, bipyramid_has_a_closed_form)
 {
   for(const std::size_t n : {4u, 5u, 12u})
@@ -293,7 +294,7 @@ TEST(Flatten, places_cones_where_they_are_needed)
     }
 }
 
-// Newton's method, to the minimum before each cone.
+// Runs Newton's method to the minimum before each cone.
 struct Newton_to_the_minimum
 {
   template <typename Energy, typename Visitor>
@@ -305,7 +306,8 @@ struct Newton_to_the_minimum
   }
 };
 
-// Greedy cones of a linear estimate on a closed connected surface, with a dense matrix for each.
+// Computes greedy cones of a linear estimate on a closed connected surface, with a dense matrix for
+// each.
 class Estimated_cones
 {
 public:
@@ -395,8 +397,8 @@ TEST(Flatten, places_the_cones_of_a_linear_estimate_first)
     }
 }
 
-// How far the scale factor of a cone is from zero without it and those after it; how far all are
-// from each other if there is none before it.
+// Returns the distance from zero of the scale factor of a cone, without it and the later ones.
+// Without earlier cones, returns the range of all scale factors.
 double extent_without(const Triangulation& t, const std::vector<Vertex_index>& cones, std::size_t k)
 {
   Conditions condition(t.mesh().number_of_vertices());
@@ -411,7 +413,8 @@ double extent_without(const Triangulation& t, const std::vector<Vertex_index>& c
   return result;
 }
 
-// All cones but those of the estimate are out of bounds where the energy without them is least.
+// All cones except for the cones of the estimate are out of bounds at the minimum of the energy
+// without them.
 TEST(Flatten, adds_cones_before_the_minimum_that_are_needed_there)
 {
   std::vector<Triangulation> surfaces;
@@ -437,8 +440,8 @@ TEST(Flatten, adds_cones_before_the_minimum_that_are_needed_there)
   EXPECT_LT(steps, steps_to_minima);
 }
 
-// The start near cones, and factorizations that are used again, change no digit that counts: the
-// minimum is that of Newton's method alone, which starts from zero.
+// A start near cones, and factorizations that are used again, change no significant digit. The
+// minimum equals the minimum of Newton's method alone, which starts from zero.
 TEST(Flatten, finds_the_minimum_in_few_steps_from_a_start_near_cones)
 {
   std::size_t steps = 0, steps_from_zero = 0, cones = 0;
@@ -496,7 +499,7 @@ TEST(Flatten, boundary_has_the_prescribed_scale)
   check_layout(map);
 }
 
-// The image is a polygon with these exterior angles.
+// Checks that the image is a polygon with these exterior angles.
 void check_polygon(const Triangulation& t, const Conditions& condition)
 {
   const Planar_conformal_map map = flatten(t, condition);
@@ -617,7 +620,7 @@ TEST(Flatten, visitor_sees_all_stages_and_steps)
   EXPECT_GT(visitor.steps, 0u);
 }
 
-// What belongs to a surface with boundary must be known for its layout.
+// The layout requires the part of T_3 that belongs to a surface with boundary.
 TEST(Flatten, bounded_surfaces_are_subdivided_before_the_layout)
 {
   using Stage = DCM::Flattening_stage;
@@ -627,8 +630,8 @@ TEST(Flatten, bounded_surfaces_are_subdivided_before_the_layout)
                                                 Stage::subdivide, Stage::layout}));
 }
 
-// All stages share an order: there is one factorization for the cones, one for each step, and one
-// for the layout.
+// All stages share an order: they compute one factorization for the cones, one for each step, and
+// one for the layout.
 TEST(Flatten, takes_few_factorizations_and_orders)
 {
   for(unsigned int seed = 1; seed <= 5; ++seed)
@@ -674,7 +677,7 @@ TEST(Flatten, exceptions_of_visitors_leave)
   stop(Stage::layout, true);
 }
 
-// Goes down the gradient: a model of ConvexMinimizer with nothing of Newton's method.
+// Implements gradient descent, a model of ConvexMinimizer that is independent of Newton's method.
 struct Gradient_descent
 {
   template <typename Energy, typename Visitor>

@@ -39,8 +39,9 @@ double laid_out_length(const Planar_conformal_map& map, Halfedge_index h)
   return std::abs(map.position(mesh_C(map).next(h)) - map.position(h));
 }
 
-// The length cross ratios of the faces in the plane are those of the ideal polyhedron. Returns the
-// greatest relative error, beyond what rounding of coordinates makes of short edges.
+// Checks that the length cross ratios of the faces in the plane are the cross ratios of the ideal
+// polyhedron. Returns the greatest relative error, beyond the effect of rounded coordinates on
+// short edges.
 double worst_cross_ratio(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
@@ -84,8 +85,8 @@ std::size_t number_of_flipped_faces(const Planar_conformal_map& map)
 class Flattened_data_mesh : public testing::TestWithParam<std::string>
 {};
 
-// Three cones for each component, as few as spheres and disks allow; everything else is flat or
-// straight.
+// Returns three cones for each component, the fewest that spheres and disks allow. Other vertices
+// are flat or straight.
 Conditions three_cones(const Delta_complex& mesh)
 {
   const IT::Mesh_components component(mesh);
@@ -119,7 +120,7 @@ TEST_P(Flattened_data_mesh, is_flat_and_conformal)
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Flattened_data_mesh);
 INSTANTIATE_TEST_SUITE_P(, Flattened_data_mesh, testing::ValuesIn(data_meshes(1300000)), test_name);
 
-// Scale factors from exp(-72) to 1: double has not enough digits for the curvatures.
+// Scale factors range from exp(-72) to 1, so `double` has too few digits for the curvatures.
 TEST(Flattened_data_meshes, extended_precision_takes_over)
 {
   const Mesh mesh = read(CGAL::data_file_path("meshes/b9_mesh.off"));

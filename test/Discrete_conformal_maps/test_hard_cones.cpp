@@ -39,8 +39,8 @@ TEST_P(Hard_cones, are_reached)
 
 INSTANTIATE_TEST_SUITE_P(Genus, Hard_cones, testing::Range(0, 5));
 
-// Among them are caps whose rounded lengths are those of faces without area, and vertices that are
-// as close as rounding.
+// Some meshes are caps whose rounded lengths belong to faces without area, or have vertices within
+// rounding of each other.
 TEST(Near_degenerate_meshes, are_flattened)
 {
   std::vector<unsigned int> seeds(240);
@@ -55,7 +55,7 @@ TEST(Near_degenerate_meshes, are_flattened)
   }
 }
 
-// Many take more steps than are allowed here.
+// Checks a map. Many maps need more steps than are allowed here.
 void check_hard_mesh(const Planar_conformal_map& map)
 {
   const auto& promises = map.promises();
@@ -72,7 +72,7 @@ TEST(Hard_meshes, are_flattened_or_say_why_not)
     check_hard_mesh(DCM::flatten(hard.mesh, DCM::parameters::minimizer(minimizer)));
 }
 
-// In these, distinct vertices may lie in one place.
+// Distinct vertices of these meshes may have the same position.
 TEST(Hard_meshes, by_rounded_lengths)
 {
   const DCM::Newton_minimizer minimizer(1e-13, 40);

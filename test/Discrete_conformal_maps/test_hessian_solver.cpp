@@ -18,7 +18,7 @@ using namespace CGAL::Intrinsic_triangulations::internal;
 
 constexpr Eigen::Index side = 30, size = side * side;
 
-// A Laplacian with one on the diagonal in addition: the norm of its inverse is one.
+// Returns a Laplacian plus the identity, whose inverse has the norm one.
 Matrix matrix_of(const std::vector<Link>& links)
 {
   Linked<Quadratic> energy(links, Vector::Zero(size));
@@ -155,8 +155,8 @@ TEST(Shared_order, Sorts_and_refines)
   EXPECT_EQ(refined->counts(), order.counts());
 }
 
-// Each point of a grid becomes a clique of two: the factor of the refined order has at most the
-// entries of cliques in the place of the entries of the grid.
+// Each point of a grid becomes a clique of two. The factor of the refined order has at most the
+// entries of cliques for each entry of the grid.
 TYPED_TEST(Hessian_solver, Refined_orders_keep_the_factor_sparse)
 {
   const auto order = std::make_shared<internal::Shared_order>();

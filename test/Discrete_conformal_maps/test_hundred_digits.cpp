@@ -22,7 +22,7 @@ struct Problem
   Conditions condition;
 };
 
-// Curvatures, of which those that are not given are zero.
+// Returns a problem with the given curvatures, and zero elsewhere.
 Problem with_curvatures(const std::string& name, const Mesh& mesh,
                         const std::map<unsigned int, double>& given)
 {
@@ -55,7 +55,7 @@ Mesh bent_grid(std::size_t m, std::size_t n, double noise)
                    4);
 }
 
-// Puts a vertex with the weights 1 : e : e or 1 : 1 : e into every tenth face.
+// Inserts a vertex with the weights 1 : e : e or 1 : 1 : e into every tenth face.
 Mesh with_needles_and_caps(Mesh mesh, double e)
 {
   std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
@@ -89,7 +89,7 @@ std::vector<Problem> problems()
   };
 }
 
-// What is prescribed on the double; scale factors that are prescribed are zero.
+// Returns the prescribed values on the double. Prescribed scale factors are zero.
 std::vector<double> target(const Problem& p)
 {
   std::vector<double> result;
@@ -119,7 +119,7 @@ Planar_conformal_map flat_map(const Problem& p)
   return DCM::flatten(p.mesh, DCM::parameters::vertex_condition_map(as_map(p.condition)));
 }
 
-// The surface of the positions, scaled as the map says, has what is prescribed.
+// The surface of the positions, scaled by the map, has the prescribed curvatures.
 TEST(Hundred_digits, scale_factors_have_the_curvatures_that_are_promised)
 {
   for(const Problem& p : traced(problems())) {
@@ -153,8 +153,8 @@ TEST(Hundred_digits, scale_factors_are_those_of_the_minimum)
   }
 }
 
-// The greatest error of a distance, relative, up to a common factor, of the images of the ends of
-// edges. `is_good(h)` selects the halfedges that are compared.
+// Returns the greatest relative error of a distance, up to a common factor, of the images of the
+// ends of edges. `is_good(h)` selects the halfedges that are compared.
 template <typename Distance, typename Is_good>
 double error_of_distances(const Reference_surface& surface, const Distance& distance,
                           const Is_good& is_good)

@@ -138,7 +138,7 @@ double cosh_of_distance(const std::array<double, 3>& p, const std::array<double,
   return p[2] * q[2] - p[0] * q[0] - p[1] * q[1];
 }
 
-// The angle at p, from positions on the hyperboloid.
+// Returns the angle at p, from positions on the hyperboloid.
 double angle(const std::array<double, 3>& p, const std::array<double, 3>& q,
              const std::array<double, 3>& r)
 {
@@ -162,7 +162,8 @@ void check_curvatures(const Hyperbolic_conformal_map& map)
   EXPECT_NEAR(area, map.group(0).area, 1e-5);
 }
 
-// Edges of the input that have not been flipped have the inversive distances of the input.
+// Checks that edges of the input that have not been flipped have the inversive distances of the
+// input.
 std::size_t check_inversive_distances(const Hyperbolic_conformal_map& map, const Radii& radii)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -192,7 +193,8 @@ std::size_t check_inversive_distances(const Hyperbolic_conformal_map& map, const
   return result;
 }
 
-// The map is projective on each face of the subdivision, and continuous across its edges.
+// Checks that the map is projective on each face of the subdivision, and continuous across its
+// edges.
 void check_continuity(const Hyperbolic_conformal_map& map)
 {
   const auto& subdivision = map.subdivision();

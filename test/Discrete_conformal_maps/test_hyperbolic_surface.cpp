@@ -41,7 +41,7 @@ std::complex<double> cross_ratio(Halfedge_index h, const DCM::Hyperbolic_conform
   return (d - b) * (c - a) / ((d - a) * (c - b));
 }
 
-// The angle at p between geodesics to q and r, which are rays if p is moved to the origin.
+// Returns the angle at p between geodesics to q and r, which are rays if p is moved to the origin.
 double angle(std::complex<double> p, std::complex<double> q, std::complex<double> r)
 {
   const auto moved = [&](std::complex<double> z) { return (z - p) / (1. - std::conj(p) * z); };
@@ -107,7 +107,7 @@ TEST(Hyperbolic_surface, of_CGAL_can_be_flipped_back)
   EXPECT_TRUE(t.is_Delaunay());
 }
 
-// A boundary is doubled; a surface with cones is refused.
+// A surface with boundary is doubled, and a surface with cones is rejected.
 TEST(Hyperbolic_surface, of_CGAL_has_no_boundary_and_no_cones)
 {
   const DCM::Hyperbolic_conformal_map doubled =

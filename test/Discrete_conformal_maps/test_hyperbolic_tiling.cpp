@@ -40,8 +40,8 @@ TEST(Hyperbolic_tiling, has_the_area_of_the_surface)
   }
 }
 
-// Each side has a motion, and the side that it goes to has the inverse one. The images have corners
-// of the domain: the ends of the side at least.
+// Each side has a motion, and its image side has the inverse motion. The images have corners of the
+// domain, at least the ends of the side.
 TEST(Hyperbolic_tiling, images_lie_across_sides)
 {
   const auto map = DCM::uniformize_hyperbolic(plate_with_holes(2));

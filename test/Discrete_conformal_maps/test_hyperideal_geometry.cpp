@@ -31,8 +31,8 @@ using Diamond = IT::Diamond<Edge<FT>>;
 
 // ---- Vectors of R^{2,1} ----
 
-// The vector s (cos a, sin a, cos b), which is orthogonal to a geodesic of the hyperbolic plane
-// with the ends a - b and a + b; for b = 0 it is light-like.
+// Represents the vector s (cos a, sin a, cos b), which is orthogonal to a geodesic of the
+// hyperbolic plane with the ends a - b and a + b. For b = 0 it is light-like.
 struct Circle
 {
   Real_50 s, a, b;
@@ -55,7 +55,7 @@ Real_50 determinant(const Circle& x, const Circle& y, const Circle& z)
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// `n` circles in counterclockwise order that do not meet. Some have radius zero.
+// Returns `n` circles in counterclockwise order that do not meet. Some have radius zero.
 std::vector<Circle> random_circles(std::size_t n, std::mt19937& random)
 {
   std::uniform_real_distribution<double> unit(0, 1);
@@ -108,8 +108,8 @@ TEST(Hyperideal_geometry, a_flip_keeps_the_vectors_of_four_circles)
 
 TEST(Hyperideal_geometry, the_condition_is_the_convexity_of_the_polyhedron)
 {
-  // In the span of four vectors, the affine hulls of ijk and jil meet along ij: the polyhedron is
-  // convex if the origin and the other apex are on different sides, as four determinants tell.
+  // In the span of four vectors, the affine hulls of ijk and jil meet along ij. The polyhedron is
+  // convex if the origin and the other apex are on different sides, which four determinants decide.
   std::mt19937 random(2);
   const Traits<double> traits;
   for(int trial = 0; trial < 500; ++trial) {
@@ -206,7 +206,8 @@ TEST(Hyperideal_geometry, circles_that_touch_keep_their_edge)
 
 // ---- Strips ----
 
-// A strip from circle 0 to the middle one, through the polygon that all of them are corners of.
+// Represents a strip from circle 0 to the middle one, through the polygon whose corners are all
+// circles.
 struct Polygon_strip
 {
   std::vector<Circle> v;

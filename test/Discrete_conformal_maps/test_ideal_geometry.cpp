@@ -23,8 +23,8 @@ using Exact_traits = IT::Ideal_geometry_traits<Rational>;
 
 // ---- The light cone ----
 
-// The light-like vector w^2 (1 - p^2, 2p, 1 + p^2). Every ray of the light cone but one is that of
-// a p, in this order, and -<q,r>/2 is a square: Penner lengths are rational.
+// Represents the light-like vector w^2 (1 - p^2, 2p, 1 + p^2). Every ray of the light cone but one
+// has a p, in this order, and -<q,r>/2 is a square. So Penner lengths are rational.
 struct Ideal_point
 {
   Rational p, w;
@@ -135,7 +135,8 @@ TEST(Ideal_geometry, delaunay_is_convexity_in_the_light_cone)
 
 // ---- Strips ----
 
-// Points around the light cone, and a strip of triangles of them from the first to another one.
+// Stores points around the light cone, and a strip of triangles of them from the first to another
+// one.
 struct Strip_in_cone
 {
   std::vector<Ideal_point> points;
@@ -208,7 +209,7 @@ TEST(Ideal_geometry, strip_is_that_in_the_light_cone)
   }
 }
 
-// Only positive terms: all numbers keep their digits, whatever the decoration.
+// All terms are positive, so all numbers keep their digits, whatever the decoration is.
 TEST(Ideal_geometry, rounded_strip_keeps_its_digits)
 {
   CGAL::Random random(4);
@@ -244,7 +245,7 @@ Rational chord(const Rational& a, const Rational& b)
   return CGAL::abs(sine);
 }
 
-// By Ptolemy's theorem the flip is that in the plane, and both diagonals are Delaunay.
+// By Ptolemy's theorem the flip equals the flip in the plane, and both diagonals are Delaunay.
 TEST(Ideal_geometry, flip_in_a_circle_is_euclidean)
 {
   CGAL::Random random(5);
@@ -264,7 +265,7 @@ TEST(Ideal_geometry, flip_in_a_circle_is_euclidean)
   }
 }
 
-// In floating point the new edge is Delaunay, however close the decision was.
+// In floating point the new edge is Delaunay, however close the decision is.
 TEST(Ideal_geometry, flipped_edge_is_delaunay)
 {
   CGAL::Random random(6);
@@ -355,7 +356,8 @@ void flip_to_Delaunay_at_random(IT::Intrinsic_triangulation<Traits>& t, unsigned
   }
 }
 
-// The edges of T2, each as what it passes of T1, in order: this is all of T2 but its numbering.
+// Returns the edges of T2, each by its crossings with T1, in order: they determine T2 up to its
+// numbering.
 template <typename Traits>
 std::vector<std::vector<Halfedge_index>> passages(const IT::Intrinsic_triangulation<Traits>& t)
 {
@@ -394,7 +396,7 @@ TEST(Ideal_geometry, every_order_of_flips_gives_the_same_delaunay_triangulation)
   EXPECT_GT(flips, 300u);
 }
 
-// A filter of intervals in front of rational numbers changes no decision and no length.
+// A filter of intervals before rational numbers changes no decision and no length.
 TEST(Ideal_geometry, filtered_numbers_are_exact)
 {
   using Filtered_traits = IT::Ideal_geometry_traits<CGAL::Lazy_exact_nt<Rational>>;
@@ -505,7 +507,7 @@ TEST(Ideal_geometry, wild_lengths_become_delaunay)
 
 // ---- Correspondence ----
 
-// Small surfaces, Delaunay and after random flips.
+// Returns small surfaces, both Delaunay and after random flips.
 std::vector<std::pair<std::string, Exact_triangulation>> exact_triangulations()
 {
   std::vector<std::pair<std::string, Exact_triangulation>> result;
@@ -570,7 +572,7 @@ TEST(Ideal_geometry, scales_are_positive)
   }
 }
 
-// The correspondence lays out edges of T1 on T2; without it, edges of T2 are laid out on T1 too.
+// The correspondence lays out edges of T1 on T2. Without it, edges of T2 are laid out on T1, too.
 TEST(Ideal_geometry, points_go_there_and_back_exactly)
 {
   for(const auto& [name, t] : traced(exact_triangulations())) {
@@ -590,8 +592,8 @@ TEST(Ideal_geometry, points_go_there_and_back_exactly)
 
 // ---- Points across by central projection ----
 
-// A triangle of T1 laid out in the light cone; h is its first side. Any basis of space will do, for
-// instance the corners of the first triangle.
+// Represents a triangle of T1 laid out in the light cone; h is its first side. Any basis of space
+// is possible, for instance the corners of the first triangle.
 struct Lifted_triangle
 {
   Halfedge_index h;
@@ -659,7 +661,7 @@ public:
     return trace.size() == 2 ? a.q[1] : a.q[2];
   }
 
-  // The point of T1 on the ray of the point `p` of a face of T2.
+  // Returns the point of T1 on the ray of the point `p` of a face of T2.
   std::pair<Halfedge_index, std::array<Rational, 3>>
   project(const IT::Face_location<Rational>& p) const
   {
@@ -753,7 +755,7 @@ TEST(Ideal_geometry, inserted_vertices_are_refused)
 
 Delta_complex connectivity(const Mesh& mesh) { return IT::Intrinsic_triangulation<>(mesh).mesh(); }
 
-// The lengths of a mesh, scaled at its vertices.
+// Returns the lengths of a mesh, scaled at its vertices.
 std::vector<double> scaled_lengths(const Mesh& mesh, double range, unsigned int seed)
 {
   const auto u = positive_numbers(mesh.number_of_vertices(), range / 2, seed); // exp(u / 2)
@@ -785,7 +787,7 @@ TEST(Ideal_geometry, scaled_meshes_become_delaunay)
     }
 }
 
-// Exact numbers give the truth.
+// Exact numbers yield the truth.
 TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
 {
   // Every edge results from a few flips, each with three rounding errors, and every strip is a few

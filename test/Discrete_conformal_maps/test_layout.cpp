@@ -112,8 +112,8 @@ double area_on_A(const Planar_conformal_map& map, Face_index f)
   return doubled_area(corners);
 }
 
-// A point of a face of the subdivision with its image, linear between the homogeneous coordinates
-// of the corners.
+// Returns a point of a face of the subdivision with its image, linear between the homogeneous
+// coordinates of the corners.
 Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random& random)
 {
   const auto& s = map.subdivision();
@@ -156,7 +156,8 @@ Location on_edge(const Delta_complex& mesh, Halfedge_index h, double t)
 
 // ---- Isometries ----
 
-// Takes the plane of `place` to that of the image, from two points close to each other.
+// Represents the motion of the plane of `place` to the plane of the image, from two points close to
+// each other.
 struct Rigid_motion
 {
   Complex from, to, turn;
@@ -226,7 +227,8 @@ TEST(Layout, disk_without_cones_has_no_seam)
   }
 }
 
-// The rest is a disk: what is cut away has the Euler characteristic of the surface less one.
+// The remaining surface is a disk: the removed part has the Euler characteristic of the surface
+// minus one.
 TEST(Layout, seams_cut_a_closed_surface_to_a_disk)
 {
   for(const Named_mesh& m : traced(closed_meshes()))
@@ -337,9 +339,9 @@ TEST(Planar_conformal_map, takes_vertices_to_vertices)
   }
 }
 
-// Where all three triangulations have a face in common: the projective map of two triangles that
-// takes one circumcircle to the other (Springborn, Schroeder, Pinkall 2008) has the weights
-// exp(-u).
+// If all three triangulations have a common face, the map is the projective map of two triangles
+// that maps one circumcircle to the other. It has the weights exp(-u) (Springborn, Schroeder,
+// Pinkall 2008).
 TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
 {
   const Mesh mesh = bipyramid(12, 0.5);
@@ -362,8 +364,9 @@ TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
       ++s;
     }
     const Complex z = place[apex], x = place[(apex + 1) % 3], y = place[(apex + 2) % 3];
-    // Along the bisector the point with height h of the old triangle goes to a point with the same
-    // cross ratio to apex, foot, and the second intersection with the circumcircle.
+    // Along the bisector, the point with height h of the old triangle is mapped to a point with the
+    // same cross ratio. The other points are the apex, the foot, and the second intersection with
+    // the circumcircle.
     const double outgoing = std::hypot(1, 0.5), ring = 2 * std::sin(pi / 12);
     const double old_foot = std::sqrt(outgoing * outgoing - ring * ring / 4),
                  old_end = outgoing * outgoing / old_foot;

@@ -45,8 +45,8 @@ Problem with_greedy_cones(const std::string& name, const Mesh& mesh)
   return {name, t, default_conditions(t.mesh()), 2};
 }
 
-// A tube, `rings` times as long as its sides, closed at both ends. All curvature is put on the four
-// corners of one end.
+// Returns a tube, `rings` times as long as its sides, closed at both ends. The four corners of one
+// end have all curvature.
 Problem tube(int rings)
 {
   std::vector<Point> points;
@@ -99,7 +99,7 @@ std::vector<Problem> problems_with_cones()
 
 // ---- Comparison ----
 
-// The vertices of components are told apart by the seams and faces that join them.
+// Returns the charts. Seams and faces that join vertices distinguish components.
 std::vector<std::vector<Halfedge_index>> charts(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
@@ -127,7 +127,7 @@ std::vector<std::vector<Halfedge_index>> charts(const Planar_conformal_map& map)
   return result;
 }
 
-// The best similarity from one to the other leaves at most this, relative to the size.
+// Returns the error of the best similarity from one to the other, relative to the size.
 double difference(const std::vector<Complex>& p, const std::vector<Complex>& q)
 {
   Complex center_p(0), center_q(0), product(0);
@@ -156,7 +156,7 @@ std::vector<Complex> positions(const Planar_conformal_map& map,
   return result;
 }
 
-// Across a seam: the same length, and the same turn as with the other layout.
+// Checks that seams have the same length, and the same turn as with the other layout.
 void check_seams(const Planar_conformal_map& one, const Planar_conformal_map& two, double tolerance)
 {
   const Delta_complex& mesh = mesh_C(one);
@@ -193,7 +193,7 @@ void check_layouts_agree(const Problem& problem)
 
 // ---- A chart that is not flat ----
 
-// A grid with the distances it has on a dome, as faces of a chart: they cannot be put together in
+// Represents a grid with its distances on a dome, as faces of a chart, which do not fit together in
 // the plane.
 struct Dome
 {
@@ -238,8 +238,8 @@ struct Dome
   std::vector<std::array<std::size_t, 2>> boundary;
 };
 
-// Twice Dirichlet's energy by cotangents, less twice the area by the boundary, and B, all as z^* M
-// z.
+// Returns twice the Dirichlet energy by cotangents, minus twice the area by the boundary, and B,
+// all as z^* M z.
 Eigen::MatrixXcd conformal_energy(const Dome& dome)
 {
   Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(Dome::size, Dome::size);
@@ -291,7 +291,7 @@ TEST(Layout_choice, all_agree_on_surfaces_with_cones)
     check_layouts_agree(problem);
 }
 
-// Positions are as good as rounding of the whole allows for the smallest faces.
+// Positions are as accurate as rounding of the whole surface allows for the smallest faces.
 TEST(Layout_choice, large_ranges_of_scale)
 {
   for(const int rings : {5, 10, 20}) {

@@ -9,7 +9,7 @@
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
-// A map is a success if and only if it has what is promised, measured here in other ways.
+// A map is a success if and only if it satisfies its promises, measured here in other ways.
 namespace Test_map_status {
 
 using namespace Test_surfaces;
@@ -18,7 +18,7 @@ using Squares = std::set<std::pair<int, int>>;
 
 // ---- Flat surfaces that are hard to map ----
 
-// Each square of a grid is cut into k * k, and these by random diagonals.
+// Cuts each square of a grid into k * k, and these by random diagonals.
 Mesh mesh_of(const Squares& squares, int k, CGAL::Random& random)
 {
   Mesh mesh;
@@ -167,8 +167,9 @@ Points boundary_image(const Planar_conformal_map& map)
   return result;
 }
 
-// The greatest distance of a point from the nearest side of the box around all, relative to its
-// diagonal: charts are turned such that their smallest boxes are parallel to the axes.
+// Returns the greatest distance of a point from the nearest side of the box around all points,
+// relative to its diagonal. Charts are turned such that their smallest boxes are parallel to the
+// axes.
 double distance_from_box(const Points& points)
 {
   std::complex<double> low = points[0], high = points[0];
@@ -183,8 +184,8 @@ double distance_from_box(const Points& points)
   return result / std::abs(high - low);
 }
 
-// The greatest difference of a distance from the center of the circle through three points that are
-// far from each other, relative to its radius.
+// Returns the greatest difference of a distance from the center of the circle through three points
+// that are far from each other, relative to its radius.
 double distance_from_circle(const Points& points)
 {
   const auto farthest = [&](const auto& distance) {
@@ -204,7 +205,7 @@ double distance_from_circle(const Points& points)
   return result;
 }
 
-// A failure has a broken promise.
+// Checks that a failure has a broken promise.
 void check_status(const DCM::Discrete_conformal_map& map)
 {
   const auto& promises = map.promises();
@@ -281,7 +282,7 @@ TEST(Map_status, cones_leave_straight_boundaries_alone)
   }
 }
 
-// Two triangles are a polygon in a great circle, seen from both sides, and named so.
+// Two triangles are a polygon in a great circle, seen from both sides, and the status names it.
 TEST(Map_status, flat_polygons_are_no_hemispheres)
 {
   CGAL::Random random(1);
@@ -291,7 +292,7 @@ TEST(Map_status, flat_polygons_are_no_hemispheres)
   EXPECT_TRUE(map.is_flat());
 }
 
-// Lengths that are out of range are no exceptions.
+// Lengths that are out of range cause no exceptions.
 TEST(Map_status, numerical_errors_are_statuses)
 {
   const Mesh mesh = tetrahedron();
@@ -316,7 +317,7 @@ TEST(Map_status, every_failure_has_a_name_and_advice)
   }
 }
 
-// The first promise that is missed names the status, unless scale factors have not been found.
+// The first broken promise determines the status, unless scale factors have not been found.
 TEST(Map_status, follows_from_promises_alone)
 {
   using DCM::internal::status_of;

@@ -31,7 +31,8 @@ Position position(const Mesh& mesh, std::size_t v)
   return {p.x(), p.y(), p.z()};
 }
 
-// Of the positions in the plane, which keep their digits where those on the sphere are close.
+// Returns the chord from the positions in the plane, which keep their digits if positions on the
+// sphere are close.
 Extended chord(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
 {
   const auto x = [&](Vertex_index i) { return map.stereographic_position(i)[0]; };
@@ -52,14 +53,14 @@ Extended precise_distance(const Spherical_conformal_map& map, Vertex_index v, Ve
   return sqrt(square);
 }
 
-// Invariant under Moebius transformations.
+// Returns a cross ratio, which is invariant under Moebius transformations.
 template <typename Distance>
 double cross_ratio(const std::array<unsigned, 4>& v, const Distance& distance)
 {
   return distance(v[0], v[1]) / distance(v[1], v[2]) * distance(v[2], v[3]) / distance(v[3], v[0]);
 }
 
-// Everything that holds for every map.
+// Checks all properties of a map.
 void check_map(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -77,8 +78,8 @@ void check_map(const Spherical_conformal_map& map)
   }
 }
 
-// The center of mass, each vertex with a third of its faces. The mirror images of those of a disk
-// leave it in the mirror plane.
+// Returns the distance of the center of mass, where each vertex has a third of its faces. The
+// mirror images of a disk leave it in the mirror plane.
 double distance_from_center(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.Delaunay().input_mesh();
@@ -134,7 +135,7 @@ Edges edges_of(const AnyMesh& mesh)
   return result;
 }
 
-// A closed tube with `n` rings of `m` vertices, each `step` from the next, with radius one.
+// Returns a closed tube with `n` rings of `m` vertices, each `step` from the next, with radius one.
 Mesh tube(std::size_t m, std::size_t n, double step)
 {
   std::vector<Point> points;
@@ -160,8 +161,8 @@ Mesh tube(std::size_t m, std::size_t n, double step)
 
 Mesh without_a_face(const Mesh& mesh) { return punctured(mesh, {0}); }
 
-// Vertices on the sphere, in convex position, are their own image, whatever is done to the
-// intrinsic geometry by scaling and flips.
+// Vertices on the sphere, in convex position, are their own image, even if scaling and flips change
+// the intrinsic geometry.
 TEST(Map_to_sphere, brings_inscribed_polyhedra_back)
 {
   for(unsigned int seed : seeds(1, 9)) {
@@ -265,7 +266,8 @@ TEST(Map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
   }
 }
 
-// Rings shrink by exp(-0.8 / 1) each: fifty of them, from the middle, by a factor of 1e17 and more.
+// Rings shrink by exp(-0.8 / 1) each. Fifty rings, from the middle, shrink by a factor of 1e17 and
+// more.
 TEST(Map_to_sphere, long_limbs_need_more_digits)
 {
   const Spherical_conformal_map map = DCM::map_to_sphere(perturbed(tube(10, 101, 0.8), 0.1, 1));
@@ -318,8 +320,8 @@ double image_cross_ratio(const Spherical_conformal_map& map, const std::array<un
   });
 }
 
-// Everything that holds for every inscribed polygon: vertices in order on the equator, and faces of
-// the subdivision that cover it once.
+// Checks all properties of an inscribed polygon: vertices in order on the equator, and faces of the
+// subdivision that cover it once.
 void check_polygon(const Spherical_conformal_map& map, const Mesh& mesh)
 {
   check_map(map);
@@ -360,13 +362,13 @@ void check_polygon(const Spherical_conformal_map& map, const Mesh& mesh)
   EXPECT_GT(least, -1e-14);
 }
 
-// A polygon from which ears are cut at random; its vertices are given counterclockwise.
+// Returns a polygon from which ears are cut at random. Its vertices are given counterclockwise.
 Mesh ears(const std::vector<Point>& points, CGAL::Random& random)
 {
   return make_mesh(points, random_ears(consecutive(0, points.size()), random));
 }
 
-// Points of an ellipse, one in each of `n` sectors of the same size.
+// Returns points of an ellipse, one in each of `n` sectors of the same size.
 std::vector<Point> on_ellipse(std::size_t n, double width, CGAL::Random& random)
 {
   std::vector<double> angle;
@@ -378,7 +380,7 @@ std::vector<Point> on_ellipse(std::size_t n, double width, CGAL::Random& random)
   return result;
 }
 
-// Triangles in space, each glued to a side of those before; most have obtuse angles.
+// Returns triangles in space, each glued to a side of the previous ones. Most have obtuse angles.
 Mesh tree_of_triangles(std::size_t n, double roughness, CGAL::Random& random)
 {
   std::vector<Point> points{Point(0, 0, 0), Point(1, 0, 0), Point(0.5, 0.8, 0)};
@@ -397,7 +399,8 @@ Mesh tree_of_triangles(std::size_t n, double roughness, CGAL::Random& random)
   return make_mesh(points, triangles);
 }
 
-// The cross ratios of vertices of the polygon, all around it, are those of their images.
+// Checks that the cross ratios of vertices of the polygon, all around it, are the cross ratios of
+// their images.
 void check_cross_ratios(const Spherical_conformal_map& map, const Mesh& polygon,
                         const std::array<unsigned, 4>& steps, double tolerance)
 {
@@ -413,7 +416,7 @@ void check_cross_ratios(const Spherical_conformal_map& map, const Mesh& polygon,
   }
 }
 
-// `n` unit squares in a row, each with one of its diagonals.
+// Returns `n` unit squares in a row, each with one of its diagonals.
 Mesh strip(std::size_t n, CGAL::Random& random)
 {
   std::vector<Point> points{Point(0, 0, 0), Point(0, 1, 0)};
@@ -446,7 +449,7 @@ TEST(Map_to_sphere, triangles_become_equilateral)
 }
 
 // A polygon in a circle with the center inside has acute angles opposite its sides. So it is its
-// own image, whatever its triangulation.
+// own image, whatever its triangulation is.
 TEST(Map_to_sphere, inscribed_polygons_stay)
 {
   CGAL::Random random(11);
@@ -458,7 +461,7 @@ TEST(Map_to_sphere, inscribed_polygons_stay)
   }
 }
 
-// Scale factors do not change the image, as long as angles opposite the sides stay acute: then the
+// Scale factors do not change the image, as long as angles opposite the sides stay acute. Then the
 // sides are in the Delaunay triangulation of the double.
 TEST(Map_to_sphere, scaled_polygons_come_back)
 {
@@ -518,7 +521,7 @@ TEST(Map_to_sphere, polygons_beyond_the_range_of_positions)
 }
 
 // One flip leads across the side ij of an obtuse triangle ijk: a loop at k of length 2h, if h is
-// its height. Ptolemy's relation gives ij the length ki kj / h instead of ki kj sin(k) / h.
+// its height. Ptolemy's relation yields the length ki kj / h of ij instead of ki kj sin(k) / h.
 TEST(Map_to_sphere, obtuse_angles_opposite_the_boundary)
 {
   for(const double height : {0.9, 0.6, 0.45}) {
@@ -552,7 +555,7 @@ TEST(Map_to_sphere, random_polygons)
   check_polygon(DCM::map_to_sphere(bent), bent);
 }
 
-// The two sides of a quadrilateral with different diagonals: the image of a square is a square, and
+// The two sides of a quadrilateral have different diagonals. The image of a square is a square, and
 // points of its sides stay in the plane of the vertices.
 TEST(Map_to_sphere, spheres_without_volume)
 {
@@ -629,7 +632,7 @@ TEST(Map_to_sphere, other_surfaces_are_refused)
   EXPECT_THROW(DCM::map_to_sphere(two), IT::Invalid_input);
 }
 
-// Vertices without faces come between the others, and change nothing but numbers.
+// Vertices without faces come between the others, and change only numbers.
 TEST(Map_to_sphere, isolated_vertices_are_carried_along)
 {
   for(const Mesh& m : {perturbed(random_sphere(50, 8), 0.25, 9),
@@ -680,7 +683,8 @@ TEST(Map_to_sphere, same_input_gives_same_bits)
 
 // ---- Parts ----
 
-// Points in three clusters, of which the mass is in the smallest: far away in hyperbolic space.
+// Points are in three clusters, and the smallest one has most of the mass: far away in hyperbolic
+// space.
 TEST(Conformal_barycenter, is_in_balance)
 {
   CGAL::Random random(1);
@@ -746,7 +750,7 @@ TEST(Plane_predicates, are_exact)
   }
 }
 
-// Exponents far apart, and second parts of `Extended`.
+// Exponents are far apart, and numbers of type `Extended` have second parts.
 TEST(Plane_predicates, have_all_digits)
 {
   CGAL::Random random(2);

@@ -31,8 +31,8 @@ std::vector<Link> singles(std::size_t size)
   return result;
 }
 
-// How far from the minimum a point may be whose gradient is known up to an error: first order,
-// twice.
+// Returns the possible distance from the minimum of a point whose gradient is known up to an error:
+// first order, twice.
 template <typename Energy>
 double error_of_point(Energy energy, const Minimization_result& result)
 {
@@ -102,7 +102,8 @@ TEST_P(Start, coupled_function)
   expect_minimum(Log_sum_exp(triangles(side), minimum), start, true);
 }
 
-// Curvatures are 1e-6 of those nearby: the minimum lies where the function is almost linear.
+// Curvatures are 1e-6 of the curvatures nearby: the minimum lies in an almost linear part of the
+// function.
 TEST_P(Start, far_minimum)
 {
   const Vector minimum = random_vector(grid_size, 7, 1);
@@ -112,7 +113,7 @@ TEST_P(Start, far_minimum)
 
 INSTANTIATE_TEST_SUITE_P(Near_and_far, Start, testing::Values(0., 1., 30., 1000.));
 
-// The more of the function is linear at the start, the fewer links are in the Hessian.
+// The larger the linear part of the function at the start, the fewer links are in the Hessian.
 TEST(Newton_minimizer, pattern_changes)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
@@ -171,8 +172,8 @@ TEST(Newton_minimizer, no_variables)
   EXPECT_EQ(Newton_minimizer()(energy, u).status, Status::converged);
 }
 
-// Two grids and a lonely variable; one grid has a fixed variable.
-// Every correction raises the order of convergence; the minimum stays.
+// Two grids and a single variable are minimized, and one grid has a fixed variable. Every
+// correction raises the order of convergence, but not the minimum.
 TEST(Newton_minimizer, corrections)
 {
   const Vector minimum = random_vector(grid_size, 1, 1), start = random_vector(grid_size, 1, 2);
@@ -219,7 +220,8 @@ TEST(Newton_minimizer, components)
   }
 }
 
-// Curvatures from 1e-12 to 1e12 with gradients of order one, minima at the size of each.
+// Curvatures range from 1e-12 to 1e12 with gradients of order one, and minima have the size of
+// each.
 TEST(Newton_minimizer, badly_scaled_variables)
 {
   std::vector<Link> links = singles(25);
@@ -239,7 +241,7 @@ TEST(Newton_minimizer, badly_scaled_variables)
   }
 }
 
-// Curvatures from 1e-12 to 1e12 that are coupled. Positions are rounded by more than the gradient
+// Curvatures from 1e-12 to 1e12 are coupled. Positions are rounded by more than the gradient
 // allows.
 TEST(Newton_minimizer, badly_scaled_links)
 {
@@ -258,7 +260,7 @@ TEST(Newton_minimizer, badly_scaled_links)
   }
 }
 
-// Linear functions of many slopes with sharp bends between them.
+// Linear functions of many slopes have sharp bends between them.
 TEST(Newton_minimizer, sharp_bends_far_from_start)
 {
   for(unsigned seed = 1; seed <= 10; ++seed) {
@@ -304,7 +306,7 @@ Minimization_result minimize(One_variable energy, double& x)
   return result;
 }
 
-// The slope is steep and its zero lies between two neighbouring numbers.
+// The slope is steep and its zero lies between two neighboring numbers.
 TEST(Newton_minimizer, rounding_limit)
 {
   double x = 1;
@@ -378,7 +380,7 @@ TEST(Newton_minimizer, concave_function)
   EXPECT_EQ(x, 1);
 }
 
-// The slope changes its sign at once, and the second derivative knows nothing of it.
+// The slope changes its sign at once, and the second derivative does not show it.
 TEST(Newton_minimizer, derivatives_that_disagree)
 {
   double x = 0;

@@ -6,15 +6,16 @@
 
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
 
-// Moduli in closed form: of strips and annuli, also if they wind, and of polygons with symmetries.
+// Moduli are known in closed form: of strips and annuli, also if they wind, and of polygons with
+// symmetries.
 namespace Test_moduli {
 
 using namespace Test_surfaces;
 
 // ---- Strips ----
 
-// A rectangle of n columns of random widths, folded between them by random angles of at most
-// `fold`: an isometric image.
+// Represents a rectangle of n columns of random widths, folded between them by random angles of at
+// most `fold`: an isometric image.
 struct Folded_strip
 {
   Folded_strip(std::size_t n, std::size_t rows, double length, double fold, unsigned int seed)
@@ -53,8 +54,8 @@ TEST(Moduli, of_folded_strips_are_those_of_rectangles)
       }
 }
 
-// The image of a rectangle of width 1, turned by an angle, under the exponential function: it winds
-// around the origin.
+// Returns the modulus of the image of a rectangle of width 1, turned by an angle, under the
+// exponential function. It winds around the origin.
 double modulus_of_spiral(double length, double turn, std::size_t n)
 {
   const std::size_t columns = std::size_t(std::lround(length * double(n)));
@@ -90,7 +91,7 @@ double modulus_of_annulus(const Mesh& mesh)
   return result.modulus ? result.modulus->imag() : 0;
 }
 
-// Rings of n vertices at distances r from the axis and at heights.
+// Returns rings of n vertices at distances r from the axis and at heights.
 Mesh rings(std::size_t n, const std::vector<std::pair<double, double>>& radius_and_height)
 {
   std::vector<Point> points;
@@ -139,7 +140,7 @@ TEST(Moduli, of_round_annuli_converge)
 
 // ---- Symmetries ----
 
-// A square with four arms that wind around it.
+// Returns a square with four arms that wind around it.
 std::set<Cell> pinwheel(int length)
 {
   std::set<Cell> result{{0, 0}};
@@ -156,7 +157,7 @@ std::set<Cell> pinwheel(int length)
   return result;
 }
 
-// Four corners that a quarter turn permutes are those of a square. The triangulation has no
+// Four corners that a quarter turn permutes have the modulus of a square. The triangulation has no
 // symmetry, but discrete conformal equivalence does not depend on it.
 TEST(Moduli, of_surfaces_with_quarter_turns_are_one)
 {
@@ -174,7 +175,8 @@ TEST(Moduli, of_surfaces_with_quarter_turns_are_one)
   }
 }
 
-// Two corners on an axis of symmetry and two mirror images of each other are those of a square.
+// Two corners on an axis of symmetry and two mirror images of each other have the modulus of a
+// square.
 TEST(Moduli, of_surfaces_with_diagonals_are_one)
 {
   for(const int steps : traced({1, 2, 5})) { // a square, an L and a staircase

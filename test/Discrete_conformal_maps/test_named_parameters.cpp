@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sequences of named parameters of this package, of Intrinsic_triangulations, and of CGAL.
+// These tests use sequences of named parameters of this package, of Intrinsic_triangulations, and
+// of CGAL.
 
 #include "../Intrinsic_triangulations/refined_meshes.h"
 #include "flat_maps.h"
@@ -108,7 +109,7 @@ TEST(Named_parameters, cones_bound_the_distortion_of_areas)
     EXPECT_THROW(DCM::flatten(mesh, np::maximum_area_distortion(wrong)), IT::Invalid_input);
 }
 
-// Exchanged cones keep the bound, and the promises of the map. On a round sphere fewer are enough.
+// Exchanged cones keep the bound, and the promises of the map. A round sphere needs fewer cones.
 TEST(Named_parameters, cones_are_exchanged_within_the_bound)
 {
   std::size_t greedy = 0, exchanged = 0;
@@ -132,7 +133,7 @@ TEST(Named_parameters, cones_are_exchanged_within_the_bound)
   EXPECT_LT(exchanged, greedy);
 }
 
-// A visitor with functions that are not constant, whose copies count together.
+// Represents a visitor with functions that are not constant, whose copies count together.
 struct Counting_visitor : DCM::Default_flattening_visitor
 {
   void start(DCM::Flattening_stage) { ++own, ++*all; }
@@ -141,7 +142,7 @@ struct Counting_visitor : DCM::Default_flattening_visitor
   std::shared_ptr<std::size_t> all = std::make_shared<std::size_t>(0);
 };
 
-// `run(v)` calls a function with a visitor, and with one that `std::ref()` refers to.
+// Checks that `run(v)` calls a function with a visitor, and with one that `std::ref()` refers to.
 template <typename Run>
 void expect_notified(const Run& run)
 {

@@ -31,7 +31,7 @@ Mesh unit_square(std::size_t n)
   return grid(n, n, [n](double x, double y) { return Point(x / double(n), y / double(n), 0); });
 }
 
-// A terrain over a square around the origin.
+// Returns a terrain over a square around the origin.
 Mesh terrain(std::size_t n, Portable_random& random)
 {
   const double half = double(n) / 2;
@@ -48,8 +48,8 @@ void insert_beside(Vertex_index v, const Point& p, Mesh& mesh, Portable_random& 
   mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = p;
 }
 
-// At vertices with x = 0, vertices are added at a distance of about d along x, for which
-// coordinates have room.
+// Adds vertices near vertices with x = 0, at a distance of about d along x, which coordinates can
+// represent.
 Mesh with_near_vertices(Mesh mesh, double d, Portable_random& random)
 {
   std::vector<Vertex_index> places;
@@ -63,7 +63,7 @@ Mesh with_near_vertices(Mesh mesh, double d, Portable_random& random)
   return mesh;
 }
 
-// A convex surface with a vertex in the origin.
+// Returns a convex surface with a vertex in the origin.
 Mesh sphere_at_origin(std::size_t n, Portable_random& random)
 {
   Mesh mesh = random_sphere(n, std::uint32_t(random.get_int(0, 1000)));
@@ -73,7 +73,7 @@ Mesh sphere_at_origin(std::size_t n, Portable_random& random)
   return mesh;
 }
 
-// Vertices are added at distances of about d, 10 d and 100 d from the vertex in the origin.
+// Adds vertices at distances of about d, 10 d and 100 d from the vertex in the origin.
 Mesh with_vertices_at_origin(Mesh mesh, double d, Portable_random& random)
 {
   for(const double distance : {100 * d, 10 * d, d}) {
@@ -150,7 +150,7 @@ void check_success(const Planar_conformal_map& map)
   EXPECT_LT(map.max_curvature_error(), 1e-10);
 }
 
-// Expects a flat surface to keep its scale, and edges to have the distances of their ends. Around a
+// Checks that a flat surface keeps its scale, and edges have the distances of their ends. Around a
 // corner, over the other side of the double, an edge can be longer.
 void check_isometry(const Planar_conformal_map& map, const Mesh& mesh)
 {
@@ -187,7 +187,7 @@ TEST(Needles, square_keeps_its_lengths)
     }
 }
 
-// With rounded lengths, the angles at a vertex that is that close to a side are noise, and yet the
+// With rounded lengths, rounding dominates the angles at a vertex so close to a side, and yet the
 // scaled surface can be flat.
 TEST(Needles, flat_square_keeps_its_lengths)
 {
@@ -212,7 +212,7 @@ TEST(Needles, have_disks)
     }
 }
 
-// Rounded lengths say nothing about the angles between vertices that are so close.
+// Rounded lengths do not determine the angles between such near vertices.
 TEST(Needles, near_vertices_have_maps)
 {
   for(const double d : {1e-8, 1e-12, 1e-17, 1e-22, 1e-28})
@@ -226,7 +226,7 @@ TEST(Needles, near_vertices_have_maps)
     }
 }
 
-// Where several vertices are close to each other, their angles depend on scale factors like roots.
+// If several vertices are close to each other, their angles depend on scale factors like roots.
 TEST(Needles, clusters_have_maps)
 {
   for(const double d : {1e-12, 1e-20, 1e-28})
@@ -333,7 +333,7 @@ TEST(Needles, may_have_cones)
     }
 }
 
-// Expects the cross ratios of distances on two spheres to be equal, between some vertices.
+// Checks that the cross ratios of distances on two spheres are equal, between some vertices.
 void check_same_sphere(const DCM::Spherical_conformal_map& map,
                        const DCM::Spherical_conformal_map& other,
                        const std::vector<Vertex_index>& vertices)
@@ -404,7 +404,7 @@ TEST(Needles, triangulation_is_exact)
   }
 }
 
-// Conductances in series: from a fixed end, potentials are sums of resistances.
+// Conductances are in series: from a fixed end, potentials are sums of resistances.
 TEST(Laplacian_elimination, chain_of_any_weights)
 {
   const std::vector<double> weight{1, 1e20, 1e-20, 1e15, 3, 1e-3};
@@ -433,7 +433,8 @@ TEST(Laplacian_elimination, chain_of_any_weights)
   }
 }
 
-// Steps of width 10^-20 at any place: slopes there say nothing about the other steps.
+// Steps have the width 10^-20 at any position, so slopes near them do not determine the other
+// steps.
 TEST(Root_of_increasing, steep_steps)
 {
   typedef DCM::internal::More_extended Number;
@@ -450,7 +451,7 @@ TEST(Root_of_increasing, steep_steps)
   }
 }
 
-// Pairs of pairs of variables.
+// Variables form pairs of pairs.
 TEST(Variable_groups, nested)
 {
   const double tie[] = {1e8, 1e4, 1e8, 1, 1e8, 1e4, 1e8}; // between variables v and v + 1

@@ -42,7 +42,7 @@ void check_tangencies(const Circle_packing& packing, const Surface& mesh)
   }
 }
 
-// Interiors of circles that are not joined by an edge are disjoint.
+// Checks that interiors of circles that are not joined by an edge are disjoint.
 template <typename Surface>
 void check_disjoint(const Circle_packing& packing, const Surface& mesh)
 {
@@ -53,7 +53,7 @@ void check_disjoint(const Circle_packing& packing, const Surface& mesh)
     }
 }
 
-// Faces have the orientation of the mesh, as seen from outside.
+// Checks that faces have the orientation of the mesh, as seen from outside.
 void check_orientation(const Circle_packing& packing, const Mesh& mesh)
 {
   for(Face_index f : mesh.faces()) {
@@ -144,7 +144,7 @@ TEST(Pack_circles, touch_after_random_flips)
   }
 }
 
-// Vertices in random faces: circles shrink fast. With flips of some edges they do so less.
+// Vertices in random faces let circles shrink fast. With flips of some edges they shrink less.
 TEST(Pack_circles, touch_in_nested_triangulations)
 {
   for(unsigned int seed = 0; seed < 12; ++seed) {
@@ -253,8 +253,8 @@ Hexagonal_piece hexagonal_piece(int radius)
   return result;
 }
 
-// Doyle's spirals: the radii a^i b^j of a hexagonal packing close up around each vertex, for all a
-// and b. The hexagonal packing with equal radii is the case of 1.
+// Doyle's spirals have the radii a^i b^j of a hexagonal packing. They close up around each vertex,
+// for all a and b. The hexagonal packing with equal radii is the case of 1.
 TEST(Pack_circles, of_hexagonal_pieces_are_spirals)
 {
   const Hexagonal_piece piece = hexagonal_piece(6);
@@ -283,8 +283,8 @@ TEST(Pack_circles, of_hexagonal_pieces_are_spirals)
   }
 }
 
-// A triangle in a triangle, and so on: circles shrink by a constant factor. Beyond the digits of
-// positions there is a status, and no exception.
+// A triangle is in a triangle, and so on: circles shrink by a constant factor. Beyond the digits of
+// positions the result has a status, and no exception is thrown.
 TEST(Pack_circles, of_nested_triangles_end_with_a_status)
 {
   for(const std::size_t n : {30u, 60u, 200u, 400u}) {
@@ -314,7 +314,7 @@ TEST(Pack_circles, of_nested_triangles_end_with_a_status)
   }
 }
 
-// Rings of `n` vertices, closed by two apices.
+// Returns rings of `n` vertices, closed by two apices.
 Mesh tube(std::size_t n, std::size_t rings)
 {
   std::vector<Point> points;
@@ -336,7 +336,7 @@ Mesh tube(std::size_t n, std::size_t rings)
 }
 
 // Circles shrink by 100 decimal digits and more. Angles around a vertex, of triangles on the sphere
-// with sums of angular radii as sides, add up to a full turn, also around the smallest circles.
+// with sums of angular radii as sides, add up to 2 pi. This holds even around the smallest circles.
 TEST(Pack_circles, of_long_tubes_have_circles_below_rounding)
 {
   for(const auto& [n, rings] : {std::pair{3u, 30u}, {3u, 100u}, {3u, 300u}, {10u, 100u}}) {
@@ -360,7 +360,7 @@ TEST(Pack_circles, of_long_tubes_have_circles_below_rounding)
   }
 }
 
-// Circles beyond the range of `double`.
+// Circles are beyond the range of `double`.
 TEST(Pack_circles, of_endless_tubes_end_with_a_status)
 {
   const Circle_packing packing = DCM::pack_circles(tube(3, 1000));

@@ -47,7 +47,7 @@ TEST(Parallel, flat_maps)
     });
 }
 
-// Edges of three triangulations, each flipped at random from the one before.
+// Edges of three triangulations are compared, each flipped at random from the previous one.
 TEST(Parallel, triple_subdivision)
 {
   for(const Mesh& mesh : {large_torus(), large_square()})

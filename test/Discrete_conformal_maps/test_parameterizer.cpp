@@ -26,7 +26,8 @@ typedef CGAL::Seam_mesh<Mesh, Mesh::Property_map<Edge_index, bool>,
 
 // ---- Meshes ----
 
-// Equilateral triangles over a parallelogram, bent a little: Delaunay, with no obtuse angle.
+// Returns equilateral triangles over a parallelogram, slightly bent: Delaunay, without obtuse
+// angles.
 Mesh bent_triangles(std::size_t n)
 {
   const auto place = [](double x, double y) {
@@ -81,7 +82,7 @@ Parameterization<Graph> parameterize(Graph& g, Flipping flipping = Flipping::to_
   return result;
 }
 
-// All distances of vertices are those in the plane of `flatten()`.
+// Checks that all distances of vertices are the distances in the plane of `flatten()`.
 void check_isometric(const Parameterization<Mesh>& p, const Mesh& mesh,
                      const Planar_conformal_map& map)
 {
@@ -92,9 +93,9 @@ void check_isometric(const Parameterization<Mesh>& p, const Mesh& mesh,
                   std::abs(image(v) - image(w)), 1e-12);
 }
 
-// Each triangle has sides in the plane of length l e^((u_i + u_j) / 2): solves for u of its
-// corners. They must agree in all triangles, which is discrete conformal equivalence, and vanish on
-// the boundary.
+// Checks discrete conformal equivalence. Each triangle has sides in the plane of length l e^((u_i +
+// u_j) / 2), which determine u at its corners. They must agree in all triangles, and vanish on the
+// boundary.
 template <typename Graph>
 void check_conformal(const Parameterization<Graph>& p, const Graph& g)
 {
@@ -185,7 +186,7 @@ TEST(Parameterizer, unfolds_a_tetrahedron)
     EXPECT_NEAR(CGAL::squared_distance(apexes[i], apexes[(i + 1) % 3]), 32, 1e-12);
 }
 
-// An octahedron with rounded sides, cut open along a path of edges: not Delaunay everywhere.
+// An octahedron with rounded sides, cut open along a path of edges, is not Delaunay everywhere.
 TEST(Parameterizer, opens_a_seam_mesh)
 {
   Mesh mesh = unit_sphere(3);
@@ -283,7 +284,7 @@ TEST(Texture_coordinates, are_images_of_corners)
   }
 }
 
-// Corners at seams have several places; with few vertices, there are loops and parallel edges.
+// Corners at seams have several positions. With few vertices, loops and parallel edges occur.
 TEST(Texture_coordinates, of_a_surface_with_seams)
 {
   for(const auto& [m, n] : {std::pair(5, 4), {1, 1}, {2, 1}}) {

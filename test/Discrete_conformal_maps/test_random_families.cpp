@@ -10,8 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 
-// Small surfaces of the families of benchmark/workflow/hard_surfaces.py: whatever is a success has
-// what is promised, in a hundred digits.
+// These are small surfaces of the families of benchmark/workflow/hard_surfaces.py. Every success
+// satisfies its promises in a hundred digits.
 namespace Test_random_families {
 
 using namespace Test_surfaces;
@@ -52,7 +52,7 @@ Mesh open_tube(CGAL::Random& random)
   return make_mesh(points, lattice(rings, n, false, true));
 }
 
-// A vertex with the weights 1 : e : e or 1 : 1 : e in a face.
+// Adds a vertex with the weights 1 : e : e or 1 : 1 : e in a face.
 void add_needle_or_cap(Mesh& mesh, Mesh::Face_index f, double e, bool is_needle)
 {
   const auto h = mesh.halfedge(f);
@@ -82,7 +82,8 @@ Mesh with_needles(CGAL::Random& random)
   return needles_and_caps_in(embedded_torus(7, 5), -13, random);
 }
 
-// A second vertex at the distance of 1e-28 and more from the origin, which is a vertex.
+// Returns a mesh with a second vertex at the distance of 1e-28 and more from the origin, which is a
+// vertex.
 Mesh coincident(CGAL::Random& random)
 {
   Mesh mesh = grid(4, 4, [&](double x, double y) {
@@ -113,7 +114,7 @@ Mesh with_handles(CGAL::Random& random)
   return perturbed(frame(std::size_t(random.get_int(1, 4)), 1), 0.1, random_seed(random));
 }
 
-// A prism over a face of an octahedron.
+// Returns a prism over a face of an octahedron.
 Mesh with_limb(CGAL::Random& random)
 {
   Mesh mesh = octahedron();
@@ -192,7 +193,7 @@ void expect_Euler_characteristic(const Planar_conformal_map& map)
   EXPECT_EQ(Euler_characteristic(map.subdivision().mesh()), expected);
 }
 
-// The greatest error of a length cross ratio, of the positions against those of the ideal
+// Returns the greatest error of a length cross ratio, of the positions compared with the ideal
 // polyhedron.
 double error_of_cross_ratios(const Planar_conformal_map& map)
 {
@@ -214,7 +215,7 @@ double error_of_cross_ratios(const Planar_conformal_map& map)
   return double(result);
 }
 
-// The sum of curvatures in a hundred digits, and where they are zero.
+// Checks the sum of curvatures in a hundred digits, and that prescribed curvatures are zero.
 void expect_flat(const Planar_conformal_map& map, const Mesh& mesh)
 {
   std::vector<double> u;

@@ -30,8 +30,8 @@ Mesh random_disk(unsigned int seed)
     seed);
 }
 
-// The path of a boundary in the plane: positions of all its vertices in the subdivision, in their
-// order, and which vertices of the input are among them.
+// Stores the path of a boundary in the plane: positions of all its vertices in the subdivision, in
+// their order, and which of them are vertices of the input.
 struct Flat_boundary
 {
   std::vector<Complex> points;
@@ -85,8 +85,8 @@ double area(const std::vector<Complex>& p)
 
 // ---- Claims ----
 
-// Cones lie inside, scale factors are within the bound there, and curvatures on the boundary are
-// those of `condition`.
+// Checks that cones lie inside, scale factors are within the bound inside, and curvatures on the
+// boundary are the curvatures of `condition`.
 void expect_cones_inside(const Planar_conformal_map& map, const Mesh& mesh, Conditions condition,
                          double bound)
 {
@@ -104,7 +104,8 @@ void expect_cones_inside(const Planar_conformal_map& map, const Mesh& mesh, Cond
   check_conditions(map, Triangulation(mesh).mesh(), condition, 1e-9);
 }
 
-// A closed path that turns around once (Gauss-Bonnet), by pi / 2 at the corners and nowhere else.
+// Checks that a closed path turns around once (Gauss-Bonnet), by pi / 2 at the corners and by zero
+// elsewhere.
 void expect_rectangle(const Flat_boundary& boundary, const std::vector<Vertex_index>& corners)
 {
   const std::vector<double> angle = turning_angles(boundary.points);
@@ -133,7 +134,7 @@ Complex circumcenter(const Complex& a, const Complex& b, const Complex& c)
   return a + p * q * (std::conj(p) - std::conj(q)) / (std::conj(p) * q - p * std::conj(q));
 }
 
-// The path turns around once, and vertices of the input lie on one circle.
+// Checks that the path turns around once, and vertices of the input lie on one circle.
 void expect_circle(const Flat_boundary& boundary)
 {
   const std::vector<double> angle = turning_angles(boundary.points);
@@ -163,7 +164,7 @@ void expect_refused(const Function& function, const std::string& message)
 
 // ---- Angles of polygons in circles ----
 
-// Points on a circle, around the center or all on one side of it.
+// Points are on a circle, around the center or all on one side of it.
 TEST(Circle_angles, are_those_of_inscribed_polygons)
 {
   CGAL::Random random(5);
@@ -201,7 +202,7 @@ TEST(Circle_angles, are_those_of_right_triangles)
 
 // ---- Rectangles ----
 
-// Longer on one side, turned and with other numbers of cells.
+// The rectangles are longer on one side, turned, and have different numbers of cells.
 TEST(Rectangle_corners, are_those_of_rectangles)
 {
   for(const double width : {1., 3., 0.2}) {
@@ -264,7 +265,7 @@ TEST(Flatten_to_rectangle, takes_components_and_lengths)
     expect_rectangle(b, corners);
 }
 
-// Gauss-Bonnet: a handle needs a cone with the curvature -4 pi.
+// By Gauss-Bonnet, a handle needs a cone with the curvature -4 pi.
 TEST(Flatten_to_rectangle, keeps_conditions_inside)
 {
   const Mesh mesh = punctured(embedded_torus(6, 5), {0, 1, 2, 3});
@@ -334,7 +335,7 @@ TEST(Flatten_to_disk, puts_the_boundary_on_a_circle)
     }
 }
 
-// Lengths in strips of T_3 are those in the plane, also where edges of T_3 cross the boundary.
+// Lengths in strips of T_3 are the lengths in the plane, even if edges of T_3 cross the boundary.
 TEST(Flatten_to_disk, measures_the_boundary_in_strips)
 {
   std::size_t crossed = 0;
@@ -379,8 +380,8 @@ TEST(Flatten_to_disk, leaves_regular_polygons_as_they_are)
     EXPECT_NEAR(log_scale(map, v), 0, 1e-9);
 }
 
-// Where no edge crosses the boundary of the double, the disk and the hemisphere are one map up to a
-// Moebius transformation: cross ratios of vertices in the plane agree.
+// If no edge crosses the boundary of the double, the disk and the hemisphere are one map up to a
+// Moebius transformation. So cross ratios of vertices in the plane agree.
 TEST(Flatten_to_disk, is_the_hemisphere_in_the_plane)
 {
   std::size_t compared = 0;
@@ -431,7 +432,8 @@ TEST(Flatten_to_disk, takes_components)
                  "Euler characteristic");
 }
 
-// With cones, the boundary need not close up in the plane, but it turns as a circle does.
+// With cones, the boundary need not close up in the plane, but its turning is the turning of a
+// circle.
 TEST(Flatten_to_disk, keeps_cones_inside)
 {
   const Mesh mesh = punctured(embedded_torus(9, 8), {0, 1, 2, 3});
@@ -459,7 +461,8 @@ TEST(Flatten_to_disk, says_how_it_failed)
     DCM::flatten_to_disk(mesh, CGAL::parameters::number_of_iterations(1));
   EXPECT_EQ(first.status(), DCM::Map_status::not_circular);
   EXPECT_LT(first.max_curvature_error(), 1e-10); // of the angles of that round
-  // If the minimization of a disk fails, that of a hemisphere leads close to the circle.
+  // If the minimization of a disk fails, the minimization of a hemisphere leads close to the
+  // circle.
   const auto one_step = np::minimizer(DCM::Newton_minimizer(1e-13, 1));
   const Planar_conformal_map hemisphere = DCM::flatten_to_disk(mesh, one_step);
   EXPECT_EQ(hemisphere.status(), DCM::Map_status::success);

@@ -69,8 +69,8 @@ std::vector<Quad> precise_gradient(const Energy& energy)
   return result;
 }
 
-// The shortest lengths from a vertex to all others of geodesics that cross at most `depth` edges,
-// from one triangle to the next.
+// Computes the shortest lengths from a vertex to all others of geodesics that cross at most `depth`
+// edges, from one triangle to the next.
 class Geodesics
 {
 public:
@@ -91,7 +91,7 @@ private:
   double length(Halfedge_index h) const { return m_t.length(m_t.mesh().edge(h)); }
   void note(Vertex_index v, double x) { m_shortest[v] = (std::min)(m_shortest[v], x); }
 
-  // The ends of the edge of `h` are at distances `a` and `b`.
+  // Extends geodesics. The ends of the edge of `h` are at distances `a` and `b`.
   void extend(Halfedge_index h, double a, double b, int depth)
   {
     if(depth == 0)
@@ -143,8 +143,8 @@ TEST(Peacock_triangulation, distances_are_those_of_shortest_geodesics)
     }
 }
 
-// Limbs are a hundred times as long as wide: some edges would have lengths beyond all numbers if
-// they were flipped in any order.
+// Limbs are a hundred times as long as wide. Some edges would have lengths beyond the range of
+// numbers if they were flipped in any order.
 TEST(Peacock_triangulation, long_surfaces)
 {
   const Triangulation t = [] {
@@ -185,7 +185,7 @@ TEST(Spherical_energy, Hessian_is_the_derivative_of_the_gradient)
   });
 }
 
-// The remaining surface is a disk: Gauss and Bonnet.
+// The remaining surface is a disk, to which Gauss and Bonnet applies.
 TEST(Spherical_energy, gradient_sums_to_a_turn)
 {
   for_each_point([](const Triangulation&, const Energy& energy, Vertex_index v, const Numbers&) {
@@ -212,15 +212,15 @@ TEST(Spherical_energy, is_convex_and_continuous_along_segments)
       slope = next;
       integral += next * (i == 0 || i == steps ? 0.5 : 1.) / steps;
     }
-    // The trapezoid rule: slopes like roots, where edges turn to infinity, leave an error of order
-    // h^1.5.
+    // Slopes behave like roots if edges turn to infinity, so the trapezoid rule has an error of
+    // order h^1.5.
     EXPECT_NEAR(energy.value() - first, integral, 1e-3);
     flips += energy.surface().flips().size();
   }
   EXPECT_GT(flips, 100u);
 }
 
-// The scale factor at infinity is infinite, whatever is said.
+// The scale factor at infinity is infinite, whatever value is given.
 TEST(Spherical_energy, vertex_at_infinity_has_no_influence)
 {
   for_each_point([](const Triangulation&, Energy energy, Vertex_index v, Numbers u) {
@@ -268,7 +268,7 @@ TEST(Spherical_energy, does_not_depend_on_the_triangulation)
   }
 }
 
-// The limit of finite horocycles: at infinity a scale factor that is great enough.
+// The result is the limit of finite horocycles: at infinity the scale factor is great enough.
 TEST(Spherical_energy, triangulation_is_the_limit_of_those_with_a_horocycle)
 {
   for_each_point(

@@ -64,15 +64,15 @@ double unit(const Point_2& p)
 
 // ---- Drawings ----
 
-// Triangles of points with exact coordinates, all of which turn left.
+// Stores triangles of points with exact coordinates, all of which turn left.
 struct Drawing
 {
   std::vector<std::array<Exact, 2>> points;
   Triangles triangles;
 };
 
-// A triangulated polygon with vertices 10^-1 to 10^-20 of a face from its corners or sides. Faces
-// may get several, and then they are nested.
+// Returns a triangulated polygon with vertices whose distances from the corners or sides of a face
+// are 10^-1 to 10^-20. Faces may get several, which are then nested.
 Drawing needles(int seed, bool are_nested)
 {
   Portable_random random(std::uint64_t(seed) + 1);
@@ -114,7 +114,7 @@ Number_lists corners(const Drawing& drawing)
   return result;
 }
 
-// The points with errors of up to `noise` units.
+// Returns the points with errors of up to `noise` units.
 std::vector<Point_2> rounded(const Drawing& drawing, int noise, Portable_random& random)
 {
   std::vector<Point_2> result;
@@ -170,7 +170,7 @@ TEST(Orientation_repair, mends_rounded_needles)
   EXPECT_EQ(after, 0u);
 }
 
-// Of needles inside needles, no move may help all.
+// For needles inside needles, possibly no move improves all.
 TEST(Orientation_repair, mends_most_nested_needles)
 {
   std::size_t before = 0, after = 0;
@@ -203,7 +203,7 @@ TEST(Orientation_repair, mends_vectors_around_the_origin)
   EXPECT_GT(before, 40u);
 }
 
-// What cannot be mended stays, and is found.
+// Polygons that cannot be repaired are unchanged, and are found.
 TEST(Orientation_repair, returns_what_remains)
 {
   const std::vector<Point_2> start{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -233,7 +233,7 @@ Number_lists corners(const DCM::Input_part& part, const Index& index)
   return result;
 }
 
-// Meshes whose maps have triangles that rounding can reverse.
+// Returns meshes whose maps have triangles that rounding can reverse.
 std::vector<Mesh> spoilt_meshes()
 {
   std::vector<Mesh> result;

@@ -71,7 +71,8 @@ std::vector<Named_three> all_threes()
 
 // ---- Numbers ----
 
-// The pieces of an edge are a path from one of its ends to the other; all between are crossings.
+// Checks that the pieces of an edge are a path from one of its ends to the other, with only
+// crossings between.
 void check_pieces(Layer layer, const Subdivision& s, const Three& three)
 {
   std::vector<std::vector<Vertex_index>> ends(three.mesh(layer).number_of_edges());
@@ -202,7 +203,7 @@ bool have_common_edges_beside_B(const Triangulation& ab, const Triangulation& bc
                      [&](const auto& e) { return b.count(e) == 0 && c.count(e) > 0; });
 }
 
-// All descriptions of a vertex are of one point.
+// Checks that all descriptions of a vertex belong to one point.
 void check_places(const Subdivision& s, const Flat_triangulation& ab, const Flat_triangulation& bc)
 {
   const Flat_places on_A(Side::input, ab), on_B(Side::intrinsic, ab), on_C(Side::intrinsic, bc);
@@ -248,7 +249,8 @@ Ideal_triangulation ideal_triangulation(const Triangulation& b, const std::vecto
   return triangulation<Ideal_traits>(b.mesh(), lengths);
 }
 
-// Ideal Delaunay at random scale factors, with the lengths of `b` all the same.
+// Returns the ideal Delaunay triangulation at random scale factors, if all lengths of `b` are
+// equal.
 Ideal_triangulation ideally_flipped(const Triangulation& b, double range, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -264,7 +266,8 @@ Ideal_triangulation ideally_flipped(const Triangulation& b, double range, unsign
   return result;
 }
 
-// A point as one of another face with the corners, or those that have weight, in some order.
+// Returns a point in another face with the same corners, or the same corners that have weight, in
+// some order.
 Barycentric in_face(Face_index f, const Location& p, const Delta_complex& mesh)
 {
   const auto from = IT::sides(p.first, mesh), to = IT::sides(f, mesh);
@@ -549,8 +552,8 @@ TEST(Triple_subdivision, is_that_of_two_if_two_are_equal)
   }
 }
 
-// All flips are undone: edges of A and C that are not in B are the same, and have their marks at
-// equal places, up to rounding.
+// All flips are undone. Edges of A and C that are not in B are the same, and have their marks at
+// equal positions, up to rounding.
 TEST(Triple_subdivision, of_coinciding_edges)
 {
   for(const Named_surface& surface : traced(flat_surfaces()))
@@ -590,9 +593,8 @@ TEST(Triple_subdivision, copies_and_moved_ones_are_independent)
   check_measures(moved, three, 1e-8);
 }
 
-// With light-like vectors of the corners, products of points are products of weights. If those of
-// all corners of a face are the same in B and in C, the two layouts in the light cone are
-// congruent.
+// With light-like vectors of the corners, products of points are products of weights. If these are
+// equal for all corners of a face in B and in C, the two layouts in the light cone are congruent.
 TEST(Triple_subdivision, in_ideal_geometry)
 {
   std::size_t tested = 0;
@@ -607,7 +609,7 @@ TEST(Triple_subdivision, in_ideal_geometry)
   EXPECT_GT(tested, 5000u);
 }
 
-// Each edge is as long as it is in its own triangulation.
+// Each edge has the length of its own triangulation.
 TEST(Triple_subdivision, positions_in_space)
 {
   for(const Named_mesh& m : traced(meshes()))
@@ -634,8 +636,8 @@ TEST(Triple_subdivision, positions_in_space)
     }
 }
 
-// Each of the edges of A that wind one way around a cylinder crosses those of C that wind the other
-// way around it, again and again.
+// Edges of A wind one way around a cylinder, and edges of C the other way. They cross again and
+// again.
 TEST(Triple_subdivision, of_twisted_edges)
 {
   for(const int twists : traced({1, 3, 30})) {

@@ -49,7 +49,7 @@ TEST(Surface_type, is_that_of_known_surfaces)
   EXPECT_THROW(DCM::surface_type(Mesh()), IT::Invalid_input);
 }
 
-// Other decorations of the same ideal polyhedron.
+// Other decorations of the same ideal polyhedron yield the same modulus.
 TEST(Uniformize, flat_tori_have_their_modulus)
 {
   for(const auto& [m, n] : {std::pair(4, 3), {7, 2}, {2, 9}}) {
@@ -75,7 +75,7 @@ TEST(Uniformize, flat_tori_have_their_modulus)
   }
 }
 
-// Small scale factors: all triangles stay acute enough for the triangulation to be Delaunay.
+// Scale factors are small: all triangles stay acute enough for the triangulation to be Delaunay.
 TEST(Uniformize, cylinders_have_their_modulus)
 {
   for(const int twists : {0, 3}) {
@@ -98,7 +98,7 @@ TEST(Uniformize, cylinders_have_their_modulus)
 }
 
 // Conformally, a torus with circles of radius 1 around one of radius 3 is flat with a quotient of
-// sides sqrt(3^2 - 1); squares of a mesh of it that is coarse are only nearly so.
+// sides sqrt(3^2 - 1). Squares of a coarse mesh approximate it.
 TEST(Uniformize, tori_of_revolution_have_almost_their_modulus)
 {
   const DCM::Uniformization result = DCM::uniformize(embedded_torus(120, 60));

@@ -30,7 +30,7 @@ double half_sinh(const Polar_point& p, const Polar_point& q)
                    std::sinh(p.distance) * std::sinh(q.distance) * around * around);
 }
 
-// A triangulation with sinh(x/2) for the hyperbolic lengths x of its edges.
+// Stores a triangulation with sinh(x/2) for the hyperbolic lengths x of its edges.
 struct Hyperbolic_surface
 {
   Delta_complex mesh;
@@ -71,8 +71,9 @@ void make_Delaunay(Hyperbolic_surface& s)
   }
 }
 
-// The regular polygon with 4 g sides and angles pi / 2g, opposite sides glued (the Bolza surface
-// for g = 2). Vertices are the middle, the corners, which are all one, and a point in each sector.
+// Returns the regular polygon with 4 g sides and angles pi / 2g, opposite sides glued (the Bolza
+// surface for g = 2). Vertices are the center, the corners, which are one vertex, and a point in
+// each sector.
 Hyperbolic_surface regular_surface(int g, unsigned int seed)
 {
   const int n = 4 * g;
@@ -107,7 +108,7 @@ Hyperbolic_surface regular_surface(int g, unsigned int seed)
   return result;
 }
 
-// The ideal polyhedron of a surface with another decoration, in its Delaunay triangulation.
+// Returns the ideal polyhedron of a surface with another decoration, in its Delaunay triangulation.
 Hyperbolic_surface scaled(const Hyperbolic_surface& s, const std::vector<double>& u)
 {
   DCM::Penner_surface<double> surface(s.mesh, boost::make_function_property_map<Edge_index>(
@@ -162,7 +163,8 @@ void check_curvatures(const Hyperbolic_conformal_map& map)
     }
 }
 
-// Distances in the plane are lengths; faces are counterclockwise; motions glue them.
+// Checks that distances in the plane are lengths, faces are counterclockwise, and motions glue
+// them.
 void check_layout(const Hyperbolic_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -204,7 +206,7 @@ void check_group(const DCM::Fuchsian_group& group, std::size_t genus)
     EXPECT_GT(std::abs(motion.a().real()), 1); // hyperbolic: no fixed point inside
 }
 
-// The product of motions that have been rounded.
+// Returns the error of the product of rounded motions.
 double rounded_relation_error(const DCM::Fuchsian_group& group)
 {
   Disk_motion<> product;
@@ -227,8 +229,8 @@ void check_map(const Hyperbolic_conformal_map& map, std::size_t genus)
   check_group(map.group(0), genus);
 }
 
-// A point of the disk and its images across the seams are one point of the surface: continuity of
-// the map.
+// Checks that a point of the disk and its images across the seams are one point of the surface: the
+// map is continuous.
 void check_subdivision(const Hyperbolic_conformal_map& map)
 {
   const auto& subdivision = map.subdivision();
@@ -259,7 +261,7 @@ std::vector<double> sorted_lengths(const Hyperbolic_conformal_map& map)
 
 // ---- Covers ----
 
-// Four vertices of the plate with two holes, around one of the bars beside the first hole.
+// Returns four vertices of the plate with two holes, around one of the bars beside the first hole.
 std::vector<Vertex_index> loop_around_bar()
 {
   const Mesh plate = straight_plate_with_holes(2);
@@ -277,7 +279,7 @@ Halfedge_index below(Halfedge_index h, unsigned int sheets)
   return Halfedge_index(2 * (h.idx() / 2 / sheets) + h.idx() % 2);
 }
 
-// The surface is cut along the loop. Across the cut, each copy meets the next one.
+// Cuts the surface along the loop. Across the cut, each copy meets the next one.
 Hyperbolic_surface cyclic_cover(const Triangulation& base, const std::vector<Vertex_index>& loop,
                                 unsigned int sheets)
 {
@@ -342,7 +344,7 @@ TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
   EXPECT_LT(rounded_relation_error(map.group(0)), 1e-8);
 }
 
-// The area of the surface, with a closed and a bounded component; half of that of its double.
+// The surface has a closed and a bounded component, and the area is half of the area of the double.
 TEST(Uniformize_hyperbolic, areas_of_components_are_their_own)
 {
   Mesh mesh = punctured(plate_with_holes(2), {3});
@@ -360,7 +362,7 @@ TEST(Uniformize_hyperbolic, areas_of_components_are_their_own)
   EXPECT_NEAR(map.group(0).area, 2 * map.area(0), 1e-9);
 }
 
-// What is said about the group is true of its generators as they are.
+// Statements about the group are true for its stored generators.
 TEST(Uniformize_hyperbolic, errors_of_relations_are_those_of_the_generators)
 {
   const DCM::Fuchsian_group group = DCM::uniformize_hyperbolic(plate_with_holes(16)).group(0);
@@ -376,8 +378,8 @@ TEST(Uniformize_hyperbolic, errors_of_relations_are_those_of_the_generators)
                   1e-15 * std::abs(group.generators[i].entries()[k]));
 }
 
-// Four cones with angles of pi / 2: the faces are regular triangles with angles of pi / 6, in which
-// 2 cosh(x/2) sin(pi/12) = 1.
+// With four cones with angles of pi / 2, the faces are regular triangles with angles of pi / 6.
+// They satisfy 2 cosh(x/2) sin(pi/12) = 1.
 TEST(Uniformize_hyperbolic, tetrahedron_with_cones)
 {
   const Triangulation t(tetrahedron());
@@ -403,7 +405,8 @@ TEST(Uniformize_hyperbolic, plates_with_holes)
   }
 }
 
-// Equal scales at vertices that are mirror images, whatever the diagonals of the squares.
+// Vertices that are mirror images have equal scale factors, whatever the diagonals of the squares
+// are.
 TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
 {
   for(int g = 2; g <= 4; ++g) {
@@ -425,8 +428,8 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
   }
 }
 
-// In a row of handles, errors grow exponentially with the distance from the middle: 115 digits are
-// enough for a hundred of them, but not for two hundred.
+// In a row of handles, errors grow exponentially with the distance from the center. So 115 digits
+// suffice for a hundred of them, but not for two hundred.
 TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
 {
   EXPECT_EQ(DCM::uniformize_hyperbolic(plate_with_holes(20)).status(), DCM::Map_status::success);
@@ -442,8 +445,8 @@ TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
   EXPECT_EQ(stopped.status(), DCM::Map_status::not_converged);
 }
 
-// What is Delaunay with rounded scale factors is not so with more digits: the faces of these
-// surfaces close up only if edges are flipped again.
+// A triangulation that is Delaunay with rounded scale factors is not Delaunay with more digits. The
+// faces of these surfaces close up only if edges are flipped again.
 TEST(Uniformize_hyperbolic, near_degenerate_surfaces_close_up)
 {
   for(const unsigned int seed : traced({970007u, 970015u, 970051u})) {
@@ -458,8 +461,8 @@ TEST(Uniformize_hyperbolic, near_degenerate_surfaces_close_up)
   }
 }
 
-// Any triangulation of the same surface with the same vertices, from few flips to a thorough mix.
-// The edges of the result are those of the hyperbolic Delaunay triangulation, in any order.
+// The same surface has any triangulation with the same vertices, from few flips to a thorough mix.
+// The edges of the result are the edges of the hyperbolic Delaunay triangulation, in any order.
 TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
 {
   for(int g = 2; g <= 4; ++g) {
@@ -480,8 +483,7 @@ TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
   }
 }
 
-// The metric of a surface, lifted to a covering surface, is discretely conformal there, and there
-// is only one.
+// The metric of a surface, lifted to a covering surface, is discretely conformal on it and unique.
 TEST(Uniformize_hyperbolic, covers_get_the_lifted_metric)
 {
   const Triangulation base(plate_with_holes(2));
@@ -497,7 +499,7 @@ TEST(Uniformize_hyperbolic, covers_get_the_lifted_metric)
   }
 }
 
-// One number for all vertices makes up for the size.
+// One common variable of all vertices compensates the size.
 TEST(Uniformize_hyperbolic, does_not_depend_on_the_size)
 {
   const Triangulation t(plate_with_holes(2));
@@ -525,7 +527,7 @@ TEST(Uniformize_hyperbolic, components_of_their_own)
   check_layout(map);
 }
 
-// A plate with two holes without two of its faces: the double has genus five.
+// The surface is a plate with two holes without two of its faces, so the double has genus five.
 TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
 {
   const Mesh mesh = punctured(plate_with_holes(2), {3, 40});
@@ -541,8 +543,8 @@ TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
 
 // ---- Points ----
 
-// The middle of three corners of a face of the subdivision, found on T_1 and then by the map, and
-// by averaging the homogeneous coordinates of the corners.
+// The barycenter of three corners of a face of the subdivision is found on T_1 and then by the map,
+// and by averaging the homogeneous coordinates of the corners.
 TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
 {
   const Mesh input = plate_with_holes(2);

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers with an exponent of their own against numbers of 120 digits.
+// Numbers with a separate exponent are compared with numbers of 120 digits.
 
 #include "../Intrinsic_triangulations/testing.h"
 

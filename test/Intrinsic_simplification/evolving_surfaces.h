@@ -39,7 +39,7 @@ inline double area_of(const Evolving_surface& s) { return area_of(s.mesh(), leng
 
 // ---- Checking ----
 
-// Angles from acos are exact to about 1e-8 where they are small, and there are hundreds of them.
+// Angles from acos are exact to about 1e-8 if they are small, and hundreds of them are added.
 constexpr double angle_tolerance = 1e-6;
 
 inline void expect_Delaunay(const Evolving_surface& s)

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces before and after simplification, and points on them.
+// This file generates surfaces before and after simplification, and points on them.
 
 #ifndef INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H
 #define INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H
@@ -80,7 +80,7 @@ void for_each_simplified_random_surface(const Check& check)
   }
 }
 
-// Among them are two levels of a hierarchy.
+// Calls `check` for simplified surfaces, including two levels of a hierarchy.
 template <typename Check>
 void for_each_simplified_surface(const Check& check)
 {
@@ -168,7 +168,7 @@ inline Simplified simplified_inside(const Mesh& mesh)
   return Simplified(std::move(s), 0);
 }
 
-// In the plane every vertex is at the same place on both levels.
+// Calls `check` for flat polygons. In the plane every vertex has the same position on both levels.
 template <typename Check>
 void for_each_flat_polygon(const Check& check)
 {
@@ -201,7 +201,7 @@ inline Simplified without_tip()
   return {std::move(s), fine, coarse};
 }
 
-// Each face gets a vertex that is next to one of its corners.
+// Inserts a vertex into each face next to one of its corners.
 inline Mesh with_near_vertices(const Mesh& mesh, double distance, CGAL::Random& random)
 {
   std::vector<Point> points(mesh.points().begin(), mesh.points().end());

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A removal allocates nothing, but for the history, whose memory doubles now and then.
+// A removal allocates only memory for the history, which doubles from time to time.
 
 #include "evolving_surfaces.h"
 

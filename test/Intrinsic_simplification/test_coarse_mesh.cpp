@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The coarse triangulation as a mesh in space, and meshes of common subdivisions.
+// These tests check the coarse triangulation as a mesh in space, and meshes of common subdivisions.
 
 #include "simplified_surfaces.h"
 
@@ -61,7 +61,7 @@ TEST(Coarse_mesh, is_ordinary_with_vertices_of_the_input)
     }
 }
 
-// Nothing is removed, or what is flat.
+// No vertices, or only flat ones, are removed.
 TEST(Coarse_mesh, of_the_same_surface)
 {
   const Mesh square = grid(6, 6, [](double x, double y) { return Point(x, y, 0); });
@@ -93,7 +93,7 @@ double distance_by_samples(const Point& p, const Mesh& mesh)
   return std::sqrt(result);
 }
 
-// Distances against many points on all faces.
+// Distances are compared with many points on all faces.
 TEST(Coarse_mesh, deviation)
 {
   const Mesh input = random_sphere(60, 4);
@@ -106,7 +106,7 @@ TEST(Coarse_mesh, deviation)
   EXPECT_GT(written.quality.distance_to_fine, 0);
 }
 
-// A sheet that is folded flat: what is unfolded is seen from the other side.
+// A sheet is folded flat: its unfolded part is seen from the other side.
 TEST(Coarse_mesh, counts_flipped_and_degenerate_faces)
 {
   Mesh mesh;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a history records of each kind of operation.
+// These tests check the records of a history for each kind of operation.
 
 #include "simplified_surfaces.h"
 

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Saving and loading.
+// These tests save and load hierarchies.
 
 #include "../Intrinsic_triangulations/equality.h"
 #include "simplified_surfaces.h"
@@ -83,8 +83,8 @@ TEST(Surface_hierarchy, of_many_levels)
   EXPECT_EQ(read.history.size(), surface.history().size());
 }
 
-// A triangulation with inserted vertices, and what has been simplified from it, in one stream:
-// points of the input go to the coarse surface and back.
+// A triangulation with inserted vertices and its simplification are in one stream. Points of the
+// input are mapped to the coarse surface and back.
 TEST(Surface_hierarchy, follows_a_refinement)
 {
   const Mesh mesh = punctured(random_sphere(60, 9), {3});
@@ -110,7 +110,7 @@ TEST(Surface_hierarchy, follows_a_refinement)
   }
 }
 
-// Every line that is left out, and numbers that are spoilt, are found, or make another valid file.
+// Every missing line, and every corrupted number, is found, or makes another valid file.
 TEST(Surface_hierarchy, of_spoilt_files)
 {
   const Simplified s(Evolving_surface(punctured(random_sphere(20, 6), {0})), 6);

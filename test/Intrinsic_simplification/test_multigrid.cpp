@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Multigrid, compared with a direct solution.
+// Multigrid is compared with a direct solution.
 
 #include "../Intrinsic_triangulations/matrices.h"
 #include "evolving_surfaces.h"
@@ -60,9 +60,9 @@ Mesh hills(std::size_t n)
 
 double energy(const Vector& x, const Matrix& a) { return std::sqrt(x.dot(a * x)); }
 
-// The condition of the matrices is below 1e5, so that a direct solution is exact to 1e-10. The
-// estimated error is a mean of the true one with weights that differ by the factor 2 at most for
-// such cycles.
+// Checks the solution. The condition of the matrices is below 1e5, so a direct solution is exact to
+// 1e-10. The estimated error is a mean of the true one with weights that differ by at most the
+// factor 2 for such cycles.
 void expect_solution(const Multigrid_result& result, const Vector& exact, const Matrix& a)
 {
   EXPECT_EQ(result.status, Multigrid_status::converged);
@@ -82,7 +82,7 @@ TEST(Multigrid, agrees_with_a_direct_solution)
     }
 }
 
-// Pure Neumann problems: the solution with mean zero, for the right-hand side without its mean.
+// For pure Neumann problems, the solution has mean zero, for the right-hand side without its mean.
 TEST(Multigrid, constants_are_taken_out)
 {
   for(const Mesh& mesh : {random_sphere(800, 1), torus(20), hills(30)}) {
@@ -98,7 +98,7 @@ TEST(Multigrid, constants_are_taken_out)
   }
 }
 
-// Three components, one of them a single vertex.
+// The surface has three components, one of them a single vertex.
 TEST(Multigrid, each_component_has_its_own_constants)
 {
   Mesh mesh = random_sphere(300, 1);
@@ -130,7 +130,7 @@ TEST(Multigrid, iterations_are_bounded)
   }
 }
 
-// The cycle is symmetric and positive definite, as the method of conjugate gradients needs it.
+// The cycle is symmetric and positive definite, as conjugate gradients require.
 TEST(Multigrid, cycle_is_symmetric)
 {
   const System system(hills(20), 20);

@@ -48,7 +48,7 @@ TEST(Parallel, maps_between_levels)
   }
 }
 
-// Rows are the places of fine vertices, whatever is computed at the same time.
+// Rows are the positions of fine vertices, whatever else is computed at the same time.
 TEST(Parallel, prolongation_has_the_places_of_vertices)
 {
   const Mesh mesh = perturbed(embedded_torus(40, 40), 0.05, 5);

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The pieces on which the map between two levels is projective.
+// These tests check the pieces on which the map between two levels is projective.
 
 #include "../Intrinsic_triangulations/data_meshes.h"
 #include "simplified_surfaces.h"
@@ -44,8 +44,9 @@ double area(Level side, const Projective_piece& p)
   return sum;
 }
 
-// At every corner it turns left, and its area is positive, on both sides. Where an edge passes a
-// vertex, areas are as small as rounding; that of coordinates is greater in thin faces.
+// Checks that a piece turns left at every corner, and its area is positive, on both sides. If an
+// edge passes a vertex, areas are as small as rounding errors, which are greater for coordinates in
+// thin faces.
 void expect_convex(const Projective_piece& p, double rounding = 1e-15)
 {
   const std::size_t size = p.corners.size();
@@ -59,7 +60,7 @@ void expect_convex(const Projective_piece& p, double rounding = 1e-15)
   }
 }
 
-// The pieces have the area of each face of both levels together.
+// Checks that the areas of the pieces add up to the area of each face of both levels.
 void expect_tiling(const Pieces& pieces, const Surface_map& map)
 {
   std::vector<double> fine(map.fine().mesh().number_of_faces(), 0);
@@ -74,7 +75,7 @@ void expect_tiling(const Pieces& pieces, const Surface_map& map)
     EXPECT_NEAR(sum, 1, 1e-11);
 }
 
-// The distance of two points of a face, in units of its longest side.
+// Checks the distance of two points of a face, relative to its longest side.
 void expect_near(const Coordinates& x, const Coordinates& y, const Surface_level& level,
                  Face_index f, double tolerance)
 {
@@ -96,8 +97,8 @@ bool is_inside(const Coordinates& b, const Projective_piece& p)
   return true;
 }
 
-// Points carried through all operations come where the piece says. Returns how many have been
-// inside of a piece.
+// Checks that points mapped through all operations agree with the piece. Returns how many points
+// were inside of a piece.
 std::size_t expect_mapped(const Pieces& pieces, const Surface_map& map, double tolerance)
 {
   std::size_t found = 0;
@@ -150,7 +151,7 @@ TEST(Projective_pieces, of_one_face)
   }
 }
 
-// A level and itself: the faces, mapped by the identity.
+// A level is mapped to itself: the pieces are the faces, mapped by the identity.
 TEST(Projective_pieces, of_one_level)
 {
   const Evolving_surface surface(embedded_torus(5, 4));
@@ -163,8 +164,8 @@ TEST(Projective_pieces, of_one_level)
   }
 }
 
-// Projective maps are determined by the circumcircle, where the sum of l_ij^2 b_i b_j is zero, and
-// the corners: squared lengths at the tip become a third, so its coordinate is multiplied by three.
+// Projective maps are determined by the corners and the circumcircle, where the sum of l_ij^2 b_i
+// b_j is zero. Squared lengths at the tip become a third, so its coordinate is multiplied by three.
 TEST(Projective_pieces, of_a_tip)
 {
   const Simplified s = without_tip();
@@ -186,7 +187,7 @@ TEST(Projective_pieces, of_a_tip)
 
 typedef std::pair<std::pair<Face_index, Face_index>, double> Part;
 
-// Sorted by parents and area; without those that rounding makes.
+// Returns the parts sorted by parents and area, without parts that only rounding creates.
 std::vector<Part> parts(std::vector<Part> all)
 {
   all.erase(std::remove_if(all.begin(), all.end(), [](const Part& p) { return p.second < 1e-12; }),
@@ -240,7 +241,7 @@ bool is_isometric(const Evolving_surface& s)
   return result;
 }
 
-// Barycentric coordinates are mapped linearly where nothing is scaled.
+// Checks that barycentric coordinates are mapped linearly without scaling.
 void expect_linear(const Pieces& pieces)
 {
   for(const Projective_piece& p : pieces)
@@ -261,7 +262,7 @@ TEST(Projective_pieces, after_flips_are_the_common_subdivision)
   }
 }
 
-// Some vertices are flat up to rounding: then there are changes of scale.
+// Some vertices are flat up to rounding, which causes changes of scale.
 TEST(Projective_pieces, of_flat_polygons_are_the_common_subdivision)
 {
   int isometric = 0;
@@ -286,7 +287,7 @@ TEST(Projective_pieces, of_a_cube_are_the_common_subdivision)
   }
 }
 
-// The scale is changed first, while all edges are those of the fine level.
+// The scale is changed first, while all edges are edges of the fine level.
 TEST(Projective_pieces, after_one_removal_are_the_common_subdivision)
 {
   std::size_t operations = 0;
@@ -317,8 +318,8 @@ double distance(const Projective_piece& p, const Projective_piece& q)
   return result;
 }
 
-// No two pieces could be one: on surfaces in general position maps are different that are not the
-// same. Each polygon of the common subdivision is made of pieces.
+// No two pieces could be one: on surfaces in general position, different pieces have different
+// maps. Each polygon of the common subdivision consists of pieces.
 TEST(Projective_pieces, are_as_few_as_possible)
 {
   for(unsigned int seed : seeds(10)) {
@@ -354,8 +355,8 @@ TEST(Projective_pieces, of_nearly_degenerate_meshes)
     }
 }
 
-// Lines pass each other at the distance of rounding: the pieces tile the faces all the same, or it
-// is said that they do not.
+// Lines pass each other at the distance of rounding errors. The pieces still tile the faces, or the
+// result reports that they do not.
 TEST(Projective_pieces, with_vertices_as_near_as_rounding)
 {
   CGAL::Random random(2);

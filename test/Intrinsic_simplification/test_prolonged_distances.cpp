@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesic distances on a coarse level, taken to the fine one.
+// These tests prolong geodesic distances of a coarse level to the fine level.
 
 #include "simplified_surfaces.h"
 
@@ -30,8 +30,8 @@ double distance(Vertex_index v, Vertex_index w, const Mesh& mesh)
   return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
 }
 
-// Nothing is distorted in the plane. Distances change by no more than a point is moved, and
-// interpolation takes values from corners of the same face.
+// The plane is not distorted. Distances change by no more than a point is moved, and interpolation
+// uses values at corners of the same face.
 TEST(Prolonged_distances, on_a_square)
 {
   const Mesh mesh = subdivided(square(), 4);
@@ -56,7 +56,7 @@ TEST(Prolonged_distances, on_a_square)
     }
 }
 
-// The three ways to ask are the same.
+// Three kinds of queries yield the same distances.
 TEST(Prolonged_distances, are_the_product_of_matrices)
 {
   const Mesh mesh = random_sphere(150, 1);
@@ -74,7 +74,8 @@ TEST(Prolonged_distances, are_the_product_of_matrices)
   }
 }
 
-// Between the vertices of a cube: an edge, the diagonal of a side, and across two sides.
+// Paths between the vertices of a cube are an edge, the diagonal of a side, and a path across two
+// sides.
 TEST(Prolonged_distances, corners_of_a_cube)
 {
   Mesh mesh = subdivided(cube(), 2);

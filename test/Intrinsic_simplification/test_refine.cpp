@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Refinement after simplification, and maps that are composed.
+// These tests refine after simplification, and compose maps.
 
 #include "simplified_surfaces.h"
 
@@ -27,7 +27,7 @@ double least_angle(Face_index f, const Evolving_surface& s)
   return result;
 }
 
-// Faces obey the bound or are in the result; all edges are Delaunay.
+// Checks that faces satisfy the bound or are in the result, and all edges are Delaunay.
 void expect_refined(const Evolving_surface& s, double angle, const Refinement_result& result)
 {
   ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh()));
@@ -57,7 +57,7 @@ void for_each_random_point(const Delta_complex& mesh, const Visit& visit)
       visit(Location{f, random_coordinates(random)});
 }
 
-// Points go there and back, and by way of the surface between.
+// Checks that points are mapped back to themselves, also through the intermediate surface.
 template <typename First, typename Second, typename Map>
 void expect_composed(const First& first, const Second& second, const Map& map)
 {
@@ -91,8 +91,8 @@ TEST(Refine, obeys_the_bound)
   });
 }
 
-// The surface between is the coarse one, and the map from it to its refinement is an isometry: that
-// of integer coordinates.
+// The intermediate surface is the coarse one, and the map from it to its refinement is an isometry:
+// the map of integer coordinates.
 TEST(Refine, makes_what_integer_coordinates_make)
 {
   std::size_t inserted = 0;
@@ -133,7 +133,7 @@ TEST(Refine, maps_are_composed)
   });
 }
 
-// A function that is linear in the plane has a prolongation that is linear.
+// A linear function in the plane has a linear prolongation.
 TEST(Refine, prolongs_linear_functions_on_a_flat_polygon)
 {
   for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map&) {
@@ -162,7 +162,7 @@ TEST(Refine, restriction_is_a_mean)
   });
 }
 
-// The common subdivision has the lengths of coarse edges of a surface where nothing is scaled.
+// Without scaling, the common subdivision has the lengths of coarse edges.
 TEST(Refine, keeps_lengths_in_the_plane)
 {
   for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map&) {
@@ -183,9 +183,9 @@ TEST(Refine, keeps_lengths_in_the_plane)
   });
 }
 
-// One can go on: what has been inserted is removed again, and refined once more. Then a curve may
-// come back from an edge of the fine level into the face from which it came: there is a subdivision
-// or an error with this name.
+// Simplification can continue: inserted vertices are removed again, and the surface is refined once
+// more. Then a curve may return from an edge of the fine level into its previous face. The result
+// is a subdivision or an error with this name.
 TEST(Refine, takes_turns_with_simplification)
 {
   for(const Mesh& mesh : {random_sphere(300, 4), punctured(random_sphere(200, 5), {3}),
@@ -207,8 +207,8 @@ TEST(Refine, takes_turns_with_simplification)
   }
 }
 
-// Coarse edges run side by side for long, around a tube or, through inserted vertices, in circles:
-// the subdivision ends and has the areas of both levels.
+// Coarse edges run side by side for long, around a tube or, through inserted vertices, in circles.
+// The subdivision ends and has the areas of both levels.
 TEST(Refine, subdivides_with_curves_that_do_not_separate)
 {
   for(const unsigned int seed : traced({3u, 10u, 77u, 211u})) {
@@ -254,7 +254,7 @@ TEST(Refine, splits_constrained_edges)
   EXPECT_NO_THROW(IS::Surface_subdivision<>(Surface_map(surface, coarse, refined)));
 }
 
-// Where rounding leaves doubts, refinement restarts, and so does the history.
+// If rounding leaves decisions undecided, refinement restarts, and so does the history.
 TEST(Refine, starts_anew_with_exact_decisions)
 {
   struct Restart_counter : IT::Default_refinement_visitor
@@ -293,8 +293,8 @@ TEST(Refine, with_exact_decisions)
 
 // ---- Maps of several kinds ----
 
-// From a mesh to its refinement by integer coordinates, to what is left of it by a history, and to
-// a refinement of that by integer coordinates.
+// The map leads from a mesh to its refinement by integer coordinates, to its simplification by a
+// history, and to a refinement by integer coordinates.
 TEST(Composed_map, of_integer_coordinates_and_histories)
 {
   for(const Named_mesh& m : traced(meshes())) {

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Flattening and removal of single vertices.
+// These tests flatten and remove single vertices.
 
 #include "evolving_surfaces.h"
 
@@ -10,7 +10,7 @@ namespace Test_removal {
 
 using namespace Test_surfaces;
 
-// Lengths of a surface, with those of the flattened star.
+// Returns lengths of a surface, with the lengths of the flattened star.
 std::vector<double> flattened_lengths(const Evolving_surface& s, const Flattened_star& star)
 {
   std::vector<double> result(s.mesh().num_edges());
@@ -106,8 +106,8 @@ Vertex_index inner_vertex(const Delta_complex& mesh)
   return {};
 }
 
-// With equal outgoing halfedges the center would have to be that of the circumcircle of the other
-// three edges.
+// With equal outgoing halfedges, the center would have to be the center of the circumcircle of the
+// other three edges.
 TEST(Flattening, a_star_around_an_obtuse_triangle_cannot_become_flat)
 {
   const Delta_complex mesh = tripod();
@@ -197,7 +197,7 @@ TEST(Removal, keeps_the_surface_valid)
   EXPECT_GT(removed, 500u);
 }
 
-// There are no fewer; some spheres end with a few more that cannot be flattened.
+// No sphere has fewer vertices; some end with a few more that cannot be flattened.
 TEST(Removal, most_spheres_end_with_three_vertices)
 {
   int least = 0;
@@ -210,7 +210,7 @@ TEST(Removal, most_spheres_end_with_three_vertices)
   EXPECT_GT(least, 10);
 }
 
-// Loops have to be flipped away.
+// Loops must be flipped away.
 TEST(Removal, the_last_vertex_of_a_torus_is_one)
 {
   for(unsigned int seed = 0; seed < 20; ++seed) {
@@ -243,7 +243,7 @@ TEST(Removal, in_a_flat_polygon_nothing_moves)
   }
 }
 
-// A vertex in the middle of a square: its last flip has it on the new edge.
+// A vertex is in the middle of a square, and its last flip leaves it on the new edge.
 TEST(Removal, a_vertex_on_a_diagonal)
 {
   Evolving_surface s(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }));

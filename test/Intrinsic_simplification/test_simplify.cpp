@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The greedy simplification.
+// These tests check the greedy simplification.
 
 #include "../Intrinsic_triangulations/data_meshes.h"
 #include "../Intrinsic_triangulations/hard_meshes.h"
@@ -46,7 +46,7 @@ Simplification_result simplify_for_free(Evolving_surface& s, double rounding)
   return simplify(s, cost, maximum_cost(rounding));
 }
 
-// This must leave the vertices 0, ..., corners - 1.
+// Checks that only the vertices 0, ..., corners - 1 are left.
 void expect_only_corners_left(const Mesh& mesh, std::size_t corners, double rounding)
 {
   Evolving_surface s(mesh);
@@ -80,7 +80,7 @@ TEST(Simplification, rotated_polyhedra_to_their_corners)
   expect_only_corners_left(mesh, 8, 1e-10);
 }
 
-// The walls of a box without lid and bottom: an annulus whose boundary is straight everywhere.
+// The walls of a box without lid and bottom are an annulus whose boundary is straight everywhere.
 TEST(Simplification, tube_to_its_ends)
 {
   Evolving_surface s(subdivided(punctured(cube(), {0, 1, 2, 3}), 3));
@@ -90,7 +90,7 @@ TEST(Simplification, tube_to_its_ends)
   EXPECT_EQ(Euler_characteristic(s.mesh()), 0);
 }
 
-// A piece of a cone: of a regular pyramid, the sides.
+// A piece of a cone consists of the sides of a regular pyramid.
 TEST(Simplification, pyramid_to_its_corners)
 {
   std::vector<Point> points{{0, 0, 1}};
@@ -143,7 +143,7 @@ TEST(Simplification, ends_where_nothing_can_be_removed)
   }
 }
 
-// The surface follows the flips of the triangulation, and the history has them.
+// The surface follows the flips of the triangulation, and the history contains them.
 TEST(Simplification, starts_from_an_exactly_Delaunay_triangulation)
 {
   for(std::uint64_t seed : traced({0u, 1u, 2u, 3u, 5u, 9u, 13u, 25u, 26u})) {
@@ -395,7 +395,8 @@ Mesh mesh_of(const Cell_polygon& p, int n)
   return mesh;
 }
 
-// Flat vertices can be removed without changing the surface, so the area tells whether others were.
+// Flat vertices can be removed without changing the surface, so the area shows whether others were
+// removed.
 TEST(Simplification, keeps_corners_of_flat_surfaces_by_default)
 {
   for(const Cell_polygon& p : traced(cell_polygons()))
@@ -409,7 +410,7 @@ TEST(Simplification, keeps_corners_of_flat_surfaces_by_default)
       }
 }
 
-// What is cut off a square of side two: half of a unit square, an eighth of the area.
+// The part cut off a square of side two is half of a unit square, an eighth of the area.
 TEST(Transport_cost, of_change_at_the_boundary)
 {
   Evolving_surface s(mesh_of({"square", 4, 2, 2, [](int, int) { return true; }}, 1));
@@ -429,7 +430,7 @@ TEST(Transport_cost, of_change_at_the_boundary)
   EXPECT_EQ(cost.number_of_masses(), 0u);
 }
 
-// Nothing is left of a surface by mistake.
+// A surface is not removed completely by mistake.
 TEST(Simplification, needs_a_target)
 {
   Evolving_surface s(random_sphere(30, 6));

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The common subdivision of two levels.
+// These tests check the common subdivision of two levels.
 
 #include "../Intrinsic_triangulations/data_meshes.h"
 #include "simplified_surfaces.h"
@@ -26,7 +26,7 @@ double area(Face_index f, const Surface_level& level)
 
 double total_area(const Surface_level& level) { return area_of(level.mesh(), level.length_map()); }
 
-// The parts of each face have its area together.
+// Checks that the areas of the parts of each face add up to its area.
 void expect_areas(const Subdivision& subdivision, Level side, const Surface_level& level)
 {
   std::vector<double> sum(level.mesh().number_of_faces(), 0);
@@ -37,7 +37,7 @@ void expect_areas(const Subdivision& subdivision, Level side, const Surface_leve
     EXPECT_NEAR(sum[f], area(f, level), 1e-7 * area(f, level) + 1e-12 * total);
 }
 
-// Faces are polygons, and their corners lie in the parents.
+// Checks that faces are polygons, and their corners lie in the parents.
 void expect_polygons(const Subdivision& subdivision)
 {
   const auto& mesh = subdivision.mesh();
@@ -59,7 +59,7 @@ Location location(const Subdivision& subdivision, Level side, Halfedge_index h)
           subdivision.coordinates(side, h)};
 }
 
-// Seen from every face the places on both sides belong together.
+// Checks that, seen from every face, the positions on both sides belong together.
 void expect_mapped(const Subdivision& subdivision, const Surface_map& map)
 {
   const auto& mesh = subdivision.mesh();
@@ -92,7 +92,7 @@ void expect_parents(const Subdivision& subdivision)
   }
 }
 
-// The parts of a coarse edge are a path between its ends, and belong to no other edge.
+// Checks that the parts of a coarse edge are a path between its ends, and belong to no other edge.
 void expect_parts_of_coarse_edges(const Subdivision& subdivision)
 {
   const auto& mesh = subdivision.mesh();
@@ -196,7 +196,7 @@ TEST(Subdivision, interpolates_from_both_levels)
   });
 }
 
-// A level and itself: nothing but the mesh.
+// A level is mapped to itself: the subdivision is the mesh.
 TEST(Subdivision, of_one_level)
 {
   const Evolving_surface surface(embedded_torus(5, 4));
@@ -209,7 +209,7 @@ TEST(Subdivision, of_one_level)
   expect_parents(subdivision);
 }
 
-// In the plane every vertex is at the same place on both levels, and brute force counts the
+// In the plane every vertex has the same position on both levels, and brute force counts the
 // crossings.
 TEST(Subdivision, of_a_flat_polygon)
 {
@@ -255,7 +255,7 @@ TEST(Subdivision, of_a_cube)
   }
 }
 
-// Edges pass by vertices at the distance of rounding, several beside each other.
+// Edges pass vertices at the distance of rounding errors, several of them side by side.
 TEST(Subdivision, with_vertices_as_near_as_rounding)
 {
   std::size_t checked = 0;
@@ -289,8 +289,8 @@ TEST(Subdivision, keeps_isolated_vertices)
   expect_mapped(subdivision, map);
 }
 
-// Polygons without area are where edges coincide, up to the rounding of places that have been
-// carried through dozens of operations.
+// Checks that polygons without area occur only at coinciding edges, up to the rounding of positions
+// that have been mapped through dozens of operations.
 void expect_no_negative_areas(const Subdivision& subdivision, Level side)
 {
   const double total = total_area(subdivision.level(side));
@@ -303,7 +303,7 @@ void expect_no_negative_areas(const Subdivision& subdivision, Level side)
   EXPECT_NEAR(sum, total, 1e-8 * total);
 }
 
-// The sides of a cube whose bits are set, each cut in two.
+// Returns the sides of a cube whose bits are set, each cut in two.
 Mesh sides_of_cube(unsigned int set)
 {
   Mesh mesh;
@@ -321,7 +321,7 @@ Mesh sides_of_cube(unsigned int set)
 }
 
 // Midpoints of coarse edges, where refinement inserts vertices, are removed vertices up to
-// rounding: several coarse edges come to one of these, and run through it.
+// rounding. Several coarse edges run through one of them.
 TEST(Subdivision, where_inserted_vertices_are_removed_ones)
 {
   for(unsigned int set = 1; set < 64; ++set)

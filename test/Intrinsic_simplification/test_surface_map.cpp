@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The map between levels, and the matrices that are made from it.
+// These tests check the map between levels, and its matrices.
 
 #include "simplified_surfaces.h"
 
@@ -42,7 +42,7 @@ TEST(Surface_map, there_and_back)
   });
 }
 
-// Vertices that are left stay where they are; a coordinate of zero stays exactly zero.
+// Remaining vertices keep their positions, and a coordinate of zero stays exactly zero.
 TEST(Surface_map, of_vertices)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
@@ -131,7 +131,7 @@ TEST(Surface_map, of_a_flat_polygon_is_the_identity)
   });
 }
 
-// A map over two levels is the two maps one after the other.
+// A map over two levels is the composition of the two maps.
 TEST(Surface_map, levels_of_a_hierarchy)
 {
   Evolving_surface surface(random_sphere(300, 7));

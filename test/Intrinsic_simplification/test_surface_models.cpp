@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Levels and evolving surfaces as models of IntrinsicSurface.
+// Levels and evolving surfaces are models of IntrinsicSurface.
 
 #include "simplified_surfaces.h"
 

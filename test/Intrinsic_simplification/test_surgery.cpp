@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Boundary loops that are closed, and handles that are cut.
+// These tests close boundary loops and cut handles.
 
 #include "evolving_surfaces.h"
 
@@ -44,7 +44,7 @@ void expect_valid(const Surface_surgery& s, double area_before, double tolerance
   EXPECT_TRUE(s.triangulation().is_valid(true));
 }
 
-// Points go there and back; those in disks come from nowhere.
+// Checks that points are mapped back to themselves. Points in disks have no preimage.
 void expect_map(const Surface_surgery& s, const Triangulation& input, double tolerance = 1e-9)
 {
   CGAL::Random random(1);
@@ -67,7 +67,7 @@ void expect_map(const Surface_surgery& s, const Triangulation& input, double tol
   EXPECT_EQ(apexes, s.number_of_disks());
 }
 
-// Faces and edges that were there before are what they were.
+// Checks that original faces and edges are unchanged.
 void expect_unchanged(const Surface_surgery& s, const Triangulation& input)
 {
   for(Face_index f : input.mesh().faces())
@@ -186,8 +186,8 @@ TEST(Loop_signatures, against_cutting)
   EXPECT_GT(others, 100u);
 }
 
-// The length of the shortest closed walk that does not separate and stays inside: a shortest path
-// in the cover in which a walk around such a curve leads to another sheet.
+// Returns the length of the shortest closed walk that does not separate and stays inside. It is a
+// shortest path in the cover in which a walk around such a curve leads to another sheet.
 double shortest_loop(const Surface_surgery& s)
 {
   const Delta_complex& mesh = s.mesh();
@@ -239,7 +239,7 @@ TEST(Short_loops, shortest_of_all)
   EXPECT_GT(found, 30u);
 }
 
-// Where nothing is found, searches reach each vertex some times, however far they go.
+// If no loop is found, searches reach each vertex several times, however far they extend.
 TEST(Short_loops, searches_overlap_little)
 {
   const std::size_t n = 30;
@@ -281,7 +281,7 @@ TEST(Pinch_handles, all_handles)
   EXPECT_EQ(pinch_all(Triangulation(five_components())), 0u);
 }
 
-// A sphere from which pairs of triangles are taken, far from each other, with tubes between them.
+// Returns a sphere with tubes between pairs of removed triangles, far from each other.
 Mesh sphere_with_handles(std::size_t n, std::size_t genus, unsigned seed)
 {
   const Mesh sphere = random_sphere(n, seed);
@@ -402,7 +402,7 @@ TEST(Surface_surgery, cuts_along_geodesics)
   }
 }
 
-// A tube of a torus made of n-gons: what is filled are two of them.
+// A tube of a torus consists of n-gons, and two of them are filled.
 TEST(Pinch_handles, area_of_disks)
 {
   const std::size_t n = 7;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tangent vectors taken from coarse levels to fine ones.
+// These tests prolong tangent vectors of coarse levels to fine ones.
 
 #include "simplified_surfaces.h"
 
@@ -65,7 +65,7 @@ Complex direction(Halfedge_index h, const Surface_map& map, const Flat_surface& 
   return way / std::abs(way);
 }
 
-// A parallel field on a flat torus, where all vertices but one can be removed at no cost.
+// The field is parallel on a flat torus, where all vertices but one can be removed at no cost.
 TEST(Tangent_prolongation, of_a_constant_field_on_a_flat_torus_is_exact)
 {
   for(unsigned int seed = 0; seed < 5; ++seed) {
@@ -88,7 +88,7 @@ TEST(Tangent_prolongation, of_a_constant_field_on_a_flat_torus_is_exact)
   }
 }
 
-// On a sphere, fields that rotate it are smooth: what comes out is close to the field of the same
+// On a sphere, fields of rotations are smooth: the result is close to the field of the same
 // rotation.
 TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
 {

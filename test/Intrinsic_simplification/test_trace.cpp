@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Edges of one level over the other.
+// These tests trace edges of one level over the other.
 
 #include "simplified_surfaces.h"
 
@@ -56,7 +56,8 @@ void expect_meeting(const Trace_piece& piece, const Trace_piece& next, const Del
   }
 }
 
-// A connected curve along the edge, whose pieces never lead from a side to itself.
+// Checks that a trace is a connected curve along the edge, whose pieces never lead from a side to
+// itself.
 void expect_curve(const Trace& trace, const Delta_complex& mesh)
 {
   ASSERT_FALSE(trace.empty());
@@ -98,7 +99,7 @@ bool is_on_edge(const Location& p, Halfedge_index h, double low, double high,
   return false;
 }
 
-// A trace ends at the image of a vertex.
+// Checks that a trace ends at the image of a vertex.
 void expect_end(const Trace_piece& piece, std::size_t end, Vertex_index coarse,
                 const Surface_map& map)
 {
@@ -241,7 +242,7 @@ double length(const Trace& trace, const Surface_level& level, const Mesh& mesh)
   return sum;
 }
 
-// No three of the points are on a line, but for those on the boundary.
+// No three of the points are on a line, except for points on the boundary.
 TEST(Trace, of_a_flat_polygon_is_straight)
 {
   for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The transport cost against transports computed by hand.
+// The transport cost is compared with transports computed directly.
 
 #include "evolving_surfaces.h"
 

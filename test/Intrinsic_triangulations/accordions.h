@@ -7,18 +7,18 @@
 
 #include "generators.h"
 
-// Strips of panels that are folded along parallel lines. A panel is as wide as the root of a whole
-// number, so that the unfolded strip is as wide as a sum of roots. Four points at two heights on
-// its ends are the corners of a rectangle: a tie with all these roots.
+// This file generates strips of panels that are folded along parallel lines. The width of a panel
+// is the root of a whole number, so the width of the unfolded strip is a sum of roots. Four points
+// at two heights on its ends are the corners of a rectangle: a tie with all these roots.
 namespace Test_surfaces {
 
-// One that steps by (x, z) has the width sqrt(x^2 + z^2).
+// Represents a panel. A panel that steps by (x, z) has the width sqrt(x^2 + z^2).
 struct Panel
 {
   double x, z;
 };
 
-// The heights on both ends, from the lowest to the highest, which all folds reach.
+// Stores the heights on both ends, from the lowest to the highest, which all folds reach.
 struct Accordion
 {
   std::vector<Panel> panels;

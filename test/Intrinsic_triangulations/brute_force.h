@@ -7,7 +7,7 @@
 
 #include "generators.h"
 
-// Counting on flat surfaces, in integers.
+// This file counts on flat surfaces, in integers.
 namespace Test_surfaces {
 
 struct Segment
@@ -30,7 +30,7 @@ inline std::int64_t floor_of_ratio(std::int64_t p, std::int64_t q)
   return p / q - (p % q != 0 && (p < 0) != (q < 0));
 }
 
-// The translates t + i a + j b that can meet s have i, j in these ranges.
+// Stores the ranges of i and j for which the translate t + i a + j b can meet s.
 struct Lattice_range
 {
   std::int64_t first, last;
