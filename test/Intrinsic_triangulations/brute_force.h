@@ -47,7 +47,7 @@ struct Lattice_range
   }
 };
 
-// How often s crosses all translates of t.
+// Returns how often s crosses all translates of t.
 inline std::int64_t count_crossings(const Segment& s, const Segment& t, const Flat_surface& surface)
 {
   const Vector a = surface.a, b = surface.b, d = s.source - t.source;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Replaces operator new of the test program by one that counts. In a file of its own, since
+// Replaces operator new of the test program by one that counts. It is in a separate file, because
 // compilers that see new and delete together warn of free().
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace {
 
 std::atomic<std::size_t> count = 0, bytes = 0; // threads allocate, too
 
-// Before each block stands its size, in so many bytes that the block is aligned for all types.
+// The size of each block precedes it, in so many bytes that the block is aligned for all types.
 constexpr std::size_t header = alignof(std::max_align_t);
 static_assert(header >= sizeof(std::size_t));
 

@@ -13,8 +13,8 @@
 
 namespace Test_surfaces {
 
-// The data files of CGAL 5.5 to 6.2 that are not triangulated surfaces as they are, with the defect
-// by which a diagnosis begins. All others are surfaces.
+// Returns the data files of CGAL 5.5 to 6.2 that are not triangulated surfaces, with the first
+// defect of a diagnosis. All others are surfaces.
 inline const std::map<std::string, std::string>& refused_data_meshes()
 {
   static const std::map<std::string, std::string> result = [] {
@@ -80,7 +80,7 @@ void for_data_meshes(const std::vector<std::string>& names, const Visit& visit)
   }
 }
 
-// For tests of one mesh each.
+// Returns a name for tests of one mesh each.
 inline std::string test_name(const testing::TestParamInfo<std::string>& info)
 {
   std::string name = std::filesystem::path(info.param).filename().string();

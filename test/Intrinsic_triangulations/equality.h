@@ -11,7 +11,7 @@
 
 #include <locale>
 
-// Triangulations that are equal to the bit.
+// This file checks that triangulations are bitwise equal.
 namespace Test_surfaces {
 
 template <typename Traits>

@@ -25,7 +25,7 @@ int side_of_circle(const std::array<R, 2>& a, const std::array<R, 2>& b, const s
   return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
 }
 
-// Keeps the vectors of the edges of a flat surface while they are flipped: the third side of a
+// Keeps the vectors of the edges of a flat surface while they are flipped. The third side of a
 // triangle is minus the sum of the others.
 struct Vector_keeper : IT::Default_flip_visitor
 {

@@ -7,7 +7,7 @@
 
 #include "flat_insertion.h"
 
-// Random operations on flat surfaces.
+// This file changes flat surfaces by random operations.
 namespace Test_flat_changes {
 
 using namespace Test_surfaces;
@@ -53,7 +53,7 @@ inline bool operate(Operation operation, Flat_insertion& flat, CGAL::Random& ran
   }
 }
 
-// Twelve flips for each of the others.
+// Applies random operations, with twelve flips for each of the others.
 inline void operate_at_random(Flat_insertion& flat, int tries, unsigned int seed, Counts& counts)
 {
   CGAL::Random random(seed);

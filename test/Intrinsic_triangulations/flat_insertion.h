@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 
-// T2 with more vertices over a flat T1, with the exact places of all vertices.
+// This file tests T2 with more vertices over a flat T1, with the exact positions of all vertices.
 namespace Test_surfaces {
 
 using Inserter = IT::Vertex_inserter<>;
@@ -29,7 +29,7 @@ inline Flat_surface refined(Flat_surface s)
   return s;
 }
 
-// All numbers of T2, removed elements left out.
+// Returns all numbers of T2 without removed elements.
 inline std::vector<double> state(const Triangulation& t)
 {
   const Delta_complex& mesh = t.mesh();
@@ -66,9 +66,9 @@ inline bool is_fat(const Vector& u, const Vector& v)
   return static_cast<double>(det(u, v)) > 0.01 * longest * longest;
 }
 
-// The relative error of distances on a surface whose edge lengths have been rounded, to first
-// order. A relative error e of the sides a, b, c of a triangle changes squares of distances in it
-// by up to e a b c (a + b + c) / (2 area^2) of themselves.
+// Returns the relative error of distances on a surface whose edge lengths have been rounded, to
+// first order. A relative error e of the sides a, b, c of a triangle changes squares of distances
+// in it by a relative error of at most e a b c (a + b + c) / (2 area^2).
 inline double rounding_of_distances(const Flat_surface& s)
 {
   double worst = 0;
@@ -206,8 +206,8 @@ public:
     return true;
   }
 
-  // Takes away what flips have added to the errors of lengths. Places on T1 are rounded too, so
-  // that a short edge has a larger relative error.
+  // Removes the errors of lengths that flips have added. Positions on T1 are rounded, too, so that
+  // a short edge has a larger relative error.
   void recompute_lengths()
   {
     m_tri.recompute_lengths();
@@ -229,7 +229,7 @@ public:
       check_place(v);
   }
 
-  // Every face has area, exactly.
+  // Checks that every face has positive area, exactly.
   void check_orientation() const
   {
     for(Face_index f : m_tri.mesh().faces()) {
@@ -238,7 +238,7 @@ public:
     }
   }
 
-  // The courses of edges are as they would be if they were stored afresh.
+  // Checks that the courses of edges equal newly stored courses.
   void check_courses() const
   {
     const IT::internal::Edge_courses fresh(m_tri, IT::Concurrency());
@@ -404,7 +404,7 @@ private:
     return result;
   }
 
-  // The edge of T1 that contains the edge of `h`, and where on it the source is.
+  // Returns the edge of T1 that contains the edge of `h`, and the position of the source on it.
   std::optional<On_input> on_input(Halfedge_index h) const
   {
     for(const On_input& start : outgoing_halfedges_at(m_tri.mesh().source(h))) {
@@ -457,7 +457,7 @@ private:
       check(e);
   }
 
-  // The place that is kept for an inserted vertex is the right one.
+  // Checks the stored position of an inserted vertex.
   void check_place(Vertex_index v) const
   {
     if(!m_tri.is_inserted(v))
@@ -478,7 +478,8 @@ private:
   }
 
 public:
-  // How far a point in a face of a mesh with these vectors is from a place, modulo the lattice.
+  // Returns the distance of a point in a face of a mesh with these vectors from a position, modulo
+  // the lattice.
   static Real flat_distance(const Location& location, const std::vector<Vector>& vector,
                             const std::vector<Vector>& point, const Delta_complex& mesh,
                             const Vector& place, const Flat_surface& s)

@@ -15,7 +15,8 @@ using IT::Integer_coordinates;
 using IT::Operation_status;
 using IT::Outgoing_halfedges;
 
-// T2 over a flat T1, with the exact vectors of T2's halfedges beside its integer coordinates.
+// Stores T2 over a flat T1, with the exact vectors of T2's halfedges beside its integer
+// coordinates.
 template <typename Integer = std::int64_t>
 class Flat_pair
 {

@@ -14,7 +14,7 @@
 
 #include <system_error>
 
-// Surfaces to test with, all small, all from a seed.
+// This file generates small surfaces for tests, all from a seed.
 namespace Test_surfaces {
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -57,13 +57,13 @@ inline Mesh octahedron()
     {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
 }
 
-// The unit square.
+// Returns the unit square.
 inline Mesh square()
 {
   return make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
-// Two triangles for each side.
+// Returns a cube with two triangles for each side.
 inline Mesh cube()
 {
   std::vector<Point> points;
@@ -83,7 +83,7 @@ inline Mesh cube()
                             {3, 7, 5}});
 }
 
-// The faces of a mesh by the places of their corners in `points`, in increasing order.
+// Returns the faces of a mesh by the indices of their corners in `points`, in increasing order.
 template <typename P>
 Triangles sorted_triangles(const CGAL::Surface_mesh<P>& mesh, const std::vector<P>& points)
 {
@@ -103,8 +103,8 @@ Triangles sorted_triangles(const CGAL::Surface_mesh<P>& mesh, const std::vector<
   return result;
 }
 
-// The convex hull of points. Its elements have the order of the points, not that in which CGAL
-// finds them, which depends on addresses.
+// Returns the convex hull of points. Its elements have the order of the points, not the order in
+// which CGAL finds them, which depends on addresses.
 inline Mesh convex_hull(const std::vector<Point>& points)
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Hull_point;
@@ -116,7 +116,7 @@ inline Mesh convex_hull(const std::vector<Point>& points)
   return make_mesh(points, sorted_triangles(hull, hull_points));
 }
 
-// The convex hull of random points on the unit sphere.
+// Returns the convex hull of random points on the unit sphere.
 inline Mesh random_sphere(std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -130,7 +130,7 @@ inline Mesh random_sphere(std::size_t n, unsigned int seed)
   return convex_hull(points);
 }
 
-// A ring of n points between two apexes; with height 0 a disk with two sides.
+// Returns a ring of n points between two apexes, or a disk with two sides for height 0.
 inline Mesh bipyramid(std::size_t n, double height)
 {
   std::vector<Point> points;
@@ -196,8 +196,9 @@ inline Mesh perturbed(Mesh mesh, double amount, unsigned int seed)
   return mesh;
 }
 
-// The surface of a plate of square blocks with a row of square holes, as many as its genus. The
-// blocks between the holes are `strut` wide, the holes 1: small struts make it a frame of wire.
+// Returns the surface of a plate of square blocks with a row of square holes, whose number is the
+// genus. The blocks between the holes are `strut` wide, the holes 1: small struts make it a wire
+// frame.
 inline Mesh frame(std::size_t holes, double strut)
 {
   const std::size_t columns = 2 * holes + 1;
@@ -239,19 +240,19 @@ inline Mesh frame(std::size_t holes, double strut)
   return make_mesh(points, triangles);
 }
 
-// Of cubes.
+// Returns the plate made of cubes.
 inline Mesh straight_plate_with_holes(int genus)
 {
   return frame(static_cast<std::size_t>(genus), 1);
 }
 
-// That mesh a little out of shape.
+// Returns that mesh slightly distorted.
 inline Mesh plate_with_holes(int genus)
 {
   return perturbed(straight_plate_with_holes(genus), 0.1, 12);
 }
 
-// Two spheres, a torus, and a point beside them.
+// Returns two spheres, a torus, and a separate point.
 inline Mesh four_components()
 {
   Mesh result = random_sphere(20, 8);
@@ -261,7 +262,7 @@ inline Mesh four_components()
   return result;
 }
 
-// With a disk.
+// Returns these components and a disk.
 inline Mesh five_components()
 {
   Mesh result = four_components();
@@ -269,7 +270,7 @@ inline Mesh five_components()
   return result;
 }
 
-// Without the given faces: one boundary loop for each if they are apart.
+// Returns the mesh without the given faces. Each face leaves one boundary loop if they are apart.
 inline Mesh punctured(Mesh mesh, const std::vector<std::size_t>& faces)
 {
   Triangles rest;
@@ -283,7 +284,7 @@ inline Mesh punctured(Mesh mesh, const std::vector<std::size_t>& faces)
 
 // ---- Delta-complexes ----
 
-// Sides of triangles: 1, 2, ... are edges, -1, -2, ... the same edges backwards.
+// Stores sides of triangles: 1, 2, ... are edges, -1, -2, ... the same edges backwards.
 using Sides = std::vector<std::array<int, 3>>;
 
 inline Halfedge_index halfedge_of(int side)
@@ -320,7 +321,7 @@ inline void add_vertices(Delta_complex& mesh)
   }
 }
 
-// Triangles glued along equal labels; halfedge_of(side) is the halfedge of a label.
+// Glues triangles along equal labels; halfedge_of(side) is the halfedge of a label.
 inline Delta_complex glue(const Sides& faces)
 {
   int edges = 0;
@@ -342,19 +343,19 @@ inline Delta_complex glue(const Sides& faces)
   return mesh;
 }
 
-// One triangle with two sides glued: a disk with a vertex of degree 1 inside.
+// Returns one triangle with two sides glued: a disk with a vertex of degree 1 inside.
 inline Delta_complex cone(bool mirrored)
 {
   return glue({mirrored ? std::array{-1, 1, 2} : std::array{1, -1, 2}});
 }
 
-// Two cones: a sphere with two vertices of degree 1 and one of degree 4.
+// Returns two cones: a sphere with two vertices of degree 1 and one of degree 4.
 inline Delta_complex spindle() { return glue({{1, -1, 2}, {-2, -3, 3}}); }
 
-// A disk with an interior vertex of degree 2 and two boundary edges.
+// Returns a disk with an interior vertex of degree 2 and two boundary edges.
 inline Delta_complex bigon() { return glue({{1, 2, 3}, {-1, 4, -2}}); }
 
-// An octagon with its sides glued to the surface of genus 2 with one vertex.
+// Returns an octagon with its sides glued to the surface of genus 2 with one vertex.
 inline Delta_complex double_torus()
 {
   return glue({{1, 2, 5}, {-5, -1, 6}, {-6, -2, 7}, {-7, 3, 8}, {-8, 4, 9}, {-9, -3, -4}});
@@ -394,7 +395,7 @@ inline Location random_location(const Delta_complex& mesh, CGAL::Random& random)
   return {f, random_coordinates(random)};
 }
 
-// A point in a face of a triangulation whose vertex v is at `position(v)`.
+// Returns a point in a face of a triangulation whose vertex v is at `position(v)`.
 template <typename Any_mesh, typename Position>
 Point place_in_space(const Location& p, const Any_mesh& mesh, const Position& position)
 {
@@ -428,7 +429,7 @@ inline std::vector<double> random_values(std::size_t n, double bound, unsigned i
   return result;
 }
 
-// All lengths between 1 and 1.9: no triangle inequality can fail.
+// Returns lengths between 1 and 1.9, so that no triangle inequality can fail.
 inline std::vector<double> random_lengths(const Delta_complex& mesh, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -486,8 +487,8 @@ inline std::complex<double> complex(const Vector& v)
 
 inline double length(const Vector& v) { return std::sqrt(static_cast<double>(dot(v, v))); }
 
-// A triangulation of a part of the plane modulo the lattice of a and b; a lattice wider than that
-// part changes nothing.
+// Represents a triangulation of a part of the plane modulo the lattice of a and b. A lattice wider
+// than this part changes nothing.
 struct Flat_surface
 {
   Delta_complex mesh;
@@ -512,7 +513,7 @@ IT::Intrinsic_triangulation<Traits> triangulation(const Flat_surface& surface)
 
 constexpr std::int64_t beyond = 1 << 20; // all planar coordinates
 
-// `place(label)` is the pair of end points of an edge.
+// Returns a flat surface, where `place(label)` is the pair of end points of an edge.
 template <typename Place>
 Flat_surface flat_surface(const Sides& sides, const Place& place, const Vector& a, const Vector& b)
 {
@@ -582,7 +583,8 @@ inline Flat_surface flat_cylinder(int n, int twists, int height = 700)
   return flat_surface(sides, place, {width * n, 0}, {0, beyond});
 }
 
-// The length of the shortest of the vectors that differ from this one by a few of the lattice.
+// Returns the length of the shortest of the vectors that differ from this one by a few lattice
+// vectors.
 inline double shortest_lift(const Vector& v, const Flat_surface& s)
 {
   double result = std::numeric_limits<double>::infinity();
@@ -621,7 +623,7 @@ inline Triangles swept_triangles(const std::vector<Vector>& points)
   return triangles;
 }
 
-// Points with different x from left to right, the first three not on a line.
+// Returns points with different x from left to right, the first three not collinear.
 inline std::vector<Vector> random_points(std::size_t n, int size, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -657,7 +659,7 @@ inline Flat_surface flat_polygon(const std::vector<Vector>& points)
   return flat_surface(points, swept_triangles(points));
 }
 
-// In space, where it keeps the order of the points.
+// Returns a planar mesh in space that keeps the order of the points.
 inline Mesh planar_mesh(const std::vector<Vector>& points)
 {
   std::vector<Point> placed;
@@ -678,7 +680,7 @@ long double length_of(Edge_index e, const Length& length)
     return length[e];
 }
 
-// At the source of `h`; 0 or pi if rounding has pressed the face beyond flat.
+// Returns the angle at the source of `h`, or 0 or pi if rounding has made the face more than flat.
 template <typename Length>
 double angle_at(Halfedge_index h, const Delta_complex& mesh, const Length& length)
 {
@@ -689,7 +691,7 @@ double angle_at(Halfedge_index h, const Delta_complex& mesh, const Length& lengt
     std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1.L, 1.L)));
 }
 
-// At each vertex.
+// Returns the angle sum at each vertex.
 template <typename Length>
 std::vector<double> angle_sums(const Delta_complex& mesh, const Length& length)
 {
@@ -700,7 +702,7 @@ std::vector<double> angle_sums(const Delta_complex& mesh, const Length& length)
   return result;
 }
 
-// Heron's formula in Kahan's form.
+// Returns the area by Heron's formula in Kahan's form.
 inline long double area_of_triangle(std::array<long double, 3> l)
 {
   std::sort(l.begin(), l.end());
@@ -736,7 +738,7 @@ int Euler_characteristic(const Any_mesh& mesh)
          static_cast<int>(mesh.number_of_faces());
 }
 
-// The area of a flat polygon, which need not be convex.
+// Returns the area of a flat polygon, which need not be convex.
 inline double polygon_area(Face_index f, const Mesh& mesh)
 {
   const Halfedge_index first = mesh.halfedge(f);
@@ -829,7 +831,7 @@ inline std::vector<Named_complex> glued_complexes()
           {"double torus", double_torus()}};
 }
 
-// The connectivity of all of the above, and surfaces with loops and parallel edges.
+// Returns the connectivity of all surfaces above, and surfaces with loops and parallel edges.
 inline std::vector<Named_complex> complexes()
 {
   std::vector<Named_complex> result;
@@ -844,7 +846,7 @@ inline std::vector<Named_complex> complexes()
   return result;
 }
 
-// CGAL's own meshes, none where they are not installed.
+// Returns CGAL's own meshes, or none if they are not installed.
 inline std::vector<std::string> data_meshes(std::uintmax_t largest_file)
 {
   std::vector<std::string> result;

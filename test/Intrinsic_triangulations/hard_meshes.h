@@ -7,15 +7,15 @@
 
 #include "near_degenerate_meshes.h"
 
-// Meshes at the limits of `double`: needles and caps down to 1e-16 of an edge, vertices as near as
-// the rounding of their coordinates, faces of zero area. They have 20 to 3000 faces, are manifold
-// and oriented, and no two vertices coincide, so that none have distance zero on the surface. None
-// has a long and narrow channel, on which large angles would need as many faces as it is longer
-// than wide: teeth are less than a row, struts and stretched surfaces are not thinner than 1/100,
-// but flattened.
+// This file generates meshes at the limits of `double`: needles and caps down to 1e-16 of an edge,
+// vertices within rounding of others, and faces of zero area. They have 20 to 3000 faces, are
+// manifold and oriented, and no two vertices coincide, so that none have distance zero on the
+// surface. None has a long and narrow channel, on which large angles would need as many faces as
+// its length exceeds its width. Teeth are less than a row, and struts and stretched surfaces are
+// not thinner than 1/100, except if they are flattened.
 namespace Test_surfaces {
 
-// Numbers that depend on the seed alone, not on the standard library.
+// Generates numbers that depend on the seed alone, not on the standard library.
 class Portable_random
 {
 public:
@@ -50,8 +50,8 @@ inline bool all_are_apart(const Mesh& mesh)
          mesh.number_of_vertices();
 }
 
-// Puts a vertex on the edge of `h` if that place is free. Returns the halfedge from the source of
-// `h` to it.
+// Inserts a vertex on the edge of `h` if its position is free. Returns the halfedge from the source
+// of `h` to it.
 inline Halfedge_index split_edge_apart(Halfedge_index h, double t, Mesh& mesh)
 {
   const Point p = between(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), t);
@@ -62,7 +62,7 @@ inline Halfedge_index split_edge_apart(Halfedge_index h, double t, Mesh& mesh)
   return result;
 }
 
-// Puts a vertex at `p` into the face of `h` if that place is free.
+// Inserts a vertex at `p` into the face of `h` if its position is free.
 inline void split_face_apart(Halfedge_index h, const Point& p, Mesh& mesh)
 {
   if(is_free(p, mesh))
@@ -74,7 +74,7 @@ inline const Point& apex(Halfedge_index h, const Mesh& mesh)
   return mesh.point(mesh.target(mesh.next(h)));
 }
 
-// Rotates and rounds, unless that makes vertices coincide.
+// Rotates and rounds the mesh, unless vertices then coincide.
 inline Mesh turned_apart(const Mesh& mesh, Portable_random& random)
 {
   const Mesh result = turned(mesh, random);
@@ -89,7 +89,7 @@ inline Mesh stretched_apart(const Mesh& mesh, double factor)
 
 // ---- Surfaces to spoil ----
 
-// With and without boundary, of genus 0, 1 and 2.
+// Returns a mesh with or without boundary, of genus 0, 1 or 2.
 inline Mesh hard_base(Portable_random& random)
 {
   const auto size = [&](double least, double greatest) {
@@ -114,7 +114,7 @@ inline Mesh hard_base(Portable_random& random)
   return mesh;
 }
 
-// Ears are cut off at random; `ring` has the corners counterclockwise.
+// Cuts off ears at random; `ring` contains the corners counterclockwise.
 template <typename Random>
 Triangles random_ears(std::vector<std::size_t> ring, Random& random)
 {
@@ -135,8 +135,8 @@ inline std::vector<std::size_t> consecutive(std::size_t first, std::size_t n)
   return result;
 }
 
-// A convex polygon with `n` points on each of its sides, cut into triangles at random: where three
-// corners are on a side, a triangle has no area. The prism over it, or the polygon alone.
+// Returns a convex polygon with `n` points on each of its sides, cut into triangles at random, or a
+// prism over it. If three corners are on a side, a triangle has no area.
 inline Mesh sliced_polygon(std::size_t sides, std::size_t n, double height, Portable_random& random)
 {
   const double turn = 2 * std::acos(-1.) / static_cast<double>(sides);
@@ -170,8 +170,8 @@ inline Mesh sliced_polygon(std::size_t sides, std::size_t n, double height, Port
   return make_mesh(points, triangles);
 }
 
-// Rows of points at steps between 1e-14 and 1, every second column moved along by `tooth`; the last
-// column joined to the first if it is closed.
+// Returns rows of points at steps between 1e-14 and 1, every second column shifted by `tooth`. The
+// last column is joined to the first if it is closed.
 inline Mesh saw_teeth(std::size_t columns, std::size_t rows, double tooth, bool is_closed,
                       Portable_random& random)
 {
@@ -193,7 +193,7 @@ inline void add_extreme_needles(Mesh& mesh, double part, Portable_random& random
     split_edge_apart(h, log_uniform(1e-16, 1e-1, random), mesh);
 }
 
-// A side of the face that is not on the boundary: a vertex must not lie on that.
+// Returns a side of the face that is not on the boundary, on which a vertex must not lie.
 inline Halfedge_index inner_side(Face_index f, const Mesh& mesh)
 {
   const Halfedge_index h = mesh.halfedge(f);
@@ -212,7 +212,7 @@ inline void add_extreme_caps(Mesh& mesh, double part, Portable_random& random)
   }
 }
 
-// Vertices in faces, as near to a corner as rounding allows.
+// Adds vertices in faces, as near to a corner as rounding allows.
 inline void add_near_vertices(Mesh& mesh, double part, Portable_random& random)
 {
   for(Face_index f : random_part(mesh.faces(), part, random)) {
@@ -224,7 +224,7 @@ inline void add_near_vertices(Mesh& mesh, double part, Portable_random& random)
   }
 }
 
-// Vertices are moved next to a neighbor, with all their faces.
+// Moves vertices next to a neighbor, with all their faces.
 inline void collapse_almost(Mesh& mesh, double part, Portable_random& random)
 {
   for(Vertex_index v : random_part(mesh.vertices(), part, random)) {
@@ -235,7 +235,8 @@ inline void collapse_almost(Mesh& mesh, double part, Portable_random& random)
   }
 }
 
-// Vertices in the middle of a side of their face, of zero area where coordinates need no rounding.
+// Adds vertices in the middle of a side of their face. The face has zero area if coordinates need
+// no rounding.
 inline void add_flat_faces(Mesh& mesh, double part, Portable_random& random)
 {
   for(Face_index f : random_part(mesh.faces(), part, random)) {
@@ -244,7 +245,7 @@ inline void add_flat_faces(Mesh& mesh, double part, Portable_random& random)
   }
 }
 
-// Vertices on an edge that come nearer and nearer to its source.
+// Adds vertices on an edge that converge to its source.
 inline void add_cascades(Mesh& mesh, double part, Portable_random& random)
 {
   for(Halfedge_index h : random_part(mesh.halfedges(), part, random)) {
@@ -295,7 +296,7 @@ inline Mesh flat_faces(Portable_random& random)
 
 inline Mesh cascades(Portable_random& random) { return spoilt(add_cascades, 0.01, 0.03, random); }
 
-// Bad faces are spoilt again.
+// Returns a mesh with bad faces that are changed again.
 inline Mesh spoilt_twice(Portable_random& random)
 {
   Mesh mesh = hard_base(random);
@@ -330,7 +331,7 @@ inline Mesh stretched_and_spoilt(Portable_random& random)
   return mesh;
 }
 
-// Planes that pass through the mesh side by side, down to 1e-15 apart.
+// Returns a mesh cut by parallel planes with distances down to 1e-15.
 inline Mesh close_cuts(Portable_random& random)
 {
   Mesh mesh = hard_base(random);
@@ -365,8 +366,8 @@ constexpr std::array<Hard_family, 12> hard_families{{{"extreme needles", extreme
                                                      {"close cuts", close_cuts},
                                                      {"spoilt frames", spoilt_frames}}};
 
-// Cycles through the families. Half of the meshes are turned in space, if that leaves all neighbors
-// apart. Named after the family.
+// Returns a mesh of one family after the other, with the name of the family. Half of the meshes are
+// turned in space, if all neighbors remain apart.
 inline Named_mesh hard_mesh(std::uint64_t seed)
 {
   Portable_random random(seed);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
-// Surfaces whose geodesics have formulas.
+// This file generates surfaces whose geodesics have formulas.
 namespace Test_surfaces {
 
 using Complex = std::complex<double>;
@@ -131,7 +131,7 @@ inline std::array<Point, 3> corners(Face_index f, const Mesh& mesh)
           mesh.point(mesh.target(mesh.next(h)))};
 }
 
-// The location of a point in the first face that contains it.
+// Returns the location of a point in the first face that contains it.
 inline Location locate(const Point& p, const Mesh& mesh)
 {
   for(Face_index f : mesh.faces()) {

@@ -9,7 +9,7 @@
 
 #include <Eigen/SparseCore>
 
-// Vectors, and sizes of vectors and matrices.
+// This file defines vectors, and sizes of vectors and matrices.
 namespace Test_surfaces {
 
 inline Eigen::VectorXd random_numbers(std::size_t n, double bound, unsigned int seed)

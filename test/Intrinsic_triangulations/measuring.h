@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 
-// Lengths and areas in flat faces, from the edge lengths once more.
+// This file computes lengths and areas in flat faces, from the edge lengths again.
 namespace Test_surfaces {
 
 using Correspondence = IT::Correspondence<>;
@@ -46,7 +46,7 @@ struct Place // in the plane
   friend Real norm(const Place& p) { return std::hypot(p.x, p.y); }
 };
 
-// One of the two triangulations, each face laid out in the plane on its own.
+// Represents one of the two triangulations, each face laid out separately in the plane.
 class Flat_faces
 {
 public:
@@ -185,7 +185,7 @@ inline Edge_place on(Side side, const Trace_place& p)
   return side == Side::input ? p.on_input : p.on_intrinsic;
 }
 
-// Both ends of piece `k` of a trace over `faces`, in the face in which it runs.
+// Returns both ends of piece `k` of a trace over `faces`, in its face.
 inline std::pair<Location, Location> piece(const std::vector<Edge_place>& points, std::size_t k,
                                            const Flat_faces& faces)
 {
@@ -201,7 +201,7 @@ inline std::pair<Location, Location> piece(const std::vector<Edge_place>& points
           k + 2 == points.size() ? faces.apex(entry) : faces.on(to, points[k + 1].t)};
 }
 
-// The lengths of the pieces of a trace of `side`, in the faces of the other side.
+// Returns the lengths of the pieces of a trace of `side`, in the faces of the other side.
 inline std::vector<Real> lengths_of_pieces(Side side, const std::vector<Trace_place>& trace,
                                            const Triangulation& t)
 {
@@ -219,7 +219,8 @@ inline std::vector<Real> lengths_of_pieces(Side side, const std::vector<Trace_pl
 
 // ---- Faces of the common subdivision ----
 
-// The places in a face where a vertex of the subdivision can be; several if the face meets itself.
+// Returns the possible positions of a vertex of the subdivision in a face, which are several if the
+// face meets itself.
 template <typename Subdivision>
 std::vector<Location> places_in(Side side, Face_index parent, Vertex_index v, const Subdivision& s,
                                 const Flat_faces& faces)
@@ -247,7 +248,7 @@ inline Real area(const Polygon& p)
   return sum;
 }
 
-// The corners of a face where its parent is laid out; none if the parent meets itself.
+// Returns the corners of a face in the layout of its parent, or none if the parent meets itself.
 template <typename Subdivision>
 Polygon layout(Side side, Face_index f, const Subdivision& s, const Flat_faces& faces)
 {
@@ -262,7 +263,7 @@ Polygon layout(Side side, Face_index f, const Subdivision& s, const Flat_faces& 
   return result;
 }
 
-// The sum of the areas of all faces that can be laid out, and of those parts of it whose
+// Returns the sum of the areas of all faces that can be laid out, and of those parts whose
 // orientation is wrong; both relative to the area of T1.
 template <typename Subdivision>
 std::pair<double, double> relative_areas(Side side, const Subdivision& s, const Triangulation& t)
@@ -280,9 +281,9 @@ std::pair<double, double> relative_areas(Side side, const Subdivision& s, const 
 
 // ---- Delaunay triangulations ----
 
-// Lengths with a relative error u spoil the cosine of an angle by at most
-// 4 u (a^2 + b^2 + c^2) / 2bc, and |acos(x) - acos(y)| <= pi sqrt(|x - y| / 2), with equality only
-// between flat angles. make_Delaunay decides for lengths to within u = 16 epsilon.
+// Returns the error of an angle. Lengths with a relative error u change the cosine of an angle by
+// at most 4 u (a^2 + b^2 + c^2) / 2bc. Moreover, |acos(x) - acos(y)| <= pi sqrt(|x - y| / 2), with
+// equality only between flat angles. make_Delaunay decides for lengths up to u = 16 epsilon.
 inline double error_of_angle_at(Halfedge_index h, const Triangulation& t)
 {
   const double a = t.length(t.mesh().edge(t.mesh().next(h))), b = t.length(t.mesh().edge(h)),

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-// Pairs of triangulations: surfaces with some flips.
+// This file generates pairs of triangulations: surfaces with some flips.
 namespace Test_surfaces {
 
 using Triangulation = IT::Intrinsic_triangulation<>;
@@ -33,7 +33,7 @@ inline std::vector<double> sorted_lengths(const Triangulation& t)
   return result;
 }
 
-// How far the sum of the two angles at the edge of `h` is from a flat one, at the worse end.
+// Returns the difference of the sum of the two angles at the edge of `h` from pi, at the worse end.
 inline double convexity(const Triangulation& t, Halfedge_index h)
 {
   const Delta_complex& mesh = t.mesh();
@@ -74,7 +74,7 @@ inline Triangulation with_random_flips(const Mesh& mesh, CGAL::Random& random)
 
 // ---- Near-degenerate meshes ----
 
-// Every third vertex is moved next to a neighbour.
+// Returns a mesh in which every third vertex is moved next to a neighbor.
 inline Mesh with_near_coincident_vertices(Mesh mesh, double distance, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -102,7 +102,7 @@ inline Flat_surface flat_grid(std::size_t m, std::size_t n, unsigned int seed)
   return flat_surface(points, lattice(m, n));
 }
 
-// T2 over a flat T1, with the exact vectors of its halfedges.
+// Stores T2 over a flat T1, with the exact vectors of its halfedges.
 class Flat_triangulation : public IT::Default_flip_visitor
 {
 public:
@@ -146,7 +146,7 @@ struct Named_surface
   Flat_surface surface;
 };
 
-// All fat enough for twelve digits.
+// Returns surfaces whose faces are fat enough for twelve digits.
 inline std::vector<Named_surface> flat_surfaces()
 {
   return {{"small grid", flat_grid(2, 2, 1)},
@@ -168,7 +168,7 @@ struct Named_triangulation
   Triangulation triangulation;
 };
 
-// A surface as it is, Delaunay, and after random flips.
+// Adds a surface unchanged, Delaunay, and after random flips.
 inline void add_flipped(const std::string& name, const Triangulation& t,
                         std::vector<Named_triangulation>& result)
 {
@@ -181,7 +181,7 @@ inline void add_flipped(const std::string& name, const Triangulation& t,
   }
 }
 
-// Without boundary, not Delaunay.
+// Returns surfaces without boundary that are not Delaunay.
 inline std::vector<Named_triangulation> closed_surfaces()
 {
   std::vector<Named_triangulation> result;

@@ -10,9 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
-// Meshes as bad as they come from scanners, boolean operations and CAD, with 30 to 900 faces, in
-// families of which each has its own way to be bad. All are manifold and have no edge of zero
-// length.
+// This file generates meshes as bad as meshes from scanners, boolean operations and CAD, with 30 to
+// 900 faces. Each family is bad in its own way. All are manifold and have no edge of zero length.
 namespace Test_surfaces {
 
 // ---- Random numbers ----
@@ -23,7 +22,7 @@ double log_uniform(double least, double greatest, Random& random)
   return std::exp(random.get_double(std::log(least), std::log(greatest)));
 }
 
-// Bounds included.
+// Returns a random number within the bounds, including both.
 template <typename Random>
 std::size_t random_size(int least, int greatest, Random& random)
 {
@@ -59,7 +58,7 @@ void shuffle(std::vector<Index>& elements, Random& random)
     std::swap(elements[i - 1], elements[random_size(0, static_cast<int>(i) - 1, random)]);
 }
 
-// A part of the elements, in random order.
+// Returns a part of the elements, in random order.
 template <typename Range, typename Random>
 auto random_part(const Range& range, double part, Random& random)
 {
@@ -71,8 +70,8 @@ auto random_part(const Range& range, double part, Random& random)
 
 // ---- Surfaces to spoil ----
 
-// With and without boundary, of genus 0 to 3, half of them with many cocircular and coplanar
-// vertices.
+// Returns a mesh with or without boundary, of genus 0 to 3. Half of them have many cocircular and
+// coplanar vertices.
 inline Mesh good_mesh(CGAL::Random& random)
 {
   const auto in_plane = [](double x, double y) { return Point(x, y, 0); };
@@ -96,21 +95,21 @@ inline Mesh good_mesh(CGAL::Random& random)
 
 inline Point between(const Point& p, const Point& q, double t) { return p + t * (q - p); }
 
-// Puts a vertex on the edge of `h`.
+// Inserts a vertex on the edge of `h`.
 inline void split_edge_at(Halfedge_index h, double t, Mesh& mesh)
 {
   const Point p = between(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), t);
   mesh.point(mesh.target(IT::split_edge(h, mesh))) = p;
 }
 
-// Vertices on edges, next to their ends: pairs of needles.
+// Adds vertices on edges, next to their ends, which make pairs of needles.
 inline void add_needles(Mesh& mesh, double width, double part, CGAL::Random& random)
 {
   for(Halfedge_index h : random_part(mesh.halfedges(), part, random))
     split_edge_at(h, log_uniform(width, 1e-1, random), mesh);
 }
 
-// Vertices in faces, next to the sides: caps.
+// Adds vertices in faces, next to the sides, which make caps.
 inline void add_caps(Mesh& mesh, double height, double part, CGAL::Random& random)
 {
   for(Face_index f : random_part(mesh.faces(), part, random)) {
@@ -123,7 +122,7 @@ inline void add_caps(Mesh& mesh, double height, double part, CGAL::Random& rando
   }
 }
 
-// Many vertices on some edges, all joined to the corners opposite.
+// Adds many vertices on some edges, all joined to the opposite corners.
 template <typename Random>
 void add_fans(Mesh& mesh, Random& random)
 {
@@ -142,8 +141,8 @@ struct Plane
   double height(const Point& p) const { return (p - origin) * normal; }
 };
 
-// Puts vertices where a plane meets the edges, but no closer than `gap` to those that they are
-// joined to.
+// Inserts vertices at the intersections of a plane with edges, but no closer than `gap` to their
+// neighbors.
 template <typename Random>
 void cut(Mesh& mesh, const Plane& plane, double gap, Random& random)
 {
@@ -163,7 +162,7 @@ void cut(Mesh& mesh, const Plane& plane, double gap, Random& random)
   }
 }
 
-// Planes that almost pass through vertices and almost coincide.
+// Cuts by planes that almost pass through vertices and almost coincide.
 template <typename Random>
 void cut_badly(Mesh& mesh, double gap, Random& random)
 {
@@ -184,7 +183,7 @@ inline Mesh stretched_along_x(Mesh mesh, double factor)
   return mesh;
 }
 
-// Rounds every coordinate.
+// Turns the mesh, which rounds every coordinate.
 template <typename Random>
 Mesh turned(Mesh mesh, Random& random)
 {
@@ -208,8 +207,8 @@ enum class Tube_ends
   joined
 };
 
-// Rings of `n` points along a segment or a circle, at unit distance. The edges from ring to ring
-// turn by `twist` points.
+// Returns rings of `n` points along a segment or a circle, at unit distance. The edges from ring to
+// ring turn by `twist` points.
 inline Mesh tube(std::size_t rings, std::size_t n, double radius, std::size_t twist, Tube_ends ends)
 {
   const double turn = 2 * std::acos(-1.), whole = static_cast<double>(rings);
@@ -243,8 +242,8 @@ inline Mesh tube(std::size_t rings, std::size_t n, double radius, std::size_t tw
   return make_mesh(points, triangles);
 }
 
-// A prism over a polygon with `n` corners on an ellipse, bottom and top cut into fans from a
-// corner; without top if it is open.
+// Returns a prism over a polygon with `n` corners on an ellipse, with bottom and top cut into fans
+// from a corner. It has no top if it is open.
 inline Mesh fan_prism(std::size_t n, double flatness, double height, bool is_open)
 {
   std::vector<Point> points;
@@ -368,8 +367,8 @@ constexpr std::array<Mesh_family, 12> near_degenerate_families{
    {"swept polygons", swept_polygons},
    {"stretched slivers", stretched_slivers}}};
 
-// Cycles through the families. Half of the meshes are turned in space, so that nothing is flat,
-// straight or symmetric to the last bit. Named after the family.
+// Returns a mesh of one family after the other, with the name of the family. Half of the meshes are
+// turned in space, so that no mesh is flat, straight or symmetric to the last bit.
 inline Named_mesh near_degenerate_mesh(unsigned int seed)
 {
   CGAL::Random random(seed);

@@ -19,7 +19,7 @@ inline Halfedge_index along(const Path_place& p) { return IT::halfedge_of(p); }
 
 inline bool is_vertex(const Path_place& p) { return IT::is_at_vertex(p); }
 
-// Where on a halfedge of its edge a place is.
+// Returns the position on a halfedge of its edge.
 inline double place_on(Halfedge_index h, const Path_place& p)
 {
   if(is_vertex(p))
@@ -27,7 +27,7 @@ inline double place_on(Halfedge_index h, const Path_place& p)
   return IT::on_edge(p)->weight[h == along(p) ? 1 : 0];
 }
 
-// The places in a face at which a path that has come to it can leave it, or end.
+// Returns the positions in a face at which a path that has entered it can leave it, or end.
 inline std::vector<Location> places_in(Face_index f, const Path_place& p, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
@@ -41,13 +41,13 @@ inline std::vector<Location> places_in(Face_index f, const Path_place& p, const 
   return result;
 }
 
-// A straight piece in a face; without a face if there is none.
+// Represents a straight piece in a face, or without a face if none exists.
 struct Piece_of_path
 {
   Location from, to;
 };
 
-// Within a face; coordinates need not sum up to one exactly.
+// Returns the length within a face. Coordinates need not sum up to one exactly.
 inline Real length(const Piece_of_path& piece, const Flat_faces& faces)
 {
   if(piece.from.first == Delta_complex::null_face() || piece.from.first != piece.to.first)
@@ -56,7 +56,7 @@ inline Real length(const Piece_of_path& piece, const Flat_faces& faces)
   return norm(faces.place(h, piece.from) - faces.place(h, piece.to));
 }
 
-// An edge from one place to the next, which are vertices.
+// Returns an edge from one position to the next, which are vertices.
 inline Piece_of_path edge_of_path(const Path_place& p, const Path_place& q, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
@@ -68,7 +68,7 @@ inline Piece_of_path edge_of_path(const Path_place& p, const Path_place& q, cons
   return {faces.on(h, is_border), faces.on(h, !is_border)};
 }
 
-// Between two places on one edge that are not both its ends.
+// Returns the part between two positions on one edge that are not both its ends.
 inline Piece_of_path part_of_edge(const Path_place& p, const Path_place& q, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
@@ -89,7 +89,7 @@ inline bool is_inserted_on_edge(const Path_place& p, const Flat_faces& faces)
          std::any_of(inserted.begin(), inserted.end(), is_at);
 }
 
-// Piece `k` in the face in which it runs.
+// Returns piece `k` in its face.
 inline Piece_of_path piece_of_path(const Path& path, std::size_t k, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
@@ -130,7 +130,7 @@ inline Real sum_of_pieces(const Path& path, const Flat_faces& faces)
   return sum;
 }
 
-// Its pieces add up; they are in one face each.
+// Checks that the lengths of pieces add up, and each piece is in one face.
 inline void expect_valid(const Path& path, const Flat_faces& faces, double tolerance)
 {
   EXPECT_NEAR(static_cast<double>(sum_of_pieces(path, faces)), path.length, tolerance)

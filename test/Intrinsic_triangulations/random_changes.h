@@ -10,10 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-// Triangulations of all test surfaces with vertices inserted at random.
+// This file generates triangulations of all test surfaces with vertices inserted at random.
 namespace Test_surfaces {
 
-// Changes a triangulation at random: vertices come and go, and it is flipped towards Delaunay.
+// Changes a triangulation at random: inserts and removes vertices, and flips it towards Delaunay.
 class Random_changes
 {
 public:

@@ -7,10 +7,10 @@
 
 #include "generators.h"
 
-// Meshes of one shape, as fine as asked for.
+// This file generates meshes of one shape with any number of faces.
 namespace Test_surfaces {
 
-// Unit square; inner vertices moved by up to a fifth of a cell.
+// Returns a unit square whose inner vertices are moved by up to a fifth of a cell.
 inline Mesh unit_square(std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -23,7 +23,8 @@ inline Mesh unit_square(std::size_t n, unsigned int seed)
   });
 }
 
-// A mesh with flat faces cut into smaller ones, and where its vertices are on the coarse mesh.
+// Stores a mesh with flat faces cut into smaller ones, and the positions of its vertices on the
+// coarse mesh.
 struct Fine_mesh
 {
   Mesh mesh;
@@ -79,7 +80,7 @@ inline Fine_mesh fine_mesh(const Mesh& coarse, std::size_t n, double move = 0,
   return result;
 }
 
-// The octahedron with n edges in place of one, on the unit sphere.
+// Returns the octahedron with each edge divided into n edges, on the unit sphere.
 inline Mesh unit_sphere(std::size_t n)
 {
   Mesh mesh = fine_mesh(octahedron(), n).mesh;
@@ -90,10 +91,10 @@ inline Mesh unit_sphere(std::size_t n)
   return mesh;
 }
 
-// Large enough for several threads.
+// Returns a torus large enough for several threads.
 inline Mesh large_torus() { return perturbed(embedded_torus(60, 50), 0.05, 3); }
 
-// With boundary loops.
+// Returns a large square with boundary loops.
 inline Mesh large_square() { return punctured(unit_square(55, 4), {1000, 3000, 5000}); }
 
 } // namespace Test_surfaces

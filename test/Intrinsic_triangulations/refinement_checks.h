@@ -9,12 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 
-// The angles that a refinement leaves, and its excuses, by measures independent of the library: in
-// long double, by the law of cosines, on the input and on the common subdivision.
+// This file checks the angles after a refinement, and its excuses. It is independent of the
+// library: it measures in long double, by the law of cosines, on the input and on the common
+// subdivision.
 
 namespace Test_surfaces {
 
-// At the source of `h`.
+// Returns the angle at the source of `h`.
 template <typename LengthMap>
 double angle_in_degrees(Halfedge_index h, const Delta_complex& mesh, const LengthMap& length)
 {
@@ -29,7 +30,7 @@ inline double least_angle(Face_index f, const Triangulation& t)
   return least;
 }
 
-// The edges of the input that are constrained or on the border.
+// Returns the edges of the input that are constrained or on the border.
 inline std::vector<char> fixed_edges(const Triangulation& t)
 {
   std::vector<char> result(t.input_mesh().num_edges(), 0);
@@ -41,8 +42,8 @@ inline std::vector<char> fixed_edges(const Triangulation& t)
   return result;
 }
 
-// The least angle between two of the input edges at `v` that are `fixed`; the angle sum if there
-// are fewer.
+// Returns the least angle between two of the input edges at `v` that are `fixed`, or the angle sum
+// if fewer exist.
 inline Real least_sector(Vertex_index v, const Triangulation& t, const std::vector<char>& fixed)
 {
   const Delta_complex& mesh = t.input_mesh();
@@ -72,8 +73,8 @@ inline std::set<Vertex_index> small_angle_vertices(const Triangulation& t)
   return result;
 }
 
-// For each face of T2, the small-angle vertices such that it lies in faces of T1 at the vertex and
-// only edges of T1 that end there cross it.
+// Determines the small-angle vertices for each face of T2. The face lies in faces of T1 at the
+// vertex, and only edges of T1 that end at the vertex cross it.
 class Faces_beside_small_angle_vertices
 {
 public:
@@ -111,8 +112,8 @@ private:
   std::vector<std::set<Vertex_index>> m_candidates;
 };
 
-// A face that violates the bound is excused if and only if the rule allows it, by the vertex that
-// the rule names; a face without an excuse has the reason `otherwise`.
+// Checks that a face that violates the bound is excused if and only if the rule allows it, by the
+// correct vertex. A face without an excuse has the reason `otherwise`.
 inline void check_excuse(const IT::Remaining_face& r, const Triangulation& t,
                          const Faces_beside_small_angle_vertices& beside,
                          IT::Remaining_reason otherwise)
@@ -133,8 +134,8 @@ inline void check_excuse(const IT::Remaining_face& r, const Triangulation& t,
   }
 }
 
-// Every face obeys the bound on angles, up to `tolerance` degrees, or is among those that remain,
-// which violate it and have the reason that they should have.
+// Checks that every face satisfies the bound on angles, up to `tolerance` degrees, or is among the
+// remaining faces. These violate it and have the correct reason.
 inline void check_angles(const Triangulation& t, double degrees,
                          const IT::Refinement_result& result, double tolerance = 1e-9)
 {
@@ -160,8 +161,8 @@ inline void check_angles(const Triangulation& t, double degrees,
   }
 }
 
-// Each constrained edge of the input is a chain of shared, constrained edges of T2, in order and
-// without gaps, as is each border edge.
+// Checks that each constrained edge of the input is a chain of shared, constrained edges of T2, in
+// order and without gaps. Also checks each border edge.
 inline void check_chains(const Triangulation& t, const std::set<std::size_t>& constrained)
 {
   std::map<std::size_t, Real> covered;

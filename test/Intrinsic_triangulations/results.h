@@ -18,7 +18,7 @@ namespace Test_surfaces {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// All numbers of a result, bitwise.
+// Stores all numbers of a result, to be compared bitwise.
 class Results
 {
 public:
@@ -104,7 +104,7 @@ private:
   std::vector<std::uint64_t> m_numbers;
 };
 
-// `compute(tag)` has bitwise the results of one thread with any number of threads.
+// Checks that `compute(tag)` has bitwise the results of one thread with any number of threads.
 template <typename Compute>
 void expect_same_results(const Compute& compute)
 {

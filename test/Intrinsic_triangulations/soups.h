@@ -7,7 +7,7 @@
 
 #include "generators.h"
 
-// Triangles that need not be a surface, all from a seed.
+// This file generates triangles that need not be a surface, all from a seed.
 namespace Test_surfaces {
 
 struct Soup
@@ -29,7 +29,7 @@ inline Soup soup_of(const Mesh& mesh)
   return result;
 }
 
-// Pages of m x n squares that have their left side in common, on the z-axis. Page k has the angle
+// Represents pages of m x n squares with a common left side on the z-axis. Page k has the angle
 // angles[k]. Vertex (page, i, j) is i squares from the spine.
 struct Book
 {
@@ -80,7 +80,7 @@ inline std::vector<double> random_angles(std::size_t n, CGAL::Random& random)
   return result;
 }
 
-// A band of n squares with half a turn.
+// Returns a band of n squares with half a turn.
 inline Soup moebius_band(std::size_t n)
 {
   Soup result;
@@ -100,7 +100,7 @@ inline Soup moebius_band(std::size_t n)
   return result;
 }
 
-// The union, with one vertex in common.
+// Returns the union, with one common vertex.
 inline Soup joined(Soup a, const Soup& b, CGAL::Random& random)
 {
   const std::size_t shift = a.points.size() - 1;
@@ -139,8 +139,8 @@ inline Soup random_part(int kind, CGAL::Random& random)
   }
 }
 
-// Books of three to seven pages, Moebius bands and bipyramids, that touch in vertices; some faces
-// twice or three times; without orientation.
+// Returns books of three to seven pages, Moebius bands and bipyramids that touch in vertices. Some
+// faces occur twice or three times, without orientation.
 inline Soup random_soup(unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -155,8 +155,7 @@ inline Soup random_soup(unsigned int seed)
   return result;
 }
 
-// Takes faces away from a manifold mesh and puts as many elsewhere, so that it is no surface any
-// more.
+// Removes faces from a manifold mesh and adds as many elsewhere, so that it is no longer a surface.
 class Mesh_spoiler
 {
 public:
@@ -167,7 +166,7 @@ public:
     CGAL::cpp98::random_shuffle(m_kept.begin(), m_kept.end(), m_random);
   }
 
-  // Of every `share` faces one gets another place.
+  // Moves one of every `share` faces to another position.
   Soup operator()(std::size_t share)
   {
     const std::size_t stay = m_kept.size() - m_kept.size() / share;
@@ -249,8 +248,8 @@ private:
   std::vector<std::size_t> m_kept, m_taken; // faces
 };
 
-// A manifold mesh of which every eighth face is elsewhere: at edges that have up to seven faces
-// then, on top of other faces, at vertices only, or in Moebius bands; without orientation.
+// Returns a manifold mesh with every eighth face moved: to edges that then have up to seven faces,
+// to other faces, to vertices only, or into Moebius bands. Faces have no orientation.
 inline Soup spoiled(const Mesh& mesh, unsigned int seed) { return Mesh_spoiler(mesh, seed)(8); }
 
 } // namespace Test_surfaces

@@ -39,7 +39,7 @@ inline void check_numbers(const Subdivision& s, const Correspondence& c)
   }
 }
 
-// Beside the numbers, the area of the faces on T1, of which no face may meet itself.
+// Checks the numbers and the area of the faces on T1, if no face meets itself.
 inline void check_areas(const Subdivision& s, const Correspondence& c, double tolerance)
 {
   check_numbers(s, c);
@@ -52,7 +52,7 @@ inline void check_areas(const Subdivision& s, const Correspondence& c, double to
 
 using Ends = std::multiset<std::pair<Vertex_index, Vertex_index>>;
 
-// The pieces of every edge are those between the points of its trace.
+// Checks that the pieces of every edge are the pieces between the points of its trace.
 inline void check_pieces(const Subdivision& s, const Correspondence& c)
 {
   const auto n = c.mesh(Side::input).number_of_vertices();
@@ -93,7 +93,7 @@ inline bool runs_along(const Barycentric& a, const Barycentric& b, Edge_index pa
   return false;
 }
 
-// All ways to place the corners of `f` in its parent such that its sides are on their parents.
+// Returns all layouts of the corners of `f` in its parent whose sides are on their parents.
 inline std::vector<Polygon> layouts(Side side, Face_index f, const Subdivision& s,
                                     const Flat_faces& faces)
 {
@@ -126,7 +126,7 @@ inline std::vector<Polygon> layouts(Side side, Face_index f, const Subdivision& 
   return result;
 }
 
-// How much the distances of corners differ.
+// Returns the greatest difference of the distances of corners.
 inline Real difference(const Polygon& p, const Polygon& q)
 {
   Real result = 0;
@@ -142,7 +142,7 @@ struct Measures
   std::array<std::vector<Real>, 2> length_of_edge; // of either side, measured on the other
 };
 
-// The face looks the same in both of its parents. Adds what it measures.
+// Checks that the face is congruent in both of its parents. Adds its measures.
 inline void check_face(Face_index f, const Subdivision& s, const Triangulation& t,
                        Measures& measures)
 {

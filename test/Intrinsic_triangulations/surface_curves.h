@@ -10,12 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 
-// Surfaces with curves on them whose distances have formulas.
+// This file generates surfaces with curves whose distances have formulas.
 namespace Test_surfaces {
 
 typedef IT::Surface_curve<double> Curve;
 
-// Where the function that is linear on faces and has these values at vertices is zero, with
+// Returns the zeros of the function that is linear on faces and has these values at vertices, with
 // negative values on the left.
 inline Curve level_set(const Delta_complex& mesh, const std::vector<double>& value)
 {
@@ -38,8 +38,8 @@ inline Curve level_set(const Delta_complex& mesh, const std::vector<double>& val
   return result;
 }
 
-// A Delaunay triangulation, the signed distances of its vertices from a curve, and a length to
-// measure errors with.
+// Stores a Delaunay triangulation, the signed distances of its vertices from a curve, and a length
+// as a unit of errors.
 struct Known_curve
 {
   std::string name;
@@ -68,7 +68,7 @@ inline Known_curve circle_in_square(std::size_t n, CGAL::Random& random)
                      [&](const Point& p) { return std::hypot(p.x() - x, p.y() - y) - radius; });
 }
 
-// Its curvature jumps where half circles meet line segments.
+// Returns a curve whose curvature jumps between half circles and line segments.
 inline Known_curve stadium_in_square(std::size_t n, CGAL::Random& random)
 {
   const double x = random.get_double(0.45, 0.55), y = random.get_double(0.45, 0.55),
@@ -102,7 +102,7 @@ inline Known_curve circle_on_sphere(std::size_t n, CGAL::Random& random)
                      });
 }
 
-// Two parallels of a torus of radii 3 and 1, around its outer half.
+// Returns two parallels of a torus of radii 3 and 1, around its outer half.
 inline Known_curve parallels_of_torus(std::size_t n, CGAL::Random& random)
 {
   const double half = random.get_double(0.4, 2.5);
@@ -113,7 +113,7 @@ inline Known_curve parallels_of_torus(std::size_t n, CGAL::Random& random)
                      });
 }
 
-// A circle around a vertex of a flat torus, as long as it does not meet itself.
+// Returns a circle around a vertex of a flat torus, as long as it does not meet itself.
 inline Known_curve circle_on_flat_torus(std::size_t n, CGAL::Random& random)
 {
   const int cells = static_cast<int>(n);

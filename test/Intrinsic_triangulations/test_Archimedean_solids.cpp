@@ -19,7 +19,7 @@ namespace {
 
 typedef std::array<double, 3> Coordinates;
 
-// Which permutations of coordinates there are, and with which signs.
+// States the permutations of coordinates, and their signs.
 enum class Symmetry
 {
   all_permutations,
@@ -75,7 +75,7 @@ std::vector<Point> vertices_of(const Solid& solid)
   return result;
 }
 
-// The root of x^3 = a x^2 + b x + c near 1.8.
+// Returns the root of x^3 = a x^2 + b x + c near 1.8.
 double cubic_root(double a, double b, double c)
 {
   double x = 1.8;
@@ -157,7 +157,7 @@ double distance_of(const P& p, const P& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-// A polygon in the plane, and the sides of it that are glued.
+// Stores a polygon in the plane, and its sides that are glued.
 struct Net
 {
   Mesh mesh;

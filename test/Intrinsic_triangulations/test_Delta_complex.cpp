@@ -36,7 +36,7 @@ void expect_valid(const Delta_complex& mesh, const Counts& expected)
   EXPECT_TRUE(counts(mesh) == expected);
 }
 
-// Halfedges are equal, with equal ends and neighbours.
+// Returns whether halfedges are equal, with equal ends and neighbors.
 bool same_links(const Delta_complex& a, const Delta_complex& b)
 {
   for(Halfedge_index h : a.halfedges())
@@ -75,7 +75,7 @@ bool match(const Delta_complex& a, const Delta_complex& b, Halfedge_index in_a, 
   return image.size() == a.number_of_halfedges();
 }
 
-// For connected complexes.
+// Returns whether two connected complexes are isomorphic.
 bool isomorphic(const Delta_complex& a, const Delta_complex& b)
 {
   const auto halfedges = b.halfedges();
@@ -153,7 +153,7 @@ void check_split_border_edge(Halfedge_index h, const Delta_complex& before)
   EXPECT_TRUE(isomorphic(before, mesh));
 }
 
-// A flip takes one of four edges away from the new vertex.
+// Checks that a flip removes one of four edges from the new vertex.
 void check_split_inner_edge(Halfedge_index h, const Delta_complex& before)
 {
   for(Delta_complex::size_type cut = 0; cut < 2; ++cut) {
@@ -194,7 +194,7 @@ void check_join(Halfedge_index h, const Delta_complex& before)
   EXPECT_TRUE(same_faces(before, mesh));
 }
 
-// The edge of a degree-1 vertex j becomes two, with a loop around j and a diagonal.
+// Checks that the edge of a degree-1 vertex j becomes two, with a loop around j and a diagonal.
 void check_split_inside_face(Halfedge_index h, const Delta_complex& before)
 {
   Delta_complex mesh = before;
@@ -225,7 +225,7 @@ void check_removal(Vertex_index v, const Delta_complex& before)
                {c.vertices - 1, c.edges - (on_border ? 2 : 3), c.faces - (on_border ? 1 : 2)});
 }
 
-// One operation at a halfedge drawn at random, if it is possible.
+// Applies one operation at a random halfedge, if it is possible.
 void random_operation(Delta_complex& mesh, CGAL::Random& random)
 {
   const int size = static_cast<int>(mesh.num_halfedges());
@@ -457,7 +457,7 @@ TEST(Delta_complex, pinched_vertices_are_found)
   expect_defect(mesh, "it has more than one vertex fan");
 }
 
-// Handles and loops are glued in and cut out one by one.
+// Checks the type while handles and loops are glued in and cut out one by one.
 template <typename Graph>
 void expect_topological_type(const Graph& g, std::size_t components, std::size_t loops,
                              std::size_t genus)

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Elementary operations allocate nothing, and objects take the memory that the manual says.
+// Elementary operations allocate nothing, and objects use the memory given in the manual.
 
 #include "generators.h"
 
@@ -55,7 +55,7 @@ TEST(Allocations, a_flip_allocates_nothing)
   EXPECT_GT(flips, 50u);
 }
 
-// Only the stack allocates: the marks of its edges once, and the edges as often as it doubles.
+// Only the stack allocates: the marks of its edges once, and the edges whenever it doubles.
 TEST(Allocations, make_Delaunay_allocates_its_stack_only)
 {
   IT::Intrinsic_triangulation<> tri(wavy_square(60));

@@ -23,7 +23,7 @@ void expect_same_direction(double a, double b, double tolerance)
   EXPECT_NEAR(std::remainder(a - b, 2 * pi), 0, tolerance) << a << ' ' << b;
 }
 
-// From the place where `h` first meets an edge of T1, which comes from T2.
+// Returns the angle from the first crossing of `h` with an edge of T1 that comes from T2.
 double angle_from_crossing(Halfedge_index h, const Triangulation& t,
                            const IT::Tangent_frames<>& frames)
 {
@@ -34,7 +34,7 @@ double angle_from_crossing(Halfedge_index h, const Triangulation& t,
   return std::arg(IT::logarithm(t.input(), t.input_mesh().prev(p.halfedge), location));
 }
 
-// From exact vectors; `frames` tells the angle sum on the boundary.
+// Returns the angle from exact vectors; `frames` determines the angle sum on the boundary.
 double angle_in_plane(Halfedge_index h, const Flat_triangulation& flat,
                       const IT::Tangent_frames<>& frames)
 {
@@ -47,7 +47,7 @@ double angle_in_plane(Halfedge_index h, const Flat_triangulation& flat,
   return positive * pi / frames.angle_sum(v);
 }
 
-// Those that are kept, against those that are computed afresh.
+// Checks that updated angles equal recomputed angles.
 void check_kept(const Angles& kept, const Triangulation& t, double tolerance)
 {
   const Angles fresh(t);
@@ -171,7 +171,7 @@ private:
   Visitor& m_visitor;
 };
 
-// Keeps the angles, and no vectors.
+// Keeps the angles, but no vectors.
 struct Angles_only : Angles
 {
   using Angles::Angles;
@@ -179,7 +179,7 @@ struct Angles_only : Angles
   void after_edge_split(Halfedge_index, double) {}
 };
 
-// The vectors of the halfedges of T2 in the plane, and the angles.
+// Stores the vectors of the halfedges of T2 in the plane, and the angles.
 class Plane_vectors : public Angles
 {
 public:
@@ -242,7 +242,7 @@ private:
   std::vector<Complex> m_vector;
 };
 
-// The real axis of T1's frame at the source of `h`.
+// Returns the real axis of T1's frame at the source of `h`.
 Halfedge_index input_axis(Halfedge_index h, const Triangulation& t)
 {
   const Vertex_index v = t.mesh().source(h);
@@ -264,8 +264,8 @@ double angle_in_plane(Halfedge_index h, const Plane_vectors& vectors,
                                                     : positive;
 }
 
-// Walking over T1 from an inserted vertex in the direction of `h`, for its length, leads to its
-// other end.
+// Checks that a walk over T1 from an inserted vertex in the direction of `h`, for its length, leads
+// to its other end.
 void check_by_walking(const Triangulation& t, const Angles& angles)
 {
   const Flat_faces faces(Side::input, t);
@@ -281,8 +281,8 @@ void check_by_walking(const Triangulation& t, const Angles& angles)
   }
 }
 
-// The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have
-// them.
+// Checks that the angles between neighbors around `v` agree in the angular coordinates and in the
+// corners of T2.
 void check_around(Vertex_index v, const Angles& angles)
 {
   const Triangulation& t = angles.triangulation();
@@ -307,7 +307,7 @@ bool is_link_inserted(Vertex_index v, const Triangulation& t)
   return result;
 }
 
-// The product of the transports along the link.
+// Returns the product of the transports along the link.
 Complex holonomy_around(Vertex_index v, const Angles& angles)
 {
   const Delta_complex& mesh = angles.triangulation().mesh();
@@ -383,7 +383,7 @@ TEST(Angular_coordinates, visitor_of_make_Delaunay)
   }
 }
 
-// Transport in either frames is the same.
+// Checks that transport in both frames is equal.
 void check_tangent_vectors(const Triangulation& t)
 {
   const IT::Tangent_frames<> frames(t.intrinsic());

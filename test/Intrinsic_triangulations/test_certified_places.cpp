@@ -34,7 +34,7 @@ Mesh sheared(Mesh mesh, double shear)
   return mesh;
 }
 
-// A planar mesh: the places of the vertices of T2, in rational numbers.
+// Stores the positions of the vertices of T2 of a planar mesh, in rational numbers.
 struct Plane
 {
   const Exact_triangulation& t;
@@ -151,7 +151,8 @@ TEST(Certified_places, crossings_on_planar_meshes)
   EXPECT_GT(crossings, 100u);
 }
 
-// A place next to the end of an edge takes as many digits as its exponent says: here more than 512.
+// A position next to the end of an edge needs as many digits as its exponent: in this case more
+// than 512.
 TEST(Certified_places, crossings_close_to_a_vertex)
 {
   for(const int exponent : traced({100, 500, 650, 900})) {
@@ -173,7 +174,7 @@ TEST(Certified_places, crossings_close_to_a_vertex)
   }
 }
 
-// Squared lengths alone: each triangle has a root of its own.
+// With squared lengths alone, each triangle has a separate root.
 TEST(Certified_places, crossings_on_abstract_surfaces)
 {
   for(unsigned int seed : seeds(6)) {
@@ -191,8 +192,8 @@ TEST(Certified_places, crossings_on_abstract_surfaces)
 
 // ---- Rounded places ----
 
-// Faces so thin that lengths of type `double` hardly know their height: the places are computed
-// from positions.
+// Faces are so thin that lengths of type `double` hardly determine their height, so the positions
+// are computed from coordinates.
 TEST(Certified_places, rounded_places_in_thin_faces)
 {
   std::size_t crossings = 0;
@@ -221,8 +222,8 @@ TEST(Certified_places, rounded_places_in_thin_faces)
   EXPECT_GT(crossings, 100u);
 }
 
-// Stretched tori, and meshes that double can hardly hold, with lengths of type `double`: the
-// distance of rounded places from the intervals, relative to the longest edge.
+// Checks the distance of rounded positions from the intervals, relative to the longest edge.
+// Surfaces are stretched tori, and meshes at the limits of `double`, with lengths of type `double`.
 void check_rounded_places(const Mesh& mesh)
 {
   Triangulation t(mesh);
@@ -265,8 +266,7 @@ TEST(Certified_places, rounded_places_on_hard_meshes)
 
 // ---- Hard meshes ----
 
-// Where faces are next to nothing, intervals are as narrow as asked, and next to each other as the
-// integers say.
+// For almost degenerate faces, intervals are as narrow as requested, and ordered like the integers.
 TEST(Certified_places, crossings_on_hard_meshes_are_in_order)
 {
   for(std::uint64_t seed : seeds(24)) {
@@ -287,7 +287,8 @@ TEST(Certified_places, crossings_on_hard_meshes_are_in_order)
 
 // ---- Points ----
 
-// Small weights, some of them zero, so that many points lie on edges of the other side.
+// Returns a location with small weights, some of them zero, so that many points lie on edges of the
+// other side.
 Location random_place(const Delta_complex& mesh, Portable_random& random)
 {
   Location p{
@@ -358,7 +359,7 @@ TEST(Certified_places, elements_with_inserted_vertices)
     EXPECT_GT(n, 50u);
 }
 
-// The point that is computed in `double` lies in that face, where this is in no doubt.
+// The point computed in `double` lies in the exact face, if rounding permits a decision.
 TEST(Certified_places, elements_agree_with_points_across)
 {
   Portable_random random(1);

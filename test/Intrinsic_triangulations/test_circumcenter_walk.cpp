@@ -17,7 +17,7 @@ double distance(const Plane_vector& p, const Plane_vector& q)
   return std::hypot(p[0] - q[0], p[1] - q[1]);
 }
 
-// From (0, 0) to (1, -u) and (1, v), beginning with any corner.
+// Represents a needle from (0, 0) to (1, -u) and (1, v), beginning with any corner.
 struct Needle
 {
   std::vector<Plane_vector> points;
@@ -47,8 +47,8 @@ auto layout(const Needle& needle)
   return IT::internal::Layout_by_lengths(needle.triangulation.intrinsic());
 }
 
-// Both long sides are nearer than the circumcenter may be moved. It stays where it is along them,
-// although the third corner is beside one end.
+// Both long sides are nearer than the circumcenter may be moved. Its position along them does not
+// change, although the third corner is beside one end.
 TEST(Circumcenter_walk, moves_the_center_across_a_needle_only)
 {
   Portable_random random(1);
@@ -72,7 +72,7 @@ TEST(Circumcenter_walk, is_blocked_by_the_side_that_it_would_move_to)
             Walk::End::blocked);
 }
 
-// In a face that is not thin the center stays.
+// In a face that is not thin the center is not moved.
 TEST(Circumcenter_walk, leaves_the_center_inside_a_good_face)
 {
   const Needle needle(0.6, 0.5, 0);

@@ -40,7 +40,7 @@ void check_triangles(Subdivision& s, const Triangulation& t)
   check_measures(s, t);
 }
 
-// Triangulates a copy, if there can be one.
+// Checks a triangulated copy, if one exists.
 template <typename Any_subdivision>
 void check_copies(const Any_subdivision& s, const Triangulation& t)
 {
@@ -107,7 +107,7 @@ TEST(Common_subdivision, isolated_vertices_keep_their_numbers)
   }
 }
 
-// The coordinates at each corner are one of the places that its vertex has in the face.
+// The coordinates at each corner are one of the positions of its vertex in the face.
 TEST(Common_subdivision, coordinates_at_corners)
 {
   for(const Named_triangulation& t : traced(triangulations())) {

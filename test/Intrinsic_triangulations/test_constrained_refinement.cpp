@@ -13,8 +13,8 @@ namespace Test_constrained_refinement {
 
 using namespace Test_surfaces;
 
-// What becomes of the pieces of constrained edges: each lies along its edge of T1, which they cover
-// end to end, and the vertices between them lie on it.
+// Checks the pieces of constrained edges. Each lies along its edge of T1, which they cover end to
+// end, and the vertices between them lie on it.
 void check_pieces(const Triangulation& t, const std::set<std::size_t>& fixed)
 {
   check_chains(t, fixed);
@@ -32,8 +32,8 @@ void check_pieces(const Triangulation& t, const std::set<std::size_t>& fixed)
     EXPECT_EQ(pieces[e], vertices[e] + 1) << e;
 }
 
-// Refines with these edges marked. Every face that violates the bound has an excuse that the rule
-// allows, and everything is certified.
+// Refines with these edges marked. Checks that every face that violates the bound has an allowed
+// excuse, and all decisions are certified.
 void expect_refined(const Mesh& mesh, const std::set<std::size_t>& marked, bool is_exact,
                     double degrees = 25)
 {
@@ -115,7 +115,8 @@ TEST(Constrained_refinement, feature_edges_of_data_meshes)
   EXPECT_GE(count, 10u);
 }
 
-// Where the faces at a marked edge are needles thinner than rounding, exact decisions are needed.
+// If the faces at a marked edge are needles thinner than rounding errors, exact decisions are
+// needed.
 TEST(Constrained_refinement, random_edges_of_hard_meshes)
 {
   Portable_random random(9);

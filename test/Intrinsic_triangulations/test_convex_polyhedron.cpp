@@ -70,7 +70,7 @@ Mesh rotated(Mesh mesh)
   return mesh;
 }
 
-// A box whose sides are grids of squares, each cut in two.
+// Returns a box whose sides are grids of squares, each cut in two.
 Mesh gridded_cube(int n)
 {
   std::map<std::array<int, 3>, std::size_t> number;
@@ -102,7 +102,7 @@ Mesh gridded_cube(int n)
   return make_mesh(points, triangles);
 }
 
-// A polygon with two sides, each cut into triangles at a corner of its own.
+// Returns a polygon with two sides, each cut into triangles at a different corner.
 Mesh double_polygon(const std::vector<Point>& corner, std::size_t lower_fan)
 {
   Triangles triangles;
@@ -262,8 +262,8 @@ TEST(Convex_polyhedron, takes_a_tolerance_of_curvature)
 
 namespace {
 
-// Glues the sides of a polygon in the plane, cut into triangles, by pairs of the numbers of sides:
-// side i leads from corner i to the next.
+// Returns the polyhedron of a polygon in the plane, cut into triangles, whose sides are glued by
+// pairs of numbers. Side i leads from corner i to the next.
 Polyhedron folded(const std::vector<Point>& corner, const Triangles& triangles,
                   const std::vector<std::pair<std::size_t, std::size_t>>& sides)
 {
@@ -288,7 +288,7 @@ const Triangles squares_of_cross{{0, 1, 2},  {0, 2, 13},  {2, 3, 4},    {2, 4, 5
                                  {13, 2, 5}, {13, 5, 10}, {12, 13, 10}, {12, 10, 11},
                                  {10, 5, 6}, {10, 6, 9},  {9, 6, 7},    {9, 7, 8}};
 
-// All distances of the vertices, in increasing order.
+// Returns all distances of the vertices, in increasing order.
 std::vector<double> distances_of(const Polyhedron& p)
 {
   std::vector<double> result;

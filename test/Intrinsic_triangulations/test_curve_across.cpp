@@ -22,7 +22,7 @@ using Paths = IT::Shortest_paths<View>;
 
 std::size_t pieces = 0; // of all images
 
-// The point of a path at a length from its start.
+// Returns the point of a path at a length from its start.
 Location at_length(Real s, const Path& path, const Flat_faces& faces)
 {
   for(std::size_t k = 0; k + 1 < path.places.size(); ++k) {
@@ -50,7 +50,7 @@ bool is_path(const Path& path, const Flat_faces& faces)
   return true;
 }
 
-// The image of a path is connected, as long, and each of its places is where the path is.
+// Checks that the image of a path is connected, has the same length, and has the same positions.
 Path check_image(const Triangulation& t, Side side, const Path& path, const Correspondence& c)
 {
   const Flat_faces here(side, t), there(other(side), t);
@@ -73,7 +73,8 @@ Path check_image(const Triangulation& t, Side side, const Path& path, const Corr
   return image;
 }
 
-// The halfedges through which a path leaves faces, apart from places at inserted vertices.
+// Returns the halfedges through which a path leaves faces, except for positions at inserted
+// vertices.
 std::vector<Halfedge_index> crossed(const Path& path, const Flat_faces& faces)
 {
   std::vector<Halfedge_index> result;
@@ -85,7 +86,7 @@ std::vector<Halfedge_index> crossed(const Path& path, const Flat_faces& faces)
   return result;
 }
 
-// A generic path comes back through the same edges.
+// Checks that a generic path is mapped back through the same edges.
 void check_there_and_back(const Triangulation& t, Side side, const Path& path,
                           const Correspondence& c, bool is_generic)
 {
@@ -97,7 +98,7 @@ void check_there_and_back(const Triangulation& t, Side side, const Path& path,
   }
 }
 
-// Points of all kinds: of five, the first is at random, the others may lie on edges.
+// Returns points of all kinds: one of five is random, the others may lie on edges.
 std::vector<Location> points_of(Side side, const Correspondence& c, std::size_t n,
                                 CGAL::Random& random)
 {
@@ -143,7 +144,7 @@ void check_paths(const Triangulation& t, unsigned int seed, std::size_t n = 10)
 
 // ---- In the plane ----
 
-// A triangulation of a flat surface with exact places.
+// Stores a triangulation of a flat surface with exact positions.
 struct Plane
 {
   const Flat_faces& faces;
@@ -159,7 +160,7 @@ struct Plane
   }
 };
 
-// A path is at the same places of the plane on both triangulations.
+// Checks that a path has the same positions in the plane on both triangulations.
 void check_in_plane(const Path& path, const Path& image, const Plane& plane, const Plane& other,
                     const Flat_surface& surface)
 {
@@ -226,7 +227,7 @@ TEST(Curve_across, after_random_insertions)
   EXPECT_GT(pieces, 30000u);
 }
 
-// Far from Delaunay, where edges of T2 are long.
+// The triangulation is far from Delaunay, so edges of T2 are long.
 TEST(Curve_across, after_random_insertions_and_flips)
 {
   for_each_triangulation([](const Triangulation& t, unsigned int seed) {
@@ -275,7 +276,7 @@ TEST(Curve_across, on_data_meshes)
 
 // ---- Places ----
 
-// Where a path passes inserted vertices, it passes them on both triangulations, and back.
+// If a path passes inserted vertices, it passes them on both triangulations, and back.
 TEST(Curve_across, through_inserted_vertices)
 {
   std::size_t passed = 0;
@@ -303,7 +304,8 @@ TEST(Curve_across, through_inserted_vertices)
   EXPECT_GT(passed, 30u);
 }
 
-// A path of one point, and one along an edge of T1 that consists of several edges of T2.
+// One path is a point, and another one leads along an edge of T1 that consists of several edges of
+// T2.
 TEST(Curve_across, points_and_parts_of_edges)
 {
   for_each_triangulation([](const Triangulation& input, unsigned int seed) {

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 
-// Distances from curves.
+// These tests check distances from curves.
 namespace Test_curve_distances {
 
 using namespace Test_surfaces;
@@ -36,8 +36,9 @@ Paths paths_from(const View& surface, const Curve& curve)
 
 // ---- The least of the distances to all points ----
 
-// Distances from points are tested elsewhere, so a minimum over the curve is an independent truth:
-// by samples, and between the neighbors of each that is lower than both by sections.
+// Returns the least distance. Distances from points are tested elsewhere, so a minimum over the
+// curve is independent truth. It is searched by samples, and by sections between the neighbors of
+// each sample that is lower than both.
 double least_distance(const Paths& from_point, const Segment& s)
 {
   constexpr int samples = 64;
@@ -126,7 +127,7 @@ TEST(Curve_distances, are_least_distances_on_Delta_complexes)
 
 // ---- Closed forms ----
 
-// The polyline through some points of a flat convex surface.
+// Returns the polyline through some points of a flat convex surface.
 Curve polyline(const Triangulation& t, const Mesh& mesh, const std::vector<Point>& points)
 {
   Curve result;
@@ -173,7 +174,7 @@ TEST(Curve_distances, lines_and_polygons_in_the_plane)
   check_in_plane(circle, 20);
 }
 
-// To the true circle, a polygon is as near as its sagitta.
+// The distance of a polygon from the true circle is its sagitta.
 TEST(Curve_distances, fine_circle_in_a_face)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)}, {{0, 1, 2}});
@@ -192,7 +193,7 @@ TEST(Curve_distances, fine_circle_in_a_face)
   EXPECT_NEAR(paths.distance(locate(Point(1, 1, 0), mesh)), 0.5, 1e-10);
 }
 
-// All boundary edges of a square. On an even grid, many rays run along edges.
+// The sources are all boundary edges of a square. On an even grid, many rays run along edges.
 TEST(Curve_distances, boundary_of_a_square)
 {
   const Mesh even = grid(20, 20, [](double x, double y) { return Point(x / 20, y / 20, 0); });
@@ -210,7 +211,7 @@ TEST(Curve_distances, boundary_of_a_square)
   }
 }
 
-// A line that winds around a cylinder, and the line itself in the plane modulo the girth.
+// A line winds around a cylinder, and is compared with the line in the plane modulo the girth.
 TEST(Curve_distances, geodesics_on_cylinders)
 {
   for(int twists = 0; twists < 3; ++twists) {
@@ -243,7 +244,8 @@ TEST(Curve_distances, geodesics_on_cylinders)
 
 // ---- Hard surfaces ----
 
-// Between those from points on the curve, and these less what lies between two of the points.
+// Checks that distances lie between the distances from points on the curve, and these minus the
+// length between two of the points.
 void check_by_points(const Named_mesh& m, unsigned int seed)
 {
   const Triangulation t(m.mesh);

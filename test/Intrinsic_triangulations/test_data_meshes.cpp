@@ -92,7 +92,8 @@ double size_of(const Mesh& mesh)
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-// There and back. Faces of T1 may have no area; then a point can come back in another face.
+// Checks that points are mapped back to themselves. Faces of T1 may have no area; then a point can
+// return in another face.
 void check_points_across(const Correspondence& c, const Mesh& mesh)
 {
   CGAL::Random random(1);
@@ -135,7 +136,8 @@ void check_surface(const Soup& soup)
   check_save_and_load(t);
 }
 
-// A graph can only be made if the combinatorics are right; whatever else is wrong has a name.
+// Checks a defect. A graph can only be made if the combinatorics are valid; every other defect has
+// a name.
 void check_refused(const Soup& soup, const IT::Input_diagnosis& diagnosis,
                    const std::string& defect)
 {

@@ -27,7 +27,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 
 constexpr std::size_t none = Input_diagnosis::none;
 
-// Points in general position, enough for the connectivities below.
+// Returns points in general position, enough for the connectivities below.
 Points points(std::size_t n)
 {
   Points result;
@@ -64,7 +64,7 @@ void link(Mesh& mesh, Mesh::Vertex_index v, const std::array<Mesh::Halfedge_inde
   mesh.set_halfedge(v, h[0]);
 }
 
-// The flat torus with a single vertex: three loops, two triangles.
+// Returns the flat torus with a single vertex: three loops, two triangles.
 Mesh one_vertex_torus()
 {
   Mesh mesh;
@@ -302,7 +302,8 @@ Rational squared_relative_height(const std::array<Point, 3>& p)
   return 4 * CGAL::squared_area(q[0], q[1], q[2]) / (base * greatest * greatest);
 }
 
-// Triangles with heights from far below to far above the rounding, in exact arithmetic.
+// The heights of triangles range from far below to far above the rounding errors, in exact
+// arithmetic.
 TEST(Diagnose, vertices_within_rounding_are_noted)
 {
   const double epsilon = std::numeric_limits<double>::epsilon();
@@ -456,7 +457,7 @@ Polygons random_soup(std::mt19937& random, std::size_t number_of_points)
   return result;
 }
 
-// CGAL's own functions count the same on the mesh that the soup becomes.
+// Checks that CGAL's own functions return the same counts for the mesh of the soup.
 void expect_statistics_of(const Points& p, const Polygons& f, const Input_diagnosis& d)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

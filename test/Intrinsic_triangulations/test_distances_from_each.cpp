@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/distances_from_each.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 
-// Distances from each of many sources, alone and in several threads.
+// These tests compute distances from each of many sources, separately and in several threads.
 namespace Test_distances_from_each {
 
 using namespace Test_surfaces;

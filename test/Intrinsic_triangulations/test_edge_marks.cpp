@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers of marks and pieces along edges.
+// These tests check numbers of marks and pieces along edges.
 
 #include "testing.h"
 
@@ -45,7 +45,7 @@ TEST(Edge_marks, are_mirrored)
   EXPECT_EQ(*seen.rbegin() + 1, marks.size());
 }
 
-// The pieces of a halfedge are those of its opposite, turned around and from the other end.
+// The pieces of a halfedge are the pieces of its opposite, reversed and from the other end.
 TEST(Edge_marks, number_pieces)
 {
   const Edge_marks marks(counts);

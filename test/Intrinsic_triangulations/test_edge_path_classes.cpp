@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <boost/pending/disjoint_sets.hpp>
 
-// Geodesics by flips stay in their homotopy class, and are what they are on the exact surface.
+// Geodesics by flips stay in their homotopy class, and are geodesics of the exact surface.
 
 namespace Test_edge_path_classes {
 
@@ -48,10 +48,10 @@ bool join(std::size_t i, std::size_t k, Disjoint_sets& sets)
   return result;
 }
 
-// A random homomorphism of the fundamental groupoid: each edge has a matrix, and the product around
-// each face is one. On a surface with boundary the group is free, and classes that differ have
-// equal matrices with a probability of about 1e-9. On a closed surface matrices commute: classes of
-// homology are told apart.
+// Represents a random homomorphism of the fundamental groupoid: each edge has a matrix, and the
+// product around each face is one. On a surface with boundary the group is free, and different
+// classes have equal matrices with a probability of about 1e-9. On a closed surface matrices
+// commute, which distinguishes classes of homology.
 class Holonomy
 {
 public:
@@ -97,7 +97,8 @@ private:
     return m_mesh.is_border(h) ? m_mesh.num_faces() : m_mesh.face(h).idx();
   }
 
-  // Random matrices for the edges of neither tree; returns the edges that the dual tree crosses.
+  // Chooses random matrices for the edges in neither tree. Returns the edges that the dual tree
+  // crosses.
   std::vector<Edge_index> choose(std::uint64_t seed)
   {
     Portable_random random(seed);
@@ -121,8 +122,8 @@ private:
     return dual_tree;
   }
 
-  // From the leaves of the dual tree on, the last edge of a face follows from the others. The root
-  // is beyond the boundary, or face 0.
+  // Computes the last edge of each face from the others, starting with the leaves of the dual tree.
+  // The root is beyond the boundary, or face 0.
   void complete(const std::vector<Edge_index>& dual_tree)
   {
     const std::size_t root = m_is_closed ? 0 : m_mesh.num_faces();
@@ -153,7 +154,8 @@ private:
   Halfedges m_generators;
 };
 
-// Along an edge of T2, which is pushed to the sources of the halfedges that it crosses.
+// Returns the matrix along an edge of T2, which is pushed to the sources of the halfedges that it
+// crosses.
 Matrix along_edge(Halfedge_index e, const Triangulation& t, const Holonomy& holonomy)
 {
   if(t.coordinates().is_shared(t.mesh().edge(e)))
@@ -181,7 +183,7 @@ Matrix along_path(const Halfedges& path, const Triangulation& t, const Holonomy&
   return product;
 }
 
-// Paths through three vertices, with a generator between two of them.
+// Checks paths through three vertices, with a generator between two of them.
 void check_classes(const Mesh& mesh, int n, std::uint64_t seed)
 {
   Triangulation t(mesh);
@@ -251,8 +253,8 @@ TEST(Edge_path_classes, are_kept_on_data_meshes)
 
 // ---- Truth ----
 
-// In lengths of type `double` paths become those that exact decisions lead to, on meshes whose
-// angles rounding does not tell.
+// With lengths of type `double`, paths equal the results of exact decisions, on meshes whose angles
+// rounding does not resolve.
 TEST(Edge_path_classes, are_exact_on_hard_meshes)
 {
   for(const auto& [m, seed] : traced(36, hard_mesh)) {
@@ -276,8 +278,8 @@ TEST(Edge_path_classes, are_exact_on_hard_meshes)
   }
 }
 
-// Where a flat surface has no holes, the only geodesic is the shortest path. A search by rounded
-// lengths, which tell the shape of the thinnest triangles to half of their digits, finds none that
+// If a flat surface has no holes, the only geodesic is the shortest path. Rounded lengths determine
+// the shape of the thinnest triangles to half of their digits. A search by them finds no path that
 // is shorter by more.
 TEST(Edge_path_classes, are_shortest_in_flat_disks)
 {

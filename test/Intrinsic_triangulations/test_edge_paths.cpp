@@ -30,7 +30,7 @@ double length(const Halfedges& path, const Triangulation& t)
 
 // ---- Geodesics ----
 
-// The angle on the left of a joint, infinite on the boundary, once more.
+// Returns the angle on the left of a joint, infinite on the boundary, computed independently.
 Real angle(Halfedge_index in, Halfedge_index out, const Flat_faces& faces)
 {
   const Delta_complex& mesh = faces.mesh();
@@ -45,7 +45,7 @@ Real angle(Halfedge_index in, Halfedge_index out, const Flat_faces& faces)
   }
 }
 
-// There is no corner that a path can cut, and gain more than rounding.
+// Checks that a path can cut no corner, and gain more than rounding errors.
 void expect_geodesic(const Halfedges& path, bool is_loop, const Triangulation& t)
 {
   const Flat_faces faces(Side::intrinsic, t);
@@ -70,8 +70,8 @@ std::pair<Vertex_index, Vertex_index> random_vertices(const Delta_complex& mesh,
   return {v, random_vertex(mesh, random)};
 }
 
-// From a path along edges to a geodesic that is no shorter than the shortest path, and no longer
-// than it was.
+// Checks random paths along edges. Their geodesics are not shorter than the shortest path, and not
+// longer than before.
 void check_random_paths(Triangulation t, int n, unsigned int seed)
 {
   const Flat_faces faces(Side::input, t);
@@ -139,7 +139,7 @@ Vector displacement(const Halfedges& path, const Flat_triangulation& flat)
   return sum;
 }
 
-// A random walk along edges of T1; a loop goes on until it is where it started.
+// Returns a random walk along edges of T1. A loop continues until it is at its start.
 Halfedges random_walk(const Delta_complex& mesh, int n, bool is_loop, CGAL::Random& random)
 {
   Halfedges result;
@@ -155,7 +155,7 @@ Halfedges random_walk(const Delta_complex& mesh, int n, bool is_loop, CGAL::Rand
   return result;
 }
 
-// A walk that is not met again: each class has its geodesics, all straight lines of one length.
+// Checks a walk of a single class: all its geodesics are straight lines of one length.
 void check_flat(const Flat_surface& surface, bool is_loop, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -183,7 +183,7 @@ TEST(Edge_paths, on_flat_tori_and_cylinders)
   }
 }
 
-// Exact decisions: a certificate that no angle is below pi.
+// With exact decisions, a certificate shows that no angle is below pi.
 TEST(Edge_paths, exact)
 {
   using Traits = IT::Exact_Euclidean_geometry_traits<>;
@@ -208,7 +208,7 @@ TEST(Edge_paths, exact)
   }
 }
 
-// Many equal angles, and angles of exactly pi.
+// The surface has many equal angles, and angles of exactly pi.
 TEST(Edge_paths, exact_with_ties)
 {
   for(std::uint64_t seed : seeds(20)) {
@@ -223,7 +223,7 @@ TEST(Edge_paths, exact_with_ties)
   }
 }
 
-// Side by side: at a vertex with a small angle sum, they go to either side.
+// Paths run side by side: at a vertex with a small angle sum, they move to either side.
 TEST(Edge_paths, doubled_paths)
 {
   for(const Named_mesh& m : traced(meshes())) {
@@ -256,7 +256,8 @@ TEST(Edge_paths, contracts_to_a_point)
   EXPECT_EQ(paths.length(0), 0);
 }
 
-// Across a corner of a square, whose diagonal at the corner is flipped, unless something is on it.
+// The path leads across a corner of a square, whose diagonal at the corner is flipped, unless it is
+// constrained or another path runs along it.
 TEST(Edge_paths, blocked_by_paths_and_constraints)
 {
   const Mesh mesh = grid(2, 2, [](double x, double y) { return Point(x, y, 0); });
@@ -282,8 +283,8 @@ TEST(Edge_paths, blocked_by_paths_and_constraints)
   }
 }
 
-// A walk on a grid with lines of 9 vertices: along lines to the corner of a square, some times
-// around it, and into it, with random ways there and back in between.
+// Returns a walk on a grid with lines of 9 vertices. It leads along lines to the corner of a
+// square, several times around it, and into it, with random excursions.
 Halfedges spiral_with_excursions(const Delta_complex& mesh, std::size_t turns, CGAL::Random& random)
 {
   Halfedges result;
@@ -322,7 +323,7 @@ Halfedges spiral_with_excursions(const Delta_complex& mesh, std::size_t turns, C
   return result;
 }
 
-// What overlaps itself without crossings gets straight.
+// A path that overlaps itself without crossings becomes straight.
 TEST(Edge_paths, spirals_with_excursions)
 {
   const Mesh mesh = grid(8, 8, [](double x, double y) { return Point(x, y, 0); });
@@ -353,7 +354,8 @@ TEST(Edge_paths, along_the_boundary)
   EXPECT_EQ(t.input_mesh().source(IT::halfedge_of(path.places[1])), Vertex_index(4));
 }
 
-// Around an annulus from one side to the other: as long as a straight line in the plane.
+// The path leads around an annulus from one side to the other, and has the length of a straight
+// line in the plane.
 TEST(Edge_paths, around_a_cylinder)
 {
   const Flat_surface surface = flat_cylinder(6, 0);

@@ -90,8 +90,8 @@ TEST(Exact_Delaunay, balls_of_products_are_small)
 
 using IT::internal::Position;
 
-// Points with few digits, which have ties; or with many, or far from the origin, or near the ends
-// of the range.
+// Returns points with few digits, which have ties; or with many, or far from the origin, or near
+// the ends of the range.
 std::array<Position, 4> random_diamond(Portable_random& random)
 {
   const int kind = random.get_int(0, 4);
@@ -199,7 +199,7 @@ TEST(Exact_Delaunay, signs_of_sums_of_roots)
   check_signs_of_sums_of_roots<Exact_ring>();
 }
 
-// A root of 7 that is taken for another one than that of 28 / 4.
+// A root of 7 is used as a different root from the root of 28 / 4.
 TEST(Exact_Delaunay, signs_of_sums_of_dependent_roots)
 {
   using Ring_tower = IT::internal::Root_tower<Q_of_root_2>;
@@ -360,8 +360,8 @@ TEST(Exact_Delaunay, positions_in_exact_kernels)
 
 // ---- A translation surface ----
 
-// A regular octagon with sides glued, cut into a fan: its squared lengths are in Q(sqrt 2). All
-// corners are cocircular, so that there is one cell with eight corners, and five ties.
+// A regular octagon with sides glued is cut into a fan, and its squared lengths are in Q(sqrt 2).
+// All corners are cocircular, so it has one cell with eight corners, and five ties.
 TEST(Exact_Delaunay, octagon_with_lengths_in_an_extension)
 {
   Delta_complex mesh = double_torus();
@@ -401,8 +401,8 @@ TEST(Exact_Delaunay, certified_on_hard_meshes)
 
 const auto exactly = IT::parameters::exact_decisions(true);
 
-// With exact decisions the result is certified, and the stored lengths do not deny it; without,
-// flipping ends, with edges that are wrong by rounding.
+// Checks that with exact decisions the result is certified, and agrees with the stored lengths.
+// Without them, flips end, with edges that are wrong by rounding.
 void expect_certified_in_double(const Mesh& mesh)
 {
   Triangulation by_lengths(mesh), t(mesh);
@@ -429,7 +429,8 @@ std::array<Exact_rational, 3> exact_sides(Face_index f, const Triangulation& t)
   return {length(0), length(1), length(2)};
 }
 
-// Lengths that count as exact are those of triangles: some are shortened, by their rounding.
+// Lengths that count as exact are lengths of triangles: some are shortened by their rounding
+// errors.
 TEST(Exact_Delaunay, rounded_lengths_are_those_of_triangles)
 {
   std::size_t shortened = 0;
@@ -458,7 +459,7 @@ TEST(Exact_Delaunay, rounded_lengths_are_those_of_triangles)
   EXPECT_GT(shortened, 100u);
 }
 
-// Squared lengths that are not those of triangles, by their rounding, do not count as exact.
+// Squared lengths that violate the triangle inequality by rounding do not count as exact.
 TEST(Exact_Delaunay, rounded_squared_lengths_of_flat_triangles)
 {
   const Mesh mesh = grid(2, 1, [](double x, double y) { return Point(x, y, 0); });
@@ -493,7 +494,7 @@ TEST(Exact_Delaunay, double_is_certified_on_ties)
   }
 }
 
-// Lengths that say nothing, and bent edges, are found out at the beginning.
+// Meaningless lengths, and bent edges, are found at the beginning.
 TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
 {
   for(std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -521,7 +522,7 @@ TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
 
 typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>> Long_real;
 
-// A random diamond that is convex; thin by up to `digits` decimals. The apices need not lie above
+// Returns a random convex diamond, thin by up to `digits` decimals. The apices need not lie above
 // the base.
 std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, double digits)
 {
@@ -531,7 +532,7 @@ std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, dou
   return {{{0, 0}, {base, 0}, {cut + slope * above, above}, {cut - slope * below, -below}}};
 }
 
-// The lengths are off by up to `error`, all in the worst direction or at random.
+// The lengths have errors of up to `error`, all in the worst direction or at random.
 TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
 {
   Portable_random random(8);
@@ -575,7 +576,7 @@ TEST(Exact_Delaunay, certified_on_data_meshes)
   });
 }
 
-// Filters and multiprecision decide alike, also where edges are not Delaunay or bent.
+// Filters and multiprecision decide alike, also for edges that are not Delaunay or bent.
 TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
 {
   for(std::uint64_t seed : traced({5u, 23u, 112u, 155u, 167u, 187u, 196u, 199u})) {
@@ -598,8 +599,8 @@ TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
 
 // ---- Planes ----
 
-// The triangulation of a mesh by its exact squared lengths: without positions triangles are laid
-// out one by one, over rational numbers.
+// Returns the triangulation of a mesh by its exact squared lengths. Without positions triangles are
+// laid out one by one, over rational numbers.
 Exact_triangulation by_squares(const Exact_triangulation& t, const Mesh& mesh)
 {
   Delta_complex copy = t.input_mesh();
@@ -616,7 +617,7 @@ Exact_triangulation by_squares(const Exact_triangulation& t, const Mesh& mesh)
   return Exact_triangulation(copy, IT::parameters::squared_edge_length_map(square));
 }
 
-// Edges of a shuffled triangulation cross many planes, each of many faces.
+// Edges of a shuffled triangulation cross many planes, each with many faces.
 TEST(Exact_Delaunay, planes_decide_as_triangles_do)
 {
   std::array<int, 3> signs{};

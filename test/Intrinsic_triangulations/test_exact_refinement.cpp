@@ -25,8 +25,8 @@ Refinement_result refined(Any_triangulation& tri)
   return IT::refine(tri, IT::parameters::maximum_number_of_insertions(insertion_limit));
 }
 
-// The least angle of a face from its sides in extended precision: they are certified up to 2^-40,
-// and faces that meet the bound are not thin.
+// Returns the least angle of a face from its sides in extended precision. The sides are certified
+// up to 2^-40, and faces that satisfy the bound are not thin.
 template <typename Any_triangulation>
 double least_angle(const Any_triangulation& tri, Face_index f)
 {
@@ -93,7 +93,7 @@ void expect_refined(const std::string& name, const Mesh& mesh)
   expect_lengths(tri);
 }
 
-// A sample of small ones; the first n if EXACT_REFINEMENT_SEEDS is n.
+// The meshes are a sample of small ones, or the first n if EXACT_REFINEMENT_SEEDS is n.
 TEST(Exact_refinement, ends_on_hard_meshes_with_a_certificate)
 {
   const char* all = std::getenv("EXACT_REFINEMENT_SEEDS");
@@ -106,7 +106,7 @@ TEST(Exact_refinement, ends_on_hard_meshes_with_a_certificate)
       expect_refined(std::to_string(seed), hard_mesh(seed).mesh);
 }
 
-// Keeps the number of inserted vertices, and notes when they are gone.
+// Counts the inserted vertices, and notices their removal.
 struct Insertion_counter : IT::Default_refinement_visitor
 {
   template <typename Traits>
@@ -131,9 +131,8 @@ struct Insertion_counter : IT::Default_refinement_visitor
   bool has_exact_flips = false;
 };
 
-// In `double`, refinement does what exact traits do if it restarts in doubt, and otherwise,
-// going on exactly or not, needs about as many vertices at most. In any case the result is
-// certified.
+// Checks refinement in `double`. If it restarts because a filter failed, it equals refinement with
+// exact traits. Otherwise it needs at most about as many vertices. The result is always certified.
 void expect_refined_in_double(const std::string& name, const Mesh& mesh)
 {
   SCOPED_TRACE(name);
@@ -169,8 +168,8 @@ TEST(Exact_refinement, in_double_goes_on_where_rounding_leaves_doubts)
       expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
 }
 
-// Squares on a turned grid are ties that rounding breaks: refinement in `double` goes on from
-// where it is, and the visitor is not notified of a restart.
+// Squares on a turned grid are ties that rounding breaks. Refinement in `double` continues, and the
+// visitor is not notified of a restart.
 TEST(Exact_refinement, in_double_is_certified_on_ordinary_meshes)
 {
   Portable_random random(6);
@@ -192,7 +191,7 @@ TEST(Exact_refinement, in_double_is_certified_on_ordinary_meshes)
   }
 }
 
-// Also where it needs more vertices than exact decisions from the beginning.
+// This holds even if it needs more vertices than exact decisions from the beginning.
 TEST(Exact_refinement, in_double_is_certified_on_hard_meshes)
 {
   for(std::uint64_t seed : seeds(30, 62)) {
@@ -205,7 +204,7 @@ TEST(Exact_refinement, in_double_is_certified_on_hard_meshes)
   }
 }
 
-// What counts as certain by lengths is so: exact arithmetic agrees that these edges are straight,
+// Certain decisions by lengths are correct: exact arithmetic agrees that these edges are straight,
 // and on their lengths.
 TEST(Exact_refinement, lengths_without_doubt_are_right)
 {
@@ -242,7 +241,7 @@ TEST(Exact_refinement, lengths_without_doubt_are_right)
   EXPECT_GT(doubtful, 100u);
 }
 
-// It is exact on request, too, and can go on from what has been refined exactly.
+// Refinement is exact on request, too, and can continue a refinement with exact decisions.
 TEST(Exact_refinement, in_double_on_request)
 {
   Portable_random random(2);
@@ -261,7 +260,7 @@ TEST(Exact_refinement, in_double_on_request)
   }
 }
 
-// What stops the visitor at the restart leaves the input.
+// An exception of the visitor at the restart leaves the input.
 TEST(Exact_refinement, can_be_stopped_before_exact_decisions)
 {
   struct Stopped
@@ -293,7 +292,7 @@ void bend(Triangulation& tri, Portable_random& random)
   }
 }
 
-// Inserted vertices keep their places where T2 is made anew from T1, and refinement goes on.
+// Inserted vertices keep their positions if T2 is rebuilt from T1, and refinement continues.
 TEST(Exact_refinement, bent_edges_between_inserted_vertices_are_repaired)
 {
   Portable_random random(9);
@@ -357,7 +356,8 @@ TEST(Exact_refinement, faces_excused_are_those_at_small_angle_vertices)
                 reason == Remaining_reason::beside_small_angle_vertex);
 }
 
-// The number of vertices is that which geometry needs: as in `double` where that has no doubt.
+// Geometry determines the number of vertices: it equals the number in `double` if no decision is
+// undecided.
 TEST(Exact_refinement, inserts_about_as_many_vertices_as_double_on_ordinary_meshes)
 {
   Portable_random random(1);
@@ -444,7 +444,7 @@ TEST(Exact_refinement, crossed_edges_are_split)
     expect_split_exactly(Exact_triangulation(hard_base(random)), random, false);
 }
 
-// A vertex that is pushed onto an edge of T1 near its target keeps its distance from there.
+// A vertex that is moved onto an edge of T1 near its target keeps its distance from the target.
 TEST(Exact_refinement, parts_of_edges_near_a_target_lose_no_digits)
 {
   const double tiny = 0x1p-70;
@@ -465,8 +465,8 @@ TEST(Exact_refinement, parts_of_edges_near_a_target_lose_no_digits)
   EXPECT_LT(length(nearer, near_target), 0);
 }
 
-// A boundary edge of a prism-free strip whose only vertex lies on it exactly cannot be flipped
-// away.
+// The strip has no prism, and its only vertex lies exactly on a boundary edge, so it cannot be
+// flipped away.
 TEST(Exact_refinement, faces_without_area_are_named)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0), Point(1, 2, 0)},
@@ -480,7 +480,7 @@ TEST(Exact_refinement, faces_without_area_are_named)
 }
 
 // The least length of an edge is 2^-127. Insertions that would make shorter edges fail, and must
-// leave nothing behind.
+// change nothing.
 TEST(Exact_refinement, failed_insertions_change_nothing)
 {
   const double s = std::ldexp(1.5, -127);

@@ -55,7 +55,7 @@ std::set<Torus_edge> periodic_edges(const std::vector<Vector>& points, std::int6
   return result;
 }
 
-// The torus of a square lattice, in any basis. Edges that are ties may differ.
+// Checks the torus of a square lattice, in any basis. Edges that are ties may differ.
 void check_square_torus(int n, int shear, unsigned int seed)
 {
   const std::int64_t period = 1000 * n;
@@ -170,7 +170,7 @@ void check_every_edge(const Mesh& mesh, std::size_t shuffled)
             << " ties\n";
 }
 
-// Of all sizes up to EXACT_TRUTH_VERTICES, if that is set.
+// The surfaces have all sizes up to EXACT_TRUTH_VERTICES, if it is set.
 TEST(Exact_truth, every_edge_with_roots)
 {
   const char* greatest = std::getenv("EXACT_TRUTH_VERTICES");
@@ -184,7 +184,7 @@ TEST(Exact_truth, every_edge_with_roots)
   }
 }
 
-// Where edges that were flipped are ties, expressions have to be shown to be zero.
+// If flipped edges are ties, expressions must be proved to be zero.
 TEST(Exact_truth, ties_with_roots)
 {
   for(const Mesh& mesh : {cube(), octahedron(), bipyramid(6, 1), punctured(cube(), {0}),

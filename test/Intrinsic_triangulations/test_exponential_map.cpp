@@ -18,7 +18,7 @@ using Geodesic = IT::Geodesic<double>;
 using IT::At_boundary;
 using Status = IT::Geodesic_status;
 
-// The number of the corner where `p` is; 3 if it is none.
+// Returns the number of the corner at `p`, or 3 if `p` is not a corner.
 std::size_t corner_at(const Location& p)
 {
   for(std::size_t s = 0; s < 3; ++s)
@@ -44,7 +44,7 @@ void expect_close(const Complex& z, const Complex& w, double tolerance)
 
 // ---- Surfaces in the plane, or the plane modulo a lattice ----
 
-// A geodesic that starts with `vector` and the frame `frame` at `start` in the plane.
+// Checks a geodesic that starts with `vector` and the frame `frame` at `start` in the plane.
 void check_straight(const Geodesic& g, const Complex& start, const Complex& frame,
                     const Complex& vector, const Flat_places& flat)
 {
@@ -88,7 +88,7 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
 
 // ---- Any surface ----
 
-// There and back again.
+// Checks that a geodesic is traced back to its start.
 void check_reverse(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -108,7 +108,7 @@ void check_reverse(Side side, const Triangulation& t)
   }
 }
 
-// Edges are geodesics, and transport along them is that of the frames.
+// Checks that edges are geodesics, and transport along them is the transport of the frames.
 void check_edges(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -127,7 +127,7 @@ void check_edges(Side side, const Triangulation& t)
   }
 }
 
-// The logarithm inverts the exponential map in a star, and within a face.
+// Checks that the logarithm inverts the exponential map in a star, and within a face.
 void check_logarithm(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -149,7 +149,7 @@ void check_logarithm(Side side, const Triangulation& t)
   }
 }
 
-// Every piece between recorded points is in one face, and they add up to the whole.
+// Checks that every piece between recorded points is in one face, and the lengths add up.
 void check_path(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -176,7 +176,7 @@ void check_path(Side side, const Triangulation& t)
 
 // ---- The two triangulations of one surface ----
 
-// Geodesics are equal on either side, from vertices.
+// Checks that geodesics from vertices are equal on both sides.
 void check_independence(const Triangulation& t, int count, double tolerance)
 {
   const Correspondence c(t);
@@ -200,7 +200,7 @@ void check_independence(const Triangulation& t, int count, double tolerance)
 
 // ---- A cone ----
 
-// Unrolled, the geodesic is a straight line.
+// Checks that the geodesic is a straight line if the cone is unrolled.
 void check_cone(const Cone& cone, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -220,7 +220,7 @@ void check_cone(const Cone& cone, unsigned int seed)
   }
 }
 
-// What a vector has turned by after a polygon around the apex.
+// Returns the rotation of a vector after a polygon around the apex.
 Complex holonomy(const Cone& cone)
 {
   const int corners = 100;
@@ -241,13 +241,13 @@ Complex holonomy(const Cone& cone)
 
 // ---- Others ----
 
-// A square of width 3 with its boundary.
+// Returns a square of width 3 with its boundary.
 Triangulation square()
 {
   return Triangulation(grid(3, 3, [](double x, double y) { return Point(x, y, 0); }));
 }
 
-// The frame coordinates of a vector in space that is in the plane of `f`.
+// Returns the frame coordinates of a vector in space that is in the plane of `f`.
 Complex in_frame(const Kernel::Vector_3& v, Face_index f, const Mesh& mesh)
 {
   const auto [a, b, c] = corners(f, mesh);
@@ -270,7 +270,7 @@ Geodesic trace_in_space(const Point& p, const Kernel::Vector_3& v, const Mesh& m
                             at_boundary);
 }
 
-// Two rows of needles between two lines of points that are close together.
+// Returns two rows of needles between two lines of points that are close together.
 Flat_surface needles(int n, int width, int height)
 {
   std::vector<Vector> points;
@@ -314,7 +314,7 @@ TEST(Exponential_map, same_on_both_triangulations_from_inserted_vertices)
   }
 }
 
-// In the frame of the face, the vertex is a point as any other.
+// In the frame of the face, the vertex is an ordinary point.
 TEST(Exponential_map, from_a_vertex_inserted_in_a_face)
 {
   Triangulation t(random_sphere(40, 1));
@@ -335,8 +335,8 @@ TEST(Exponential_map, from_a_vertex_inserted_in_a_face)
   EXPECT_GT(count, 5);
 }
 
-// The directions along the two halfedges of T1 lead to their ends, and transport is that of the
-// frames.
+// The directions along the two halfedges of T1 lead to their ends, and transport is the transport
+// of the frames.
 TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
 {
   Triangulation t(punctured(random_sphere(40, 6), {0, 20, 50}));
@@ -398,7 +398,7 @@ TEST(Exponential_map, over_the_edges_of_a_cube)
   expect_at(trace_in_space({0.5, 0, 0}, {-6 * side, 6 * side, 0}, mesh), {0.5, 0, 0}, mesh);
 }
 
-// The angle on either side of a cube's corner is three quarters of a half turn.
+// The angle on either side of a cube's corner is three quarters of pi.
 TEST(Exponential_map, straight_on_at_a_vertex)
 {
   const Mesh mesh = cube();
@@ -422,7 +422,7 @@ TEST(Exponential_map, stops_at_the_boundary)
   EXPECT_EQ(from_boundary.length, 0);
 }
 
-// A geodesic along a border of the square goes on past its vertices, and stops at the corner.
+// A geodesic along a border of the square continues past its vertices, and stops at the corner.
 TEST(Exponential_map, runs_along_a_straight_border)
 {
   const Mesh mesh = grid(3, 3, [](double x, double y) { return Point(x, y, 0); });
@@ -471,7 +471,7 @@ TEST(Exponential_map, slides_from_a_boundary_vertex)
   }
 }
 
-// Thin faces cost no digits: as many are right as with longer numbers.
+// Thin faces cost no digits: as many are correct as with longer numbers.
 TEST(Exponential_map, needles)
 {
   for(const int height : {1000, 1000000, 1000000000}) {
@@ -504,8 +504,8 @@ TEST(Exponential_map, needles)
   }
 }
 
-// Eight faces in the plane, four of them on a line: whatever face of that line a geodesic starts or
-// ends in, it is where the plane has it.
+// Eight faces are in the plane, four of them on a line. A geodesic may start or end in any face of
+// this line, and its points agree with the plane.
 TEST(Exponential_map, faces_without_area)
 {
   const Mesh mesh = make_mesh(

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sparse Cholesky factorizations of both libraries, against dense products.
+// Sparse Cholesky factorizations of both libraries are compared with dense products.
 
 #include "testing.h"
 
@@ -25,7 +25,7 @@ Complex random_scalar(CGAL::Random& random, Complex*)
   return {random.get_double(-1, 1), random.get_double(-1, 1)};
 }
 
-// Hermitian with a dominant diagonal: the norm of its inverse is at most one.
+// Returns a Hermitian matrix with a dominant diagonal, whose inverse has a norm of at most one.
 template <typename Scalar>
 Eigen::SparseMatrix<Scalar> definite_matrix(int size, CGAL::Random& random)
 {
@@ -134,9 +134,9 @@ TYPED_TEST(Cholesky_factorization, finds_a_matrix_that_is_not_positive)
   EXPECT_FALSE(cholesky.factorize(matrix));
 }
 
-// On a grid, 1 - c A with adjacencies A and a small c: what a corner spreads to a vertex is the
-// number of shortest paths, each with a factor c for an edge, up to a relative c^2. Much of the
-// factor is subnormal.
+// The matrix is 1 - c A with adjacencies A of a grid and a small c. The effect of a corner on a
+// vertex is the number of shortest paths, each with a factor c for an edge, up to a relative c^2. A
+// large part of the factor is subnormal.
 TYPED_TEST(Cholesky_factorization, solves_where_entries_decay)
 {
   typedef typename TypeParam::Matrix::Scalar Scalar;

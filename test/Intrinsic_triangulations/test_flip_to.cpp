@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From one triangulation of a surface to another, where both are over a third.
+// Flips lead from one triangulation of a surface to another, where both are over a third.
 
 #include "flat_pair.h"
 
@@ -42,7 +42,7 @@ void expect_same_triangulation(const Triangulation& t, const Triangulation& targ
 
 // ---- Brute force on flat surfaces ----
 
-// A triangulation of a flat surface with the exact vectors of its halfedges.
+// Stores a triangulation of a flat surface with the exact vectors of its halfedges.
 struct Flat_triangulation
 {
   Flat_pair<> exact;
@@ -105,7 +105,8 @@ TEST(Flip_to, cylinders_against_brute_force)
 
 // ---- Surfaces with curvature ----
 
-// Lengths found anew in the strips of T2 are those of T3 only if the strips are the right ones.
+// Checks lengths. If they are recomputed in the strips of T2, they are the lengths of T3 only if
+// the strips are correct.
 void expect_lengths(Triangulation over, const Triangulation& t3)
 {
   EXPECT_TRUE(over.is_valid(true));
@@ -119,7 +120,7 @@ TEST(Flip_to, all_complexes)
   for(const auto& [c, seed] : traced(complexes(), 10)) {
     const Triangulation t1 = triangulation(c.mesh, random_lengths(c.mesh, seed));
     Triangulation t2(t1), t3(t1);
-    // Of few edges more flips make slivers, whose lengths are all rounding.
+    // More flips of few edges make slivers, whose lengths are rounding errors.
     const int tries = static_cast<int>(std::min(3 * c.mesh.number_of_edges(), 100u));
     random_flips(t2, tries, seed);
     random_flips(t3, tries, seed + 100);

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From one triangulation of a surface to another over a third, where both have inserted vertices.
+// Flips lead from one triangulation of a surface to another over a third, where both have inserted
+// vertices.
 
 #include "flat_pair.h"
 #include "more_generators.h"
@@ -72,7 +73,7 @@ void change(Triangulation& t, int insertions, unsigned seed)
   random_good_flips(t, 40, random);
 }
 
-// Two triangulations over T1: with odd seeds they share inserted vertices.
+// Returns two triangulations over T1, which share inserted vertices for odd seeds.
 std::pair<Triangulation, Triangulation> random_pair(const Triangulation& t1, unsigned seed)
 {
   Triangulation t2(t1);
@@ -219,7 +220,7 @@ TEST(Flip_to_inserted, polygons_against_brute_force)
 
 // ---- Surfaces with curvature, and ties ----
 
-// T3, to which vertices are added, over T2.
+// Checks T3, to which vertices are added, over T2.
 void expect_lengths(const Triangulation& t2, const Triangulation& t3)
 {
   const Triangulation over = IT::rebase(t2, t3);
@@ -269,7 +270,7 @@ TEST(Flip_to_inserted, refined_surfaces)
   }
 }
 
-// Centers of squares are inserted, and on the rest of the grid nothing but ties is left.
+// Centers of squares are inserted, and the rest of the grid has only ties.
 TEST(Flip_to_inserted, ties)
 {
   const Mesh mesh = grid(8, 8, [](double x, double y) { return Point(x, y, 0); });

@@ -33,7 +33,8 @@ Pairs random_pairs(const Delta_complex& mesh, std::size_t n, unsigned int seed)
 
 // ---- Paths along edges ----
 
-// Rounded distances from a vertex: the least values with d(w) <= d(v) + l(vw) for all edges.
+// Returns rounded distances from a vertex: the least values with d(w) <= d(v) + l(vw) for all
+// edges.
 template <typename Surface>
 std::vector<double> distances_along_edges(const Surface& surface, Vertex_index source)
 {
@@ -53,8 +54,8 @@ std::vector<double> distances_along_edges(const Surface& surface, Vertex_index s
   return result;
 }
 
-// The path that the documentation promises, backwards: of the halfedges that end a shortest path,
-// the one with the least index.
+// Returns the path that the documentation promises, backwards: of the halfedges that end a shortest
+// path, the one with the least index.
 template <typename Surface>
 Halfedges expected_path(const Surface& surface, Vertex_index source, Vertex_index target)
 {
@@ -75,7 +76,8 @@ Halfedges expected_path(const Surface& surface, Vertex_index source, Vertex_inde
   return result;
 }
 
-// With searches from both ends, and with those that landmarks lead: more than 256 searches.
+// Checks paths with searches from both ends, and with searches by landmarks: more than 256
+// searches.
 template <typename Surface>
 void check_edge_paths(const Surface& surface, std::size_t n, unsigned int seed)
 {
@@ -102,7 +104,7 @@ TEST(Shortest_edge_paths, with_ties)
   check_edge_paths(Triangulation(plane).input(), 300, 3);
 }
 
-// Loops and parallel edges, and lengths of different magnitudes.
+// The complexes have loops and parallel edges, and lengths of different magnitudes.
 TEST(Shortest_edge_paths, on_glued_complexes)
 {
   for(const Named_complex& c : traced(complexes())) {

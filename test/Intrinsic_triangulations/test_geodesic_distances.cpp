@@ -13,7 +13,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
-// Distances by the method that is right for the surface.
+// These tests check distances by the method that suits the surface.
 namespace Test_geodesic_distances {
 
 using namespace Test_surfaces;
@@ -53,7 +53,7 @@ TEST(Geodesic_distances, are_exact_by_default)
   }
 }
 
-// The same numbers as with all windows kept, on surfaces with many bends.
+// The numbers equal the distances with all windows kept, on surfaces with many bends.
 TEST(Geodesic_distances, are_those_of_shortest_paths)
 {
   for(unsigned int seed = 0; seed < 4; ++seed) {
@@ -78,7 +78,8 @@ double greatest(const std::vector<double>& distances)
   return *std::max_element(distances.begin(), distances.end());
 }
 
-// Subdividing flat faces does not change distances, which few large faces have by brute force.
+// Subdividing flat faces does not change distances, which are known by brute force on few large
+// faces.
 TEST(Geodesic_distances, on_fine_meshes_as_by_unfolding_coarse_ones)
 {
   for(const Named_mesh& m : std::vector<Named_mesh>{
@@ -114,7 +115,8 @@ TEST(Geodesic_distances, on_fine_meshes_as_by_unfolding_coarse_ones)
   }
 }
 
-// In a convex domain, all distances are those of the plane, also from all vertices on its boundary.
+// In a convex domain, all distances are distances in the plane, also from all vertices on its
+// boundary.
 TEST(Geodesic_distances, in_a_square_with_ten_thousand_vertices)
 {
   const Mesh mesh = unit_square(99, 7);
@@ -134,8 +136,8 @@ TEST(Geodesic_distances, in_a_square_with_ten_thousand_vertices)
   }
 }
 
-// A tetrahedron whose opposite edges are equal is the plane modulo half turns around the points of
-// a lattice.
+// A tetrahedron whose opposite edges are equal is the plane modulo rotations by pi around the
+// points of a lattice.
 TEST(Geodesic_distances, on_a_tetrahedron_with_ten_thousand_vertices)
 {
   const Mesh coarse = make_mesh({{1, 2, 3}, {-1, -2, 3}, {-1, 2, -3}, {1, -2, -3}},
@@ -209,8 +211,8 @@ TEST(Geodesic_distances, what_is_out_of_reach)
 
 // ---- Heat ----
 
-// Two triangles on which heat is a third off without positions; there, two values are as far away
-// as in space.
+// On two triangles, heat is wrong by a third without positions. With them, two values are the
+// distances in space.
 TEST(Geodesic_distances, heat_says_how_wrong_it_is)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(1, 3, 0), Point(2, 0, 0), Point(1, -3, 0)},
@@ -237,7 +239,7 @@ TEST(Geodesic_distances, heat_says_how_wrong_it_is)
   EXPECT_GT(in_space.number_of_raised_vertices, 0u);
 }
 
-// The estimate is that of all vertices if all can be compared.
+// The estimate is the error of all vertices if all can be compared.
 TEST(Geodesic_distances, estimates_are_true)
 {
   for(unsigned int seed = 0; seed < 6; ++seed) {
@@ -262,7 +264,7 @@ TEST(Geodesic_distances, estimates_are_true)
   }
 }
 
-// Only what is known exactly is compared.
+// Only distances that are known exactly are compared.
 TEST(Geodesic_distances, estimates_leave_out_what_is_not_known)
 {
   const IT::Heat_error<double> none({1, 2}, {0, infinity}, infinity);

@@ -24,7 +24,8 @@ Rational squared_length(Halfedge_index h, const Mesh& mesh)
   return sum;
 }
 
-// The sign and the square of the cotangent of the angle opposite to `h`, in a face with area.
+// Stores the sign and the square of the cotangent of the angle opposite to `h`, in a face with
+// area.
 struct Squared_cotangent
 {
   CGAL::Sign sign;
@@ -40,7 +41,8 @@ struct Squared_cotangent
   }
 };
 
-// Of the sum of the cotangents opposite to an edge: positive where it is Delaunay, zero at a tie.
+// Returns the sign of the sum of the cotangents opposite to an edge: positive if it is Delaunay,
+// zero at a tie.
 CGAL::Sign local_Delaunay_sign(Edge_index e, const Mesh& mesh)
 {
   const Squared_cotangent k(mesh.halfedge(e), mesh), l(mesh.halfedge(e, 1), mesh);
@@ -144,7 +146,7 @@ TEST(Tied_meshes, circle_has_all_its_points)
   EXPECT_EQ(points_on_circle(1105).size(), 108u);
 }
 
-// Rectangles are ties, but the rounded squares of their sides say otherwise of some.
+// Rectangles are ties, but the rounded squares of some of their sides contradict this.
 TEST(Tied_meshes, rectangles_have_thirty_bits)
 {
   Portable_random random(2);

@@ -26,7 +26,7 @@ Vertex_index vertex(std::size_t i)
 
 // ---- Distances ----
 
-// The mean error over the mean distance.
+// Returns the mean error over the mean distance.
 double error(const Values& computed, const Values& exact)
 {
   return (computed - exact).cwiseAbs().sum() / exact.sum();
@@ -63,13 +63,13 @@ void expect_decreasing(const std::vector<double>& errors)
     EXPECT_LT(errors[k], 0.8 * errors[k - 1]);
 }
 
-// The intrinsic triangulation of `t` as the input of another.
+// Returns the intrinsic triangulation of `t` as the input of another one.
 Triangulation as_input(const Triangulation& t)
 {
   return Triangulation(t.mesh(), IT::parameters::edge_length_map(t.length_map()));
 }
 
-// All edges flipped here and there: the same surface and vertices, but slivers.
+// Returns the mesh with some edges flipped: the same surface and vertices, but slivers.
 Triangulation bad_triangulation(const Mesh& mesh)
 {
   Triangulation t(mesh);
@@ -87,13 +87,13 @@ double smallest_angle(const Triangulation& t)
   return static_cast<double>(least) * 180 / pi;
 }
 
-// A strip of squares with a long way to go.
+// Returns a long strip of squares.
 Mesh strip(std::size_t n)
 {
   return grid(n, 1, [](double x, double y) { return Point(x, y, 0); });
 }
 
-// A cone of angle 2 pi sin(slope) with n vertices on each ring; vertex 0 is the tip.
+// Represents a cone of angle 2 pi sin(slope) with n vertices on each ring; vertex 0 is the tip.
 struct Round_cone
 {
   std::size_t rings, n;
@@ -129,7 +129,7 @@ struct Round_cone
   }
 };
 
-// A triangulation in the plane with a set of sources and the distances from it.
+// Stores a triangulation in the plane with a set of sources and the distances from it.
 struct Known_distances
 {
   std::string name;
@@ -147,7 +147,7 @@ double mean_length(const Triangulation& t)
   return sum / static_cast<double>(t.mesh().number_of_edges());
 }
 
-// Of the vertices of T2, by those of the input.
+// Returns the positions of the vertices of T2, from the positions of the input.
 std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
 {
   std::vector<Point> result(mesh.points().begin(), mesh.points().end());
@@ -158,7 +158,7 @@ std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
   return result;
 }
 
-// The sources are the vertices where the exact distance is zero.
+// Returns the distances; sources are the vertices with exact distance zero.
 template <typename Distance>
 Known_distances known_distances(const std::string& name, const Triangulation& t, const Mesh& mesh,
                                 double bound, const Distance& distance)
@@ -219,7 +219,7 @@ std::vector<Known_distances> known_distances()
 
 double angle_between(const Complex& x, const Complex& y) { return std::abs(std::arg(x / y)); }
 
-// The direction of a tangent vector at `v` of a unit sphere, in space.
+// Returns the direction of a tangent vector at `v` of a unit sphere, in space.
 Kernel::Vector_3 in_space(const Mesh& mesh, const IT::Tangent_frames<>& frames, Vertex_index v,
                           const Complex& x)
 {
@@ -232,7 +232,7 @@ Kernel::Vector_3 in_space(const Mesh& mesh, const IT::Tangent_frames<>& frames, 
   return turned.real() * u + turned.imag() * CGAL::cross_product(normal, u);
 }
 
-// Carries `x` from `p` to `q` along the great circle: the rotation that takes p to q.
+// Returns `x` transported from `p` to `q` along the great circle, by the rotation that maps p to q.
 Kernel::Vector_3 carried(const Kernel::Vector_3& x, const Kernel::Vector_3& p,
                          const Kernel::Vector_3& q)
 {
@@ -301,8 +301,8 @@ TEST(Heat_distance, bad_triangulation_of_a_good_shape)
   }
 }
 
-// Slivers that sweep over random points, against distances in the plane. Where points are random
-// and the boundary is a hull, flips cannot do better than some percent.
+// Slivers sweep over random points, and distances are compared with the plane. With random points
+// and a hull as boundary, flips leave errors of some percent.
 TEST(Heat_distance, swept_triangles)
 {
   const Mesh mesh = planar_mesh(random_points(3000, 100000, 8));
@@ -335,8 +335,8 @@ TEST(Heat_distance, sources_and_components)
   EXPECT_TRUE((distance.distances(std::vector<Vertex_index>()).array() > 1e300).all());
 }
 
-// No constant subtracted from the solution of the Poisson equation obeys the bounds: neither the
-// least nor the mean of the values at the sources.
+// No constant subtracted from the solution of the Poisson equation satisfies the bounds: neither
+// the least nor the mean of the values at the sources.
 TEST(Heat_distance, many_sources_in_closed_form)
 {
   for(const Known_distances& known : traced(known_distances())) {
@@ -435,7 +435,7 @@ TEST(Vector_heat, flat_torus)
   }
 }
 
-// Vectors that come around the tip on its two sides differ by its angle defect.
+// Vectors that are transported around the tip on its two sides differ by its angle defect.
 TEST(Vector_heat, holonomy_around_a_cone)
 {
   for(double angle : {1.5 * pi, pi}) {
@@ -468,7 +468,7 @@ TEST(Vector_heat, holonomy_around_a_cone)
   }
 }
 
-// Vectors that drift off with the edges of the mesh do so less if heat has more time.
+// Vectors that drift with the edges of the mesh do so less if heat has more time.
 TEST(Vector_heat, sphere)
 {
   for(const auto& [factor, bound] : {std::pair(1., 0.06), std::pair(16., 0.005)})

@@ -12,7 +12,7 @@ namespace Test_high_degree {
 
 using namespace Test_surfaces;
 
-// The pieces of every edge add up to its length.
+// Checks that the lengths of the pieces of every edge add up.
 void check_trace_lengths(const Correspondence& c, double tolerance)
 {
   const Triangulation& t = c.triangulation();
@@ -29,7 +29,7 @@ void check_trace_lengths(const Correspondence& c, double tolerance)
 
 // ---- Surfaces ----
 
-// A ring of n points at random heights and distances between two apexes.
+// Returns a ring of n points at random heights and distances between two apexes.
 Mesh rough_bipyramid(std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -85,8 +85,9 @@ TEST(High_degree, ten_thousand_slivers)
   expect_equal_to_input(t);
 }
 
-// 6 million crossings. The edges across are a thousand times as long as the cylinder is high: their
-// rounding leaves only five digits of the exact lengths, however exact the flips.
+// The edges have 6 million crossings. The edges across are a thousand times as long as the cylinder
+// is high. Their rounding leaves only five digits of the exact lengths, however exact the flips
+// are.
 TEST(High_degree, cylinder_of_a_thousand_twists)
 {
   const int n = 39, twists = 1000;

@@ -40,7 +40,7 @@ Chain chain(const Halfedges& halfedges)
   return result;
 }
 
-// Chains of edges modulo a prime, in echelon form.
+// Represents chains of edges modulo a prime, in echelon form.
 class Chain_space
 {
 public:
@@ -88,14 +88,14 @@ bool is_closed(const Halfedges& loop, const Delta_complex& mesh)
   return !loop.empty();
 }
 
-// The rank of the first homology group of a connected surface.
+// Returns the rank of the first homology group of a connected surface.
 std::size_t rank(const Delta_complex& mesh)
 {
   return std::size_t((border_loops(mesh) == 0 ? 2 : 1) - Euler_characteristic(mesh));
 }
 
-// Loops that are independent of each other and of boundaries, as many as the rank, are a basis
-// (over a field).
+// Checks that loops are a basis (over a field): they are independent of each other and of
+// boundaries, and their number is the rank.
 void expect_basis(const std::vector<Halfedges>& loops, const Delta_complex& mesh,
                   std::size_t expected_rank)
 {
@@ -171,7 +171,8 @@ TEST(Mesh_components, against_relaxation)
     EXPECT_EQ(components[v], first[v] == v ? next++ : components[first[v]]);
 }
 
-// Both trees have as many edges as they need and no cycle, and the other edges are twice the genus.
+// Checks that both trees have the correct number of edges and no cycle, and the number of other
+// edges is twice the genus.
 void expect_trees(const IT::Tree_cotree& trees, const Delta_complex& mesh, std::size_t faces,
                   std::size_t generators)
 {
@@ -235,7 +236,7 @@ TEST(Tree_cotree, all_surfaces)
   }
 }
 
-// Edges are closed until no vertex but a terminal has only one that is open.
+// Edges are closed until only terminals have a single open edge.
 TEST(Cut_graph, ends_are_closed)
 {
   for(const Named_complex& c : traced(complexes())) {
@@ -309,7 +310,7 @@ TEST(Homology_basis, all_surfaces)
   }
 }
 
-// What the loops of the torus go along.
+// The expected values are the paths of the loops of the torus.
 TEST(Homology_basis, is_integral)
 {
   for(unsigned int seed = 0; seed < 20; ++seed) {
@@ -353,7 +354,7 @@ double sum_of_lengths(const std::vector<Halfedges>& loops, const IT::Intrinsic_t
   return sum;
 }
 
-// Shortest paths from one vertex, by Bellman and Ford: the last halfedges of all paths.
+// Returns the last halfedges of all shortest paths from one vertex, by Bellman and Ford.
 std::vector<Halfedge_index> shortest_path_tree(Vertex_index root,
                                                const IT::Intrinsic_triangulation<>& t)
 {
@@ -383,8 +384,8 @@ Halfedges path_to(Vertex_index v, const std::vector<Halfedge_index>& entry,
   return result;
 }
 
-// The length of a shortest basis: of the loops that all edges close along the shortest paths from
-// all vertices, the shortest ones that are independent.
+// Returns the length of a shortest basis. Candidates are the loops that all edges close along the
+// shortest paths from all vertices. The shortest independent ones are chosen.
 double length_of_shortest_basis(const IT::Intrinsic_triangulation<>& t)
 {
   const Delta_complex& mesh = t.mesh();
@@ -426,7 +427,7 @@ double geodesic_length(const Halfedges& loop, const IT::Intrinsic_triangulation<
   return paths.length(0);
 }
 
-// On a flat torus they are as long as the shortest vectors of its lattice that are independent.
+// On a flat torus, geodesics have the lengths of the shortest independent vectors of its lattice.
 TEST(Homology_basis, geodesics_of_flat_tori)
 {
   const std::vector<std::pair<Vector, Vector>> cells{
@@ -452,7 +453,8 @@ TEST(Homology_basis, geodesics_of_flat_tori)
     }
 }
 
-// Two base vertices of a torus of revolution see the outer equator only; the inner one is shorter.
+// Two base vertices of a torus of revolution find only the outer equator, but the inner one is
+// shorter.
 TEST(Homology_basis, inner_equator)
 {
   const std::size_t n = 24;

@@ -38,7 +38,7 @@ double area(Face_index f, const Delta_complex& mesh, const Triangulation::Edge_l
   return static_cast<double>(std::sqrt((std::max)(product, 0.0L)) / 4);
 }
 
-// The faces in each input face have its area together.
+// Checks that the areas of the faces in each input face add up to its area.
 void expect_areas(const Triangulation& t)
 {
   std::vector<double> sum(t.input_mesh().num_faces(), 0);
@@ -75,7 +75,8 @@ void check(const Triangulation& r)
   expect_equal(t, triangulation_of(text_of(t)));
 }
 
-// The Delaunay triangulation of these vertices is unique, on a surface without symmetries.
+// Checks that the triangulation equals the Delaunay triangulation of these vertices, which is
+// unique on a surface without symmetries.
 void expect_same_Delaunay_triangulation(const Triangulation& r)
 {
   Triangulation t = IT::input_with_inserted_vertices(r);

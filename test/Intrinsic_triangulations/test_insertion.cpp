@@ -22,7 +22,7 @@ typedef IT::Correspondence<> Correspondence;
 typedef IT::Common_subdivision<> Subdivision;
 typedef Delta_complex::size_type size_type;
 
-// The courses are those that tracing every curve gives.
+// Checks that the courses equal the traces of every curve.
 void check_courses(const Vertex_inserter& inserter)
 {
   const Triangulation& t = inserter.triangulation();
@@ -51,7 +51,8 @@ TEST(Insertion, valid_after_every_step)
   EXPECT_GT(inserted, 1000u);
 }
 
-// Removal of all vertices leaves a triangulation of the input's own vertices, and that flips back.
+// Removal of all vertices leaves a triangulation of the input's own vertices, which can be flipped
+// back.
 TEST(Insertion, removal_undoes_it)
 {
   for_each_triangulation([&](Triangulation t, unsigned int seed) {
@@ -98,8 +99,8 @@ TEST(Insertion, at_a_vertex_that_is_there)
   EXPECT_EQ(t.number_of_inserted_vertices(), 0u);
 }
 
-// A vertex on an edge, and then in the middle of its parts: places and lengths are dyadic, to the
-// bit.
+// A vertex is inserted on an edge, and others in the middle of its parts. Positions and lengths are
+// dyadic and bitwise exact.
 TEST(Insertion, exact_places_on_input_edges)
 {
   Triangulation t(octahedron());
@@ -184,7 +185,7 @@ TEST(Insertion, subdivision)
   });
 }
 
-// Single traces, and those of the correspondence, are laid out on different strips.
+// Single traces, and traces of the correspondence, are laid out on different strips.
 TEST(Insertion, traces)
 {
   for_each_triangulation([&](const Triangulation& input, unsigned int seed) {

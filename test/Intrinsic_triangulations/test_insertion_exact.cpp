@@ -64,7 +64,8 @@ void check_subdivision(const Triangulation& t)
   check_measures(s, t);
 }
 
-// On every vertex the sum over the other triangulation is a third of the area around it.
+// Checks that on every vertex the sum over the other triangulation is a third of the area around
+// it.
 void check_mixed_mass(const Triangulation& t)
 {
   const auto mixed = IT::mixed_mass_matrix(Correspondence(t));
@@ -113,7 +114,7 @@ void check_points_across(const Flat_insertion::Result& r, const Flat_surface& su
     }
 }
 
-// The curves that a correspondence gives at once are those that are traced one by one.
+// Checks that the curves of a correspondence equal curves that are traced one by one.
 void check_traces(const Triangulation& t)
 {
   const Correspondence c(t);
@@ -138,7 +139,7 @@ void check_traces(const Triangulation& t)
     }
 }
 
-// Coordinates in the plane are linear on both triangulations.
+// Checks that coordinates in the plane are linear on both triangulations.
 void check_interpolation(const Flat_insertion::Result& r, const Flat_surface& surface)
 {
   const Triangulation& t = r.triangulation;
@@ -188,7 +189,7 @@ TEST(Insertion_exact, correspondence_after_refinement)
 
 // ---- Faces without area ----
 
-// Two faces with area, and six on a line between them.
+// Returns two faces with area, and six on a line between them.
 Mesh sliding_triangles()
 {
   return make_mesh(
@@ -207,7 +208,8 @@ Place in_plane(const Location& p, const Mesh& mesh, const Delta_complex& input)
   return result;
 }
 
-// There and back: a point of a face without area can come back in another one.
+// Checks that points are mapped back to themselves. A point of a face without area can return in
+// another one.
 void check_there_and_back(const Triangulation& t, const Mesh& mesh, int points)
 {
   const Correspondence c(t);
@@ -288,8 +290,8 @@ TEST(Insertion_exact, places_without_room_change_nothing)
   EXPECT_TRUE(t.is_valid(true));
 }
 
-// Edge 0 is a side of one or two triangles, whose apices lie closer to its midpoint than the least
-// length.
+// Returns a triangulation whose edge 0 is a side of one or two triangles. Their apices are closer
+// to its midpoint than the least length.
 template <typename Traits = IT::Euclidean_geometry_traits<double>>
 IT::Intrinsic_triangulation<Traits> with_near_apices(int triangles)
 {
@@ -322,7 +324,7 @@ TEST(Insertion_exact, splits_with_a_near_apex_change_nothing)
     }
 }
 
-// Parts of an edge can be halved until there is NaN between their ends.
+// Parts of an edge can be halved until no number is between their ends.
 TEST(Insertion_exact, halves_of_halves)
 {
   Triangulation t(tetrahedron());
@@ -364,8 +366,8 @@ TEST(Insertion_exact, overflow_changes_nothing)
 
 // ---- Rounding ----
 
-// Points at crossings, and as close to them as numbers can be: some valid triangulation comes out.
-// Strips that start as good as on the first edge they cross do not lose half of the digits.
+// Points are at crossings, and as close to them as numbers permit: some valid triangulation
+// results. Strips that start at the first crossed edge do not lose half of the digits.
 TEST(Insertion_exact, points_on_curves)
 {
   for(const Named_mesh& m : traced(meshes()))

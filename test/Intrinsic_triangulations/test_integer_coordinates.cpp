@@ -23,7 +23,7 @@ struct Trace
   Halfedge_index outgoing_at_end; // of T1
 };
 
-// The curves of T1 by their first halfedges; those along an edge of T2 have no crossings.
+// Returns the curves of T1 by their first halfedges. Curves along an edge of T2 have no crossings.
 template <typename Pair>
 std::map<Halfedge_index, Trace> trace_all(const Pair& pair)
 {
@@ -47,7 +47,7 @@ std::map<Halfedge_index, Trace> trace_all(const Pair& pair)
   return result;
 }
 
-// Each number of each edge is hit by one curve, once in each direction.
+// Checks that one curve hits each number of each edge, once in each direction.
 template <typename Pair>
 void check_hits(const Pair& pair, const std::map<Halfedge_index, Trace>& traces)
 {
@@ -81,7 +81,8 @@ void check_directions(const Pair& pair, const std::map<Halfedge_index, Trace>& t
   }
 }
 
-// Every edge of T1 crosses every edge of T2 as often as brute force says.
+// Checks that the number of crossings of every edge of T1 with every edge of T2 equals the number
+// by brute force.
 void check_pairs(const Flat_pair<>& pair, const std::map<Halfedge_index, Trace>& traces)
 {
   for(const auto& [start, trace] : traces) {
@@ -119,7 +120,7 @@ std::size_t check_random_flips(Flat_surface surface, int tries, unsigned int see
 
 using Triangulation = IT::Intrinsic_triangulation<>;
 
-// What trace_all() needs.
+// Stores the data for trace_all().
 struct Curved_pair
 {
   const Delta_complex& mesh;
@@ -146,7 +147,7 @@ bool same_combinatorics(const IT::Intrinsic_triangulation<Traits>& a,
   return true;
 }
 
-// How far apart the lengths are, relatively.
+// Returns the relative difference of the lengths.
 template <typename Traits>
 double length_difference(const IT::Intrinsic_triangulation<Traits>& a,
                          const IT::Intrinsic_triangulation<Traits>& b)
@@ -157,7 +158,7 @@ double length_difference(const IT::Intrinsic_triangulation<Traits>& a,
   return result;
 }
 
-// All meshes and Delta-complexes, with lengths, after random flips.
+// Calls `check` for all meshes and Delta-complexes, with lengths, after random flips.
 template <typename Check>
 void for_each_flipped(const Check& check)
 {
@@ -172,7 +173,8 @@ void for_each_flipped(const Check& check)
 
 // ---- Large numbers ----
 
-// Always the same flips: each edge in turn, which lengthens the edges like Fibonacci's numbers.
+// Returns each edge in turn, always in the same order, which lengthens the edges like the Fibonacci
+// numbers.
 Halfedge_index nth_edge_in_turn(int n)
 {
   return Halfedge_index(static_cast<Delta_complex::size_type>(2 * (n % 3)));
@@ -198,7 +200,7 @@ int flips_before_overflow()
   }
 }
 
-// All that describes T2.
+// Returns all data of T2.
 template <typename Integer>
 std::vector<Integer> numbers(const Delta_complex& mesh, const Integer_coordinates<Integer>& c)
 {
@@ -211,7 +213,8 @@ std::vector<Integer> numbers(const Delta_complex& mesh, const Integer_coordinate
   return result;
 }
 
-// Coordinates alone, which go on where lengths of type double cannot.
+// Returns the number of flips by coordinates alone, which continue when lengths of type `double`
+// cannot.
 template <typename Integer>
 int flips_before_overflow_without_lengths()
 {
@@ -232,7 +235,8 @@ int flips_before_overflow_without_lengths()
 
 using Wide_vector = std::array<cpp_int, 2>;
 
-// The crossings of a primitive vector with the three edges (1,0), (1,1), (0,1) of a lattice torus.
+// Returns the number of crossings of a primitive vector with the three edges (1,0), (1,1), (0,1) of
+// a lattice torus.
 cpp_int closed_form(const Wide_vector& v)
 {
   const cpp_int x = abs(v[0]), y = abs(v[1]), z = abs(v[0] - v[1]);

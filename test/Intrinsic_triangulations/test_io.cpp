@@ -62,7 +62,7 @@ enum class Outcome
   valid
 };
 
-// Anything but these two errors and a valid triangulation is a failure.
+// Returns the outcome. Only these two errors and a valid triangulation are allowed.
 Outcome outcome(const std::string& text)
 {
   try {
@@ -85,7 +85,7 @@ Outcome outcome(const std::string& text)
   }
 }
 
-// The line that a damaged text is refused for.
+// Returns the line for which a damaged text is rejected.
 std::size_t refused_line(const std::string& text)
 {
   try {
@@ -125,13 +125,14 @@ const Lines& replacements()
   return result;
 }
 
-// Three numbers of elements, or a position.
+// Returns whether the words are three numbers of elements, or a position.
 bool are_counts(const Lines& words)
 {
   return words.size() == 3 && words[0].find('x') == std::string::npos;
 }
 
-// Replaces every number of every line except the numbers of elements, which are for another test.
+// Replaces every number of every line except for the numbers of elements, which another test
+// changes.
 template <typename Check>
 void for_each_replacement(const std::string& text, const Check& check)
 {
@@ -289,7 +290,7 @@ TEST(IO, lengths_that_make_no_triangle)
   }
 }
 
-// As above, in the second triangulation alone, at an edge that is not shared.
+// The lengths are wrong in the second triangulation alone, at an edge that is not shared.
 TEST(IO, intrinsic_lengths_that_make_no_triangle)
 {
   Triangulation t(embedded_torus(5, 4));
@@ -317,7 +318,7 @@ Tri reloaded(const Tri& t)
   return IT::read_intrinsic_triangulation<typename Tri::Traits>(stream);
 }
 
-// A plane grid, turned in space: all of its diamonds are ties, which no lengths in `double` show.
+// All diamonds of a plane grid, turned in space, are ties, which no lengths in `double` show.
 TEST(IO, ties_of_positions_are_kept)
 {
   const Mesh mesh = grid(8, 4, [](double x, double y) {
@@ -336,7 +337,7 @@ TEST(IO, ties_of_positions_are_kept)
   EXPECT_EQ(IT::certify_Delaunay(reloaded(t)).ties, IT::certify_Delaunay(t).ties);
 }
 
-// A square with diagonal sqrt(2): two edges of a flat torus are equally long diagonals.
+// In a square with diagonal sqrt(2), two edges of a flat torus are equally long diagonals.
 TEST(IO, ties_of_squared_lengths_are_kept)
 {
   typedef IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> Exact;
@@ -377,7 +378,7 @@ TEST(IO, ties_of_lengths_in_an_extension_are_kept)
     }
 }
 
-// Exact ties need the exact numbers: an octagon whose squared lengths have the root of 2.
+// Exact ties need the exact numbers of an octagon whose squared lengths contain the root of 2.
 TEST(IO, an_octagon_is_kept)
 {
   Delta_complex mesh = double_torus();
@@ -444,7 +445,7 @@ TEST(IO, positions_that_do_not_fit_the_lengths)
 }
 
 #ifdef __linux__
-// A short file that promises much must not take the memory for it.
+// A short file that announces many elements must not allocate memory for them.
 TEST(IO, promises_take_no_memory)
 {
   const auto peak = [] { // in kilobytes
@@ -461,7 +462,7 @@ TEST(IO, promises_take_no_memory)
 }
 #endif
 
-// Whatever the stream's and the program's ways of writing numbers.
+// Defines number formats that the stream and the program must not use.
 struct Strange_numbers : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }
@@ -500,7 +501,7 @@ TEST(IO, stream_that_fails)
   EXPECT_FALSE(IT::write_intrinsic_triangulation(os, Triangulation(tetrahedron())));
 }
 
-// Two in one stream.
+// One stream contains two triangulations.
 TEST(IO, reads_no_further_than_the_end)
 {
   Triangulation a(embedded_torus(5, 4)), b(tetrahedron());

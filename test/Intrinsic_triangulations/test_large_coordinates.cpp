@@ -26,7 +26,7 @@ template <typename Integer>
 using Exact_triangulation =
   IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<CGAL::Exact_rational, Integer>>;
 
-// Everything that goes through the integers, with two types of them.
+// All computations with integers are repeated with two types of them.
 TEST(Large_coordinates, exact_traits_agree_with_64_bits)
 {
   const Mesh mesh = perturbed(embedded_torus(12, 8), 0.1, 1);
@@ -62,7 +62,8 @@ struct Wide_vector
   friend cpp_int det(const Wide_vector& v, const Wide_vector& w) { return v.x * w.y - v.y * w.x; }
 };
 
-// Curves on the torus meet as often as the determinant says, once of it at the vertex.
+// Returns the number of crossings. Curves on the torus meet as often as the determinant, once of it
+// at the vertex.
 cpp_int crossings(const Wide_vector& v, const std::array<Wide_vector, 3>& edges)
 {
   cpp_int sum = 0;
@@ -78,7 +79,8 @@ cpp_int crossings(const Wide_vector& v, const std::array<Wide_vector, 3>& edges)
 using CGAL::Gmpfr;
 using Traits = IT::Euclidean_geometry_traits<Gmpfr, cpp_int>;
 
-// The edges of T1 are v, w and v + w, where v and w have been added to each other `steps` times.
+// Represents a torus whose edges of T1 are v, w and v + w, where v and w have been added to each
+// other `steps` times.
 struct Long_torus
 {
   std::array<Wide_vector, 3> edges;

@@ -34,8 +34,8 @@ double value_at(const IT::Face_location<double>& p, const std::vector<double>& v
   return result;
 }
 
-// Every edge between a vertex above and one below is met once, by a curve that is closed or ends at
-// the boundary, and has greater values on its left.
+// Checks that a curve meets every edge between a vertex above and one below exactly once. The curve
+// is closed or ends at the boundary, and has greater values on its left.
 void expect_level_set(const std::vector<Curve>& curves, const Delta_complex& mesh,
                       const std::vector<double>& values, double level)
 {
@@ -82,8 +82,8 @@ double length_of_gradient(const Triangulation& t, Face_index f, const std::vecto
   return std::hypot(along, across) * a * y / 2;
 }
 
-// The lengths of all level sets integrate to that of the gradient (coarea formula). Between values
-// at vertices they are linear in the level.
+// The lengths of all level sets integrate to the length of the gradient (coarea formula). Between
+// values at vertices they are linear in the level.
 TEST(Level_set, lengths)
 {
   for(const Named_mesh& m : traced(meshes())) {
@@ -101,7 +101,7 @@ TEST(Level_set, lengths)
   }
 }
 
-// Curves on the intrinsic triangulation are brought to the input with their lengths.
+// Curves on the intrinsic triangulation are mapped to the input with their lengths.
 TEST(Level_set, across)
 {
   for(const Named_mesh& m : traced(meshes())) {

@@ -34,7 +34,8 @@ IT::Tufted_surface<> surface_of_cloud(const std::vector<Point>& points, std::siz
   return surface_of(points, IT::local_triangulations(points, neighbors), 1. / 6);
 }
 
-// On the unit square, in a plane in space; those with index i, j have number n * i + j.
+// Returns points of the unit square, in a plane in space. The point with index i, j has the number
+// n * i + j.
 std::vector<Point> plane(std::size_t n, CGAL::Random& random)
 {
   std::vector<Point> points;
@@ -58,9 +59,9 @@ std::vector<Point> sphere(std::size_t n)
   return points;
 }
 
-// In the plane, rows of inner points are those of the one Delaunay triangulation: each triangle
-// comes three times. Flips would part them, for obtuse ones lie on each other like the sides of a
-// pillow.
+// In the plane, rows of inner points are rows of the Delaunay triangulation, and each triangle
+// occurs three times. Flips would separate them, because obtuse triangles lie on each other like
+// the sides of a pillow.
 TEST(Local_triangulations, agree_in_the_plane)
 {
   CGAL::Random random(1);

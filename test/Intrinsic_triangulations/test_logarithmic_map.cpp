@@ -17,7 +17,7 @@ using namespace Test_surfaces;
 using Logarithm = IT::Logarithm<double>;
 using Status = IT::Logarithm_status;
 
-// The shortest of all straight lines, through copies of the plane.
+// Returns the shortest of all straight lines, through copies of the plane.
 double shortest(const Complex& d, const Flat_surface& surface)
 {
   const Vector &a = surface.a, &b = surface.b;
@@ -28,8 +28,8 @@ double shortest(const Complex& d, const Flat_surface& surface)
   return result;
 }
 
-// The line along the logarithm ends at its point. Close to a vertex with curvature a line that is
-// off by rounding can be on the wrong side. A path can touch the boundary.
+// Checks that the line along the logarithm ends at its point. Close to a vertex with curvature, a
+// line can be on the wrong side by rounding. A path can touch the boundary.
 template <typename Source>
 void expect_end(Side side, const Source& source, const Location& target, const Logarithm& logarithm,
                 const Triangulation& t, double tolerance)
@@ -76,7 +76,7 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
 
 // ---- Any surface ----
 
-// There are straight lines to the ends of straight paths, and distances are symmetric.
+// Checks that straight lines lead to the ends of straight paths, and distances are symmetric.
 void check_inverse(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -94,7 +94,7 @@ void check_inverse(Side side, const Triangulation& t)
   }
 }
 
-// A line is at least as long as the logarithm of its end.
+// Checks that a line is at least as long as the logarithm of its end.
 void check_lines(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -185,7 +185,7 @@ TEST(Logarithmic_map, distances_as_in_CGAL_on_data_meshes)
                   [](const Mesh& mesh) { check_with_CGAL(mesh); });
 }
 
-// Below half the distance of the nearest vertex the exponential map of these spheres is one to one.
+// Below half the distance of the nearest vertex the exponential map of these spheres is injective.
 TEST(Logarithmic_map, logarithm_of_the_exponential_map)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {
@@ -225,7 +225,7 @@ TEST(Logarithmic_map, same_on_both_triangulations)
   }
 }
 
-// Unrolled, the shortest path is a straight line, or it passes the apex.
+// On the unrolled cone, the shortest path is a straight line, or it passes the apex.
 TEST(Logarithmic_map, on_a_cone)
 {
   for(const Cone& cone : cones()) {
@@ -265,7 +265,8 @@ TEST(Logarithmic_map, over_the_edges_of_a_cube)
   EXPECT_NEAR(std::abs(IT::logarithmic_map(t.input(), bottom, top).vector), 2, 1e-14);
 }
 
-// Four unit squares without the first one: the path from corner to corner bends where they meet.
+// The surface consists of four unit squares without the first one. The path from corner to corner
+// bends at their common corner.
 TEST(Logarithmic_map, bends_at_the_boundary)
 {
   const Triangulation t(
@@ -278,7 +279,7 @@ TEST(Logarithmic_map, bends_at_the_boundary)
   EXPECT_EQ(logarithms[7].status, Status::straight); // straight on along the edge
 }
 
-// Rounding gives needles on a folded strip some curvature, but no shadow without a way into it.
+// Rounding gives needles on a folded strip some curvature, but no shadow that paths cannot reach.
 TEST(Logarithmic_map, needles)
 {
   const auto height = [](double x) { return 0.3 * std::sin(x); };
@@ -304,7 +305,7 @@ TEST(Logarithmic_map, itself)
   EXPECT_EQ(IT::logarithmic_map(t.input(), v, corner).vector, Complex(0));
 }
 
-// From an edge into both of its faces.
+// Paths start on an edge and lead into both of its faces.
 TEST(Logarithmic_map, from_an_edge)
 {
   const Triangulation t(cube());

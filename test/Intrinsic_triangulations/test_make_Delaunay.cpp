@@ -25,7 +25,7 @@ namespace Test_make_Delaunay {
 using namespace Test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<>;
 
-// `tolerance` is for angles and relative areas.
+// Checks the surface, where `tolerance` is for angles and relative areas.
 void expect_same_surface(const Triangulation& t, double tolerance)
 {
   EXPECT_TRUE(t.is_valid(true));
@@ -118,7 +118,7 @@ double distance(const Graph& g, typename boost::graph_traits<Graph>::edge_descri
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-// All numbers are those of the order in the ranges of the graph.
+// Checks that all numbers have the order of the ranges of the graph.
 template <typename Graph>
 void check_input(const Graph& g)
 {
@@ -151,7 +151,7 @@ Graph copy_of(const Mesh& mesh)
   return result;
 }
 
-// The message of the refusal, empty if the input is taken.
+// Returns the message of the exception, or an empty text if the input is accepted.
 template <typename Graph, typename... NamedParameters>
 std::string refusal(const Graph& g, const NamedParameters&... np)
 {

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
-// The signed distance on a band that has one side, by its cover.
+// These tests compute the signed distance on a one-sided band by its cover.
 
 namespace Test_moebius_distance {
 
@@ -23,7 +23,7 @@ double orientation(const std::array<Place, 3>& p)
   return (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
 }
 
-// A flat Moebius band of length 3 and width 2, whose triangles are oriented at random.
+// Represents a flat Moebius band of length 3 and width 2, whose triangles are oriented at random.
 class Band
 {
 public:
@@ -93,8 +93,8 @@ private:
   std::vector<std::array<Place, 3>> m_corners;
 };
 
-// The part in a triangle of the line at height `y`, from the left to the right or back; as weights
-// of its corners.
+// Returns the part in a triangle of the line at height `y`, from the left to the right or back, as
+// weights of its corners.
 bool crossing(const std::array<Place, 3>& p, double y, bool is_to_the_right,
               std::array<std::array<double, 3>, 2>& ends)
 {
@@ -117,8 +117,8 @@ bool crossing(const std::array<Place, 3>& p, double y, bool is_to_the_right,
   return true;
 }
 
-// The line at a distance from the middle, which goes around twice, on both sides of the band. The
-// middle is on its left.
+// Returns the line at a distance from the center line, which leads around twice, on both sides of
+// the band. The center line is on its left.
 template <typename Cover>
 Curve line(const Band& band, const Cover& cover, const IT::Delta_complex& mesh, double distance)
 {

@@ -11,7 +11,7 @@ namespace Test_mollify {
 
 using namespace Test_surfaces;
 
-// The least slack of a triangle inequality in any face.
+// Returns the least slack of a triangle inequality in any face.
 double least_slack(const Delta_complex& mesh, const std::vector<double>& lengths)
 {
   double result = std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ double mean(const std::vector<double>& lengths)
   return std::accumulate(lengths.begin(), lengths.end(), 0.) / static_cast<double>(lengths.size());
 }
 
-// Lengths from nothing to one: many inequalities fail.
+// Returns lengths from zero to one, which violate many inequalities.
 std::vector<double> wild_lengths(const Delta_complex& mesh, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -137,7 +137,7 @@ TEST(Mollify, the_empty_mesh)
   EXPECT_EQ(mollified(mesh, lengths, 1e-5), 0);
 }
 
-// The parameter does what the function does. Positions count no longer then, if lengths change.
+// The parameter has the effect of the function. Positions no longer count if lengths change.
 TEST(Mollify, by_a_named_parameter)
 {
   const Mesh good = unit_sphere(2);

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sequences of named parameters, of the package and of CGAL.
+// These tests use sequences of named parameters, of the package and of CGAL.
 
 #include "generators.h"
 
@@ -103,7 +103,7 @@ TEST(Named_parameters, refer_to_objects)
   const auto by_reference = np::visitor(std::ref(object)).minimum_angle(1);
   get_parameter_reference(by_reference, CGAL::internal_np::visitor).value = 3;
   EXPECT_EQ(object.value, 3);
-  // What cannot be copied is referred to without std::ref, as a constant.
+  // An object that cannot be copied is referred to without std::ref, as a constant.
   const auto by_value = np::minimum_angle(1).visitor(object);
   EXPECT_EQ(&get_parameter_reference(by_value, CGAL::internal_np::visitor), &object);
 }
@@ -141,7 +141,7 @@ TEST(Named_parameters, reach_the_algorithms)
   EXPECT_EQ(counter.insertions, 3u);
 }
 
-// A visitor with functions that are not constant, whose copies count together.
+// Represents a visitor with functions that are not constant, whose copies count together.
 struct Counting_visitor : IT::Default_refinement_visitor
 {
   void after_flip(IT::Halfedge_index) { ++own, ++*all; }
@@ -155,7 +155,7 @@ struct Counting_visitor : IT::Default_refinement_visitor
   std::shared_ptr<std::size_t> all = std::make_shared<std::size_t>(0);
 };
 
-// `run(v)` calls a function with a visitor, and with one that `std::ref()` refers to.
+// Checks that `run(v)` calls a function with a visitor, and with one that `std::ref()` refers to.
 template <typename Run>
 void expect_notified(const Run& run)
 {

@@ -17,8 +17,8 @@ using namespace Test_surfaces;
 
 constexpr unsigned int number_of_meshes = 1200;
 
-// How far the area of a triangle can change with its lengths, if these are certain up to `u`
-// of their sum.
+// Returns the greatest change of the area of a triangle with its lengths, if these are certain up
+// to `u` of their sum.
 Real uncertainty_of_area(std::array<Real, 3> l, Real u)
 {
   const auto squared_area = [&](Real error) {
@@ -43,8 +43,8 @@ Real uncertainty_of_area(const Flat_faces& faces, Real u)
   return sum;
 }
 
-// The surface keeps its area. A cap as low as 1e-8 of its side has lost half its digits in the
-// lengths already.
+// Checks that the surface keeps its area. For a cap as low as 1e-8 of its side, the lengths have
+// lost half of the digits.
 void check_area(const Triangulation& t)
 {
   const Flat_faces input(Side::input, t), intrinsic(Side::intrinsic, t);
@@ -61,8 +61,9 @@ void check_subdivision(const Triangulation& t)
   check_pieces(s, c);
 }
 
-// Short edges of T2 across long needles keep all their digits. The lengths of T1 are the same
-// numbers in both precisions, but every rounding is 2000 times as fine in the longer one.
+// Checks that short edges of T2 across long needles keep all their digits. The lengths of T1 are
+// equal numbers in both precisions, but every rounding error is 2000 times smaller in the longer
+// one.
 void check_recomputed_lengths(const Mesh& mesh)
 {
   Triangulation t(mesh);
@@ -97,8 +98,8 @@ void check_Delaunay(const Mesh& mesh)
   expect_equal_to_input(t);
 }
 
-// A face that stays without an excuse has no area as far as its lengths can tell: a vertex lies on
-// the boundary, by rounding.
+// Checks that a remaining face without an excuse has no area, as far as its lengths determine it: a
+// vertex lies on the boundary by rounding.
 void check_remaining(const Triangulation& t, const IT::Refinement_result& result)
 {
   for(const IT::Remaining_face& r : result.remaining)
@@ -110,9 +111,9 @@ void check_remaining(const Triangulation& t, const IT::Refinement_result& result
     }
 }
 
-// Thin tubes need more faces than a test has time for: insertions are limited. Angles come from
-// lengths with rounding, and from these in needles, where only a certificate can tell what is
-// Delaunay.
+// Checks a refinement with limited insertions, because thin tubes need more faces than a test has
+// time for. Angles follow from rounded lengths. In needles, only a certificate can decide which
+// edges are Delaunay.
 IT::Refinement_status check_refinement(const Mesh& mesh)
 {
   Triangulation t(mesh);
@@ -136,7 +137,7 @@ void for_each_mesh(const Check& check, unsigned int number = number_of_meshes)
     EXPECT_NO_THROW(check(m.mesh));
 }
 
-// What the generator promises.
+// The meshes have the properties that the generator promises.
 TEST(Near_degenerate_meshes, are_valid_and_of_every_kind)
 {
   std::set<std::pair<bool, std::int64_t>> kinds;
@@ -166,8 +167,8 @@ TEST(Near_degenerate_meshes, recomputed_lengths_of_needles)
 
 TEST(Near_degenerate_meshes, Delaunay_with_subdivision) { for_each_mesh(check_Delaunay); }
 
-// Every face has 25 degrees, or is excused by a small-angle vertex, or the limit was hit. The
-// counts are what was measured: refinement of such meshes need not end.
+// Every face has 25 degrees, is excused by a small-angle vertex, or the limit was reached. The
+// counts were measured: refinement of such meshes need not end.
 TEST(Near_degenerate_meshes, refined_with_subdivision)
 {
   std::map<IT::Refinement_status, unsigned int> count;

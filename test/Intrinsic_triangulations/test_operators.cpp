@@ -41,7 +41,7 @@ Triangulation scaled(const Delta_complex& mesh, std::vector<double> lengths, dou
 
 // ---- Corners ----
 
-// Half the cotangents from coordinates: dot over cross product, both exact.
+// Returns half the cotangents from coordinates: dot over cross product, both exact.
 Matrix planar_laplacian(const Flat_surface& surface)
 {
   const auto n = static_cast<Eigen::Index>(surface.mesh.number_of_vertices());
@@ -82,7 +82,7 @@ std::vector<Flat_surface> planar_surfaces()
 
 // ---- Errors ----
 
-// Each on a mesh with edges half as long as before.
+// Checks the errors, each on a mesh with edges half as long as before.
 void expect_second_order(const std::vector<double>& errors)
 {
   for(std::size_t k = 1; k < errors.size(); ++k) {
@@ -95,7 +95,7 @@ double mean_square(const Values& error, const Matrix& mass)
   return std::sqrt(error.dot(mass * error) / mass.sum());
 }
 
-// The least eigenvalue of L against a mass matrix, by inverse iteration.
+// Returns the least eigenvalue of L relative to a mass matrix, by inverse iteration.
 template <typename Scalar>
 double least_eigenvalue(const Eigen::SparseMatrix<Scalar>& laplacian, const Values& mass)
 {
@@ -112,7 +112,7 @@ double least_eigenvalue(const Eigen::SparseMatrix<Scalar>& laplacian, const Valu
 
 // ---- Tangent fields ----
 
-// The field of parallel vectors of direction 1 on a flat surface with exact vectors.
+// Returns the field of parallel vectors of direction 1 on a flat surface with exact vectors.
 Field parallel_field(const Flat_surface& surface, const IT::Tangent_frames<>& frames)
 {
   Field result(static_cast<Eigen::Index>(surface.mesh.number_of_vertices()));
@@ -379,7 +379,7 @@ TEST(Tangent_frames, transport_back_is_the_inverse)
   }
 }
 
-// Around a vertex whose neighbours are flat, transport turns by its angle defect.
+// Around a vertex whose neighbors are flat, transport turns by its angle defect.
 TEST(Tangent_frames, holonomy_around_a_cone)
 {
   const std::size_t rings = 2, n = 9;
@@ -527,7 +527,7 @@ TEST(Poisson, wave_on_a_flat_torus)
   expect_second_order(errors);
 }
 
-// The solution of the discrete problem does not ask on which component or in which unit.
+// The solution of the discrete problem depends neither on the component nor on the unit.
 TEST(Poisson, on_all_complexes)
 {
   for(const Named_complex& complex : traced(complexes())) {

@@ -25,7 +25,7 @@ constexpr IT::Side sides[] = {Side::input, Side::intrinsic};
 
 // ---- Loops ----
 
-// Every index is visited once, and what is written does not depend on the number of threads.
+// Every index is visited once, and the results do not depend on the number of threads.
 TEST(Parallel, loops)
 {
   for(std::size_t n : {0u, 1u, 1023u, 1024u, 1025u, 100000u})

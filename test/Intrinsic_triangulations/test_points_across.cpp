@@ -21,7 +21,7 @@ void expect_in_face(const Location& p)
   EXPECT_NEAR(sum, 1, 1e-15);
 }
 
-// Some points inside faces, some on their edges.
+// Returns some points inside faces, and some on their edges.
 std::vector<Location> sample(const Delta_complex& mesh, std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -107,7 +107,7 @@ void check_shared_edges(const Triangulation& t)
   }
 }
 
-// A point on an edge, seen from both faces.
+// Checks a point on an edge, seen from both faces.
 void check_continuity(const Triangulation& t)
 {
   const Correspondence c(t);
@@ -127,7 +127,7 @@ void check_continuity(const Triangulation& t)
 
 // ---- Flat surfaces ----
 
-// The place in the plane, as seen from one corner; modulo the lattice.
+// Returns the position in the plane, as seen from one corner; modulo the lattice.
 Place flat_place(const Location& p, const Flat_faces& faces, const Flat_surface& surface,
                  const std::function<Vector(Halfedge_index)>& vector)
 {
@@ -168,8 +168,8 @@ void check_flat(const Flat_triangulation& flat)
 
 // ---- Geodesics from vertices ----
 
-// The angles between the halfedges of T2 and the first outgoing halfedge of T1 around every vertex,
-// kept up to date by flips: signposts, which know nothing of integer coordinates.
+// Stores signposts, which are independent of integer coordinates. They are the angles between the
+// halfedges of T2 and the first outgoing halfedge of T1 around every vertex, updated by flips.
 class Signposts
 {
 public:
@@ -380,7 +380,7 @@ TEST(Point_across, boundary_stays_boundary)
   }
 }
 
-// Where regions are thinner than rounding, a point must still not move along them.
+// Checks that a point does not move along regions thinner than rounding errors.
 void expect_the_same_place_after_there_and_back(const Mesh& mesh, unsigned int seed)
 {
   Triangulation t(mesh);

@@ -73,7 +73,8 @@ bool is_closed(const Delta_complex& mesh)
   return std::none_of(edges.begin(), edges.end(), [&](Edge_index e) { return mesh.is_border(e); });
 }
 
-// 30 degrees where that is proven to end, in exact arithmetic; otherwise 25, which is measured.
+// Returns 30 degrees if refinement is proved to end, in exact arithmetic, otherwise 25, which is
+// measured.
 double highest_bound(const Triangulation& t)
 {
   return is_closed(t.input_mesh()) && small_angle_vertices(t).empty() ? 30 : 25;
@@ -188,7 +189,7 @@ TEST(Refine, default_number_of_insertions)
   EXPECT_FALSE(result.remaining.empty());
 }
 
-// Faces of a circumradius have at most the area of the equilateral triangle.
+// Faces with a circumradius have at most the area of the equilateral triangle.
 TEST(Refine, bounds_that_need_too_many_insertions)
 {
   const Mesh mesh = random_sphere(50, 3);
@@ -212,8 +213,8 @@ TEST(Refine, bounds_that_need_too_many_insertions)
   }
 }
 
-// Faces as wide as a tube that is 10,000 times as long as its circumference: the edges of the input
-// are crossed thousands of times.
+// Faces are as wide as a tube that is 10,000 times as long as its circumference, so the edges of
+// the input are crossed thousands of times.
 TEST(Refine, a_long_tube)
 {
   Triangulation t(stretched_along_x(cube(), 40000));
@@ -335,7 +336,7 @@ TEST(Refine, narrow_cone)
     EXPECT_EQ(r.vertex, Vertex_index(0));
 }
 
-// Faces in the wedge between the constrained sides of a sliver are excused by its tip, faces in a
+// Faces in the wedge between the constrained sides of a sliver are excused by its tip. Faces in a
 // wedge that is not narrow are refined.
 TEST(Refine, narrow_wedges)
 {
@@ -372,8 +373,8 @@ TEST(Refine, constrained_edges_stay)
   }
 }
 
-// Edges are split in the middle only, so every vertex on the boundary is at a dyadic place, to the
-// bit.
+// Edges are split only in the middle, so every vertex on the boundary has a dyadic position,
+// exactly.
 TEST(Refine, vertices_on_the_boundary_are_at_dyadic_places)
 {
   Triangulation t(unit_square(1, 0));
@@ -389,7 +390,8 @@ TEST(Refine, vertices_on_the_boundary_are_at_dyadic_places)
   EXPECT_GT(count, 100u);
 }
 
-// A circumcenter that falls on an edge of the input is put on it: no piece is without length.
+// A circumcenter that falls on an edge of the input is moved onto it, so that no piece has zero
+// length.
 TEST(Refine, no_short_pieces_on_regular_grids)
 {
   Triangulation t(grid(6, 6, [](double x, double y) { return Point(8 * x, y, 0); }));

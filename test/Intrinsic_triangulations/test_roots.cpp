@@ -9,14 +9,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-// Sums of square roots, and decisions about surfaces that involve many of them.
+// These tests check sums of square roots, and decisions about surfaces that involve many of them.
 namespace Test_roots {
 
 using namespace Test_surfaces;
 using CGAL::Exact_rational;
 using IT::Exact_ring;
 
-// Decides what is not zero by 6000 bits; what is zero is known to be.
+// A number that is not zero is decided by 6000 bits. Zeros are known.
 using Long_real = boost::multiprecision::number<
   boost::multiprecision::cpp_bin_float<6000, boost::multiprecision::digit_base_2>,
   boost::multiprecision::et_off>;
@@ -59,7 +59,7 @@ TEST(Roots, characters_of_products_are_added)
 
 // ---- Towers ----
 
-// The product of some primes, and the rank of several of them over two elements.
+// Represents the product of some primes, and the rank of several of them over two elements.
 struct Square
 {
   unsigned int primes; // one bit for each
@@ -99,7 +99,7 @@ std::size_t rank(std::vector<Square> squares)
   return result;
 }
 
-// A tower with the elements that are roots of whole numbers, and their values.
+// Stores a tower with the elements that are roots of whole numbers, and their values.
 template <typename K>
 struct Roots
 {
@@ -134,8 +134,7 @@ std::size_t size_of_tower(const std::vector<Square>& squares, const K& factor)
   return size;
 }
 
-// A root that is a product of others adds nothing, in whole numbers and in fractions, whatever
-// their size.
+// A root that is a product of others adds nothing, for whole numbers and fractions of any size.
 TEST(Roots, towers_have_the_rank_of_the_roots)
 {
   for(unsigned int seed : seeds(60)) {
@@ -151,7 +150,7 @@ TEST(Roots, towers_have_the_rank_of_the_roots)
   }
 }
 
-// Polynomials in dependent and independent roots, and products that cancel.
+// Checks polynomials in dependent and independent roots, and products that cancel.
 template <typename K>
 void check_random_signs(unsigned int seed, int number_of_primes)
 {
@@ -194,7 +193,7 @@ TEST(Roots, signs_of_random_polynomials)
     check_random_signs<Exact_rational>(seed, 2 + int(seed) % 4);
 }
 
-// Powers of units, such as of sqrt(2) - 1, are sums with large terms and next to nothing.
+// Powers of units, such as of sqrt(2) - 1, are sums with large terms that almost vanish.
 TEST(Roots, signs_of_powers_of_units)
 {
   for(int power : traced({20, 100, 300})) {
@@ -214,7 +213,7 @@ TEST(Roots, signs_of_powers_of_units)
 
 // ---- Accordions ----
 
-// The unfolded strip lies in a plane: there the circles of all edges are looked at.
+// Represents the unfolded strip in a plane, where the circles of all edges are tested.
 struct Unfolded
 {
   std::vector<std::array<Long_real, 2>> point;
@@ -312,7 +311,7 @@ TEST(Roots, rectangles_over_many_folds_are_ties)
   }
 }
 
-// The 28 vertices of a fan with eleven roots of rank 8.
+// The fan has 28 vertices and eleven roots of rank 8.
 TEST(Roots, roots_of_products_are_not_counted)
 {
   check_accordion({{{10, -10},
@@ -331,7 +330,7 @@ TEST(Roots, roots_of_products_are_not_counted)
                   1);
 }
 
-// What is not affordable is no tie and not certified, and exact traits refuse it.
+// A decision that is not affordable is not a tie and not certified, and exact traits reject it.
 TEST(Roots, too_many_independent_roots_are_undecided)
 {
   const Accordion a{independent_panels, {-999, 0, 57, 999}, {-999, 0, 57, 999}};

@@ -99,7 +99,8 @@ struct Stopping_visitor
   std::size_t windows = 0;
 };
 
-// However often a search is stopped, it ends with the distances and windows of one without stops.
+// However often a search is stopped, it ends with the distances and windows of an uninterrupted
+// one.
 TEST(Shortest_paths, continue_after_a_visitor_stops_them)
 {
   const Mesh mesh = perturbed(embedded_torus(20, 15), 0.5, 1);
@@ -172,7 +173,8 @@ void check_with_CGAL(const Mesh& mesh, unsigned int seed)
   }
 }
 
-// Every vertex is the end of a path that is no longer than its pieces, and each source is its own.
+// Checks that every vertex is the end of a path that is not longer than its pieces, and each source
+// is its own source.
 void check_itself(const Triangulation& t, Side side)
 {
   const Flat_faces faces(side, t);
@@ -211,8 +213,8 @@ TEST(Shortest_paths, on_near_degenerate_meshes)
     check_itself(Triangulation(m.mesh), Side::input);
 }
 
-// Down to angle sums of zero: no failure, no NaN, and distances between those in space and those
-// along edges, up to half of the digits: lengths say no more of a flat triangle.
+// Angle sums range down to zero: no failure, no NaN. Distances lie between distances in space and
+// along edges, up to half of the digits, which is the accuracy of lengths of a flat triangle.
 TEST(Shortest_paths, on_hard_meshes)
 {
   for(const auto& [m, seed] : traced(120, hard_mesh)) {
@@ -267,8 +269,8 @@ TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
   EXPECT_GT(compared, 30u);
 }
 
-// Paths that pass vertices within rounding, very near to their start, or several vertices at one
-// place.
+// Paths pass vertices within rounding, very near to their start, or several vertices at one
+// position.
 TEST(Shortest_paths, that_pass_vertices_within_rounding)
 {
   for(const auto& [seed, source] :
@@ -276,7 +278,8 @@ TEST(Shortest_paths, that_pass_vertices_within_rounding)
     EXPECT_TRUE(is_as_in_many_digits(hard_mesh(seed), source, 10000000));
 }
 
-// Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.
+// With integer coordinates, shortest paths run along edges, through flat vertices, and are not
+// unique.
 TEST(Shortest_paths, with_ties)
 {
   for(std::uint64_t seed : seeds(40))
@@ -291,7 +294,7 @@ Mesh box(double x, double y, double z)
   return mesh;
 }
 
-// Dudeney's puzzle: the spider walks 40 feet, over five of the six sides of the room.
+// In Dudeney's puzzle, the spider walks 40 feet, over five of the six sides of the room.
 TEST(Shortest_paths, spider_and_fly)
 {
   const Mesh room = box(30, 12, 12);
@@ -333,7 +336,7 @@ TEST(Shortest_paths, on_cones)
   }
 }
 
-// Around a flat cylinder, straight lines in the plane modulo its girth.
+// Paths around a flat cylinder are straight lines in the plane modulo its girth.
 TEST(Shortest_paths, on_cylinders)
 {
   for(int twists = 0; twists < 3; ++twists) {
@@ -355,7 +358,8 @@ TEST(Shortest_paths, on_cylinders)
   }
 }
 
-// Four unit squares without the first one: the path from corner to corner bends where they meet.
+// The surface consists of four unit squares without the first one. The path from corner to corner
+// bends at their common corner.
 TEST(Shortest_paths, bend_at_the_boundary)
 {
   const Triangulation t(
@@ -398,7 +402,7 @@ TEST(Shortest_paths, are_the_same_at_all_scales)
   }
 }
 
-// A source that is added later counts, and only where it is nearer.
+// A source that is added later counts only if it is nearer.
 TEST(Shortest_paths, sources_one_after_the_other)
 {
   const Triangulation t(random_sphere(60, 5));
@@ -465,8 +469,8 @@ TEST(Shortest_paths, other_component)
   EXPECT_EQ(paths.path(Vertex_index(0)).places.size(), 1u);
 }
 
-// The surfaces on which little is left: isolated vertices, one face, two faces on all of their
-// sides, sources at one place.
+// The smallest surfaces are isolated vertices, one face, two faces on all of their sides, and
+// sources at one position.
 TEST(Shortest_paths, on_the_smallest_surfaces)
 {
   Mesh isolated = make_mesh({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});

@@ -36,7 +36,7 @@ double max_error(const Values& computed, const Values& expected, double edge)
 
 typedef std::function<Known_curve(std::size_t, CGAL::Random&)> Family;
 
-// The error shrinks with the edges: in edge lengths it is bounded.
+// Checks that the error shrinks with the edges: it is bounded in edge lengths.
 void expect_first_order(const Family& family, double mean, double greatest)
 {
   for(const unsigned int seed : {1u, 2u, 3u, 4u})
@@ -62,7 +62,7 @@ void expect_first_order_unsigned(const Family& family, double mean)
     }
 }
 
-// The part of a curve for which `is_kept(i)`.
+// Returns the part of a curve for which `is_kept(i)`.
 template <typename Predicate>
 Curve part_of(const Curve& curve, const Predicate& is_kept)
 {
@@ -80,7 +80,7 @@ Point place(const Location& p, const Delta_complex& faces, const Mesh& mesh)
   return CGAL::barycenter(at(0), p.second[0], at(1), p.second[1], at(2), p.second[2]);
 }
 
-// A point of a random face, edge or vertex.
+// Returns a point of a random face, edge or vertex.
 Location random_place(const Delta_complex& mesh, std::size_t dimension, CGAL::Random& random)
 {
   Location p = random_location(mesh, random);
@@ -119,7 +119,7 @@ TEST(Surface_curve, follows_shortest_paths)
   }
 }
 
-// A single search goes no further than it must.
+// A single search is not longer than necessary.
 TEST(Surface_curve, single_shortest_paths)
 {
   CGAL::Random random(8);
@@ -141,7 +141,7 @@ TEST(Surface_curve, single_shortest_paths)
     }
 }
 
-// There and back, segments are cut but cover what they did.
+// Segments that are mapped back are cut, but cover the same curve.
 TEST(Surface_curve, across)
 {
   CGAL::Random random(9);
@@ -226,7 +226,7 @@ TEST(Distance_sources, points_in_the_plane)
   }
 }
 
-// Against exact shortest paths, from several sources of all kinds.
+// Distances are compared with exact shortest paths, from several sources of all kinds.
 TEST(Distance_sources, points_on_curved_surfaces)
 {
   CGAL::Random random(2);
@@ -281,7 +281,7 @@ TEST(Distance_sources, curves)
   expect_first_order_unsigned(parallels_of_torus, 0.4);
 }
 
-// A curve along edges is the same source as its vertices.
+// A curve along edges is equivalent to its vertices as a source.
 TEST(Distance_sources, boundary)
 {
   const Mesh mesh = unit_square(24, 1);

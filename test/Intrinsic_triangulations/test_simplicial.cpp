@@ -51,8 +51,8 @@ TEST(Simplicial, all_complexes)
         expect_simplicial(triangulation(c.mesh, random_lengths(c.mesh, seed)), angle);
 }
 
-// Two triangles on each other, with one angle after another. However thin they are, few vertices
-// will do.
+// Two triangles lie on each other, with varying angles. However thin they are, few vertices
+// suffice.
 TEST(Simplicial, pointed_pillows)
 {
   const Delta_complex pillow = glue({{1, 2, 3}, {-3, -2, -1}});

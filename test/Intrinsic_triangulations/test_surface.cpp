@@ -57,7 +57,7 @@ private:
   const Triangulation& m_triangulation;
 };
 
-// What every algorithm on a surface computes from one vertex, in one vector.
+// Returns the results that all algorithms on a surface compute from one vertex, in one vector.
 template <typename Surface>
 Eigen::VectorXcd results(const Surface& surface)
 {

@@ -17,14 +17,15 @@
 #include <cmath>
 #include <vector>
 
-// Operators and heat on flat meshes with needles and caps at rounding, compared with exact numbers.
+// These tests compare operators and heat on flat meshes with needles and caps at rounding errors
+// with exact numbers.
 namespace Test_thin_faces {
 
 using namespace Test_surfaces;
 using Number = IT::Exact_field;
 using Precise = IT::Precise_surface<>;
 
-// The vertices of a square grid, before it is spoiled.
+// Returns a square grid before further vertices are added.
 Mesh square(int n)
 {
   Mesh mesh;
@@ -74,8 +75,8 @@ void insert(Mesh& mesh, Face_index f, const std::array<double, 3>& weight)
   mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = p;
 }
 
-// A grid with vertices close to others and to edges, those of the boundary among them. Coordinates
-// near to zero have all digits there.
+// Returns a grid with vertices close to others and to edges, also on the boundary. Coordinates near
+// to zero have all digits.
 Mesh spoiled_square(double e, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -90,7 +91,7 @@ Mesh spoiled_square(double e, unsigned int seed)
   return mesh;
 }
 
-// The cotangent at `p`, from exact positions: infinite if there is no area.
+// Returns the cotangent at `p`, from exact positions. It is infinite if the area is zero.
 Number cotangent(const Point& p, const Point& q, const Point& r, bool& has_area)
 {
   const auto u = vector_between(p, q), v = vector_between(p, r);
@@ -99,7 +100,7 @@ Number cotangent(const Point& p, const Point& q, const Point& r, bool& has_area)
   return has_area ? Number(dot / CGAL::abs(cross)) : Number(0);
 }
 
-// The weight of an edge of T2, whose edges are straight lines in the plane.
+// Returns the weight of an edge of T2, whose edges are straight lines in the plane.
 double weight(Edge_index e, const Triangulation& t, const Mesh& mesh)
 {
   const Delta_complex& m = t.mesh();
@@ -117,7 +118,8 @@ Eigen::SparseMatrix<double> laplacian(const Triangulation& t)
     t, [](const auto& surface) { return IT::rounded_values(IT::cotan_laplacian(surface)); });
 }
 
-// Weights that are nearly as large have the same sign, or differ by more than rounding.
+// Checks that weights of nearly equal size have the same sign, or differ by more than rounding
+// errors.
 void expect_exact_weights(const Triangulation& t, const Mesh& mesh)
 {
   const auto weights = IT::with_resolved_areas(t, [](const auto& surface) {
@@ -160,7 +162,7 @@ TEST(Thin_faces, areas_are_those_of_exact_positions)
   }
 }
 
-// Heat knows no needles: distances are those on the grid, up to the error of the method.
+// Needles do not affect heat: distances are distances on the grid, up to the error of the method.
 TEST(Thin_faces, distances_by_heat)
 {
   for(const double e : smallness) {
@@ -185,7 +187,8 @@ Matrix with_all_digits(const Matrix& matrix)
     [](const IT::Multiprecision_float& x) { return IT::Multiprecision_float(x.long_value()); });
 }
 
-// Rows with large entries first, then `double`: as with all digits.
+// Rows with large entries are eliminated first, then the others in `double`: the result is the same
+// as with all digits.
 TEST(Thin_faces, factors_with_many_digits)
 {
   typedef IT::Multiprecision_float FT;
@@ -210,7 +213,7 @@ TEST(Thin_faces, factors_with_many_digits)
   }
 }
 
-// The digits of numbers are those that faces need: one needle does not make all operators slow.
+// The digits of numbers depend on their faces: one needle does not slow down all operators.
 TEST(Thin_faces, few_numbers_have_many_digits)
 {
   Mesh mesh = square(20);
@@ -234,7 +237,7 @@ TEST(Thin_faces, few_numbers_have_many_digits)
   EXPECT_LE(number_in(heat), 10);
 }
 
-// A face of no area at the boundary does not count: the operators are those without it.
+// A face of zero area at the boundary does not count: the operators are the operators without it.
 TEST(Thin_faces, faces_of_no_area_are_left_out)
 {
   const Mesh good = square(4);
@@ -258,8 +261,8 @@ TEST(Thin_faces, a_surface_without_area_has_no_operators)
   EXPECT_THROW(laplacian(t), IT::Numerical_error);
 }
 
-// Two vertices at the middle of an edge, one on each side, have the distance zero: there is no
-// metric.
+// Two vertices at the midpoint of an edge, one on each side, have the distance zero, so no metric
+// exists.
 TEST(Thin_faces, vertices_that_coincide)
 {
   Mesh mesh = square(2);

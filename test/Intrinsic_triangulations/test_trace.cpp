@@ -14,12 +14,12 @@ namespace Test_trace {
 using namespace Test_surfaces;
 using Trace = std::vector<Trace_place>;
 
-// The number along the first halfedge of the edge.
+// Returns the position along the first halfedge of the edge.
 double along_edge(const Edge_place& p) { return IT::place_on_first_halfedge(p); }
 
 // ---- Every trace ----
 
-// Consecutive points are in a common face: the one that the trace is about to leave at the second.
+// Checks that consecutive points are in a common face, which the trace leaves at the second point.
 void check_faces(Side side, const Trace& trace, const Triangulation& t)
 {
   const Delta_complex& mesh = Flat_faces(other(side), t).mesh();
@@ -58,7 +58,8 @@ void check_order(Side side, Halfedge_index h, const Trace& trace)
   }
 }
 
-// Every piece has the length that the places on the edge say, in the faces of the other side.
+// Checks that every piece has the length between the positions on the edge, in the faces of the
+// other side.
 void check_lengths(Side side, Halfedge_index h, const Trace& trace, const Triangulation& t)
 {
   const Real length = Flat_faces(side, t).length(h);
@@ -137,7 +138,7 @@ void expect_same(const std::vector<Crossing>& a, const std::vector<Crossing>& b,
   }
 }
 
-// How many translates have to be looked at, from the longest vector and the size of the surface.
+// Returns how many translates must be tested, from the longest vector and the size of the surface.
 std::pair<std::int64_t, std::int64_t> translates(const Flat_triangulation& flat)
 {
   const Vector a = flat.surface().a, b = flat.surface().b;
@@ -169,7 +170,7 @@ void add_crossing(Edge_index e, const Vector& p, const Vector& v, Edge_index f, 
                       static_cast<double>(t) / static_cast<double>(d)});
 }
 
-// All segments of T1 against all of T2, in integers.
+// Returns the crossings of all segments of T1 with all segments of T2, in integers.
 std::vector<Crossing> exact_crossings(const Flat_triangulation& flat)
 {
   const Flat_surface& surface = flat.surface();
@@ -188,7 +189,7 @@ std::vector<Crossing> exact_crossings(const Flat_triangulation& flat)
   return result;
 }
 
-// Crossings are at equal places; and shared edges have the same vector on both sides.
+// Checks that crossings have equal positions, and shared edges have the same vector on both sides.
 void expect_exact(const Flat_triangulation& flat, double tolerance)
 {
   const Correspondence c(*flat);
@@ -272,7 +273,7 @@ TEST(Trace, recomputed_lengths_are_exact_on_flat_surfaces)
   }
 }
 
-// Which edges cross is exact even where the places are not.
+// The crossing edges are exact even if their positions are not.
 TEST(Trace, exact_crossings_with_slivers)
 {
   for(unsigned int seed : seeds(5)) {
@@ -283,8 +284,8 @@ TEST(Trace, exact_crossings_with_slivers)
   }
 }
 
-// A torus that is the plane modulo a lattice with a vertex at every lattice point: an edge w of T2
-// and an edge v of T1 meet at the multiples of 1 / det(v, w), in units of the lattice.
+// A torus is the plane modulo a lattice with a vertex at every lattice point. An edge w of T2 and
+// an edge v of T1 meet at the multiples of 1 / det(v, w), in units of the lattice.
 TEST(Trace, closed_form_on_a_torus_with_one_vertex)
 {
   for(unsigned int seed : seeds(30)) {
@@ -317,7 +318,7 @@ TEST(Trace, correspondence_of_the_empty_surface)
 
 // ---- Crossings, without geometry ----
 
-// Courses are computed at first, and stored in the end, while edges are flipped.
+// Courses are computed first, and finally stored, while edges are flipped.
 TEST(Edge_courses, are_those_that_are_traced)
 {
   Triangulation t(random_sphere(60, 7));
@@ -362,8 +363,8 @@ TEST(Edge_courses, of_a_correspondence)
   EXPECT_GT(crossed, 300u);
 }
 
-// The places of a crossing on its two edges are one point, up to the height of faces whose area is
-// rounding.
+// The positions of a crossing on its two edges are one point, up to the height of faces whose area
+// is rounding error.
 TEST(Trace, places_on_both_edges_of_hard_meshes)
 {
   for_each_hard_mesh([](const Mesh& mesh) {

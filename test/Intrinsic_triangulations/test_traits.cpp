@@ -72,8 +72,8 @@ std::vector<Quadrangle> random_quadrangles(std::size_t n, int size, unsigned int
   return result;
 }
 
-// Four points with integer coordinates on a circle of radius 65, whose distances are not all
-// rational.
+// Returns four points with integer coordinates on a circle of radius 65, whose distances are not
+// all rational.
 std::vector<Quadrangle> cocircular_quadrangles()
 {
   const std::vector<Vector> circle{{65, 0},  {63, 16},  {56, 33},  {39, 52}, {25, 60},
@@ -211,7 +211,7 @@ struct Metric
   std::vector<double> lengths;
 };
 
-// With lengths that are doubles, and some edges to flip.
+// Returns surfaces with lengths of type `double`, and some edges to flip.
 std::vector<Metric> small_metrics()
 {
   std::vector<Metric> result;
@@ -255,7 +255,7 @@ Rational squared_quadrupled_area(double a, double b, double c)
   return (x + y + z) * (y + z - x) * (z + x - y) * (x + y - z);
 }
 
-// The relative error, in units in the last place.
+// Returns the relative error, in units in the last place.
 double error_of_area(double a, double b, double c)
 {
   const Rational exact = squared_quadrupled_area(a, b, c);
@@ -355,7 +355,7 @@ TEST(Euclidean_geometry_traits, area_of_needles_and_caps)
   EXPECT_DOUBLE_EQ(IT::quadrupled_area(3., 4., 5.), 24);
 }
 
-// All five lengths are exact in double, and k and l are on the line through i and j.
+// All five lengths are exact in `double`, and k and l are on the line through i and j.
 TEST(Euclidean_geometry_traits, a_short_edge_between_long_ones_keeps_its_digits)
 {
   const Double_traits::Compute_flipped_length flipped_length;
@@ -417,7 +417,7 @@ TEST(Exact_geometry_traits, knows_ties_exactly)
   }
 }
 
-// Sides 52, 25, 39, 60 on a circle, with diagonals 63 and 56.
+// Sides 52, 25, 39, 60 are on a circle, with diagonals 63 and 56.
 TEST(Exact_geometry_traits, knows_a_cocircular_quadrangle_with_rational_sides)
 {
   const Exact_traits traits;

@@ -17,7 +17,7 @@ using Subdivision = IT::Common_subdivision<>;
 using Matrix = Eigen::SparseMatrix<double>;
 using Values = Eigen::VectorXd;
 
-// A third of the area around each vertex: the integral of its hat function.
+// Returns a third of the area around each vertex: the integral of its hat function.
 Values integrals_of_hats(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
@@ -45,7 +45,7 @@ void check_matrices(const Triangulation& t)
   }
 }
 
-// The integral of the product of functions on both sides, by summing over the triangulated
+// Returns the integral of the product of functions on both sides, by a sum over the triangulated
 // subdivision.
 double integral_of_product(const Values& on_input, const Values& on_intrinsic,
                            const Correspondence& c)
@@ -93,8 +93,8 @@ void check_closest(const Triangulation& t)
   }
 }
 
-// The transfers are orthogonal projections between two spaces: each is the adjoint of the other,
-// and neither makes a function larger.
+// Checks that the transfers are orthogonal projections between two spaces: each is the adjoint of
+// the other, and neither makes a function larger.
 void check_adjoint(const Triangulation& t)
 {
   const Correspondence c(t);
@@ -208,8 +208,8 @@ TEST(Transfer, isolated_vertices_keep_their_values)
   EXPECT_EQ(IT::transfer_function(Correspondence(t), Side::input, f)[alone.idx()], f[alone.idx()]);
 }
 
-// Areas that are rounding are others on either side. Functions stay bounded nevertheless, by far
-// less than by the ratio of areas, and constants stay.
+// Areas that are rounding errors differ on both sides. Functions are bounded nevertheless, far
+// below the ratio of areas, and constants are preserved.
 TEST(Transfer, functions_on_hard_meshes_stay_bounded)
 {
   for_each_hard_mesh([](const Mesh& mesh) {

@@ -31,7 +31,7 @@ std::size_t number_of_components(const Mesh& mesh)
   return std::set<std::size_t>(component.begin(), component.end()).size();
 }
 
-// Corners, sides and faces of the cover are those of the soup.
+// Checks that corners, sides and faces of the cover are corners, sides and faces of the soup.
 template <typename P>
 void expect_maps(const IT::Tufted_cover<P>& cover, const Triangles& triangles)
 {
@@ -53,7 +53,7 @@ void expect_maps(const IT::Tufted_cover<P>& cover, const Triangles& triangles)
   }
 }
 
-// The angle of a triangle around the side from `from` to `to`.
+// Returns the angle of a triangle around the side from `from` to `to`.
 double angle(const Soup& soup, std::size_t from, std::size_t to, std::size_t t)
 {
   std::size_t apex = 0;
@@ -86,8 +86,8 @@ faces_at_edges(const Triangles& triangles)
   return result;
 }
 
-// No triangle is between the two that are glued, on the side on which they are. Equal ones are left
-// out.
+// Checks that no triangle is between the two glued ones, on their side. Equal triangles are
+// excluded.
 void expect_neighbors_by_angle(const Soup& soup, const Cover& cover)
 {
   const auto at_edge = faces_at_edges(soup.triangles);
@@ -160,7 +160,7 @@ TEST(Tufted_cover, follows_angles)
   }
 }
 
-// Angles that differ by less than the rounding unit.
+// Angles differ by less than the rounding unit.
 TEST(Tufted_cover, compares_angles_exactly)
 {
   const double tiny = std::numeric_limits<double>::denorm_min();
@@ -188,7 +188,7 @@ TEST(Tufted_cover, compares_angles_exactly)
   } while(std::next_permutation(heights.begin(), heights.begin() + 4));
 }
 
-// Opposite half planes are told apart, and a reference can be any of them.
+// Opposite half planes are distinguished, and any of them can be a reference.
 TEST(Tufted_cover, knows_half_planes)
 {
   const std::vector<std::array<int, 2>> directions{{1, 0},  {-1, 0}, {0, 1},
@@ -201,7 +201,7 @@ TEST(Tufted_cover, knows_half_planes)
   expect_neighbors_by_angle(soup, IT::tufted_cover(soup.points, soup.triangles));
 }
 
-// Equal triangles lie on each other like sheets, however they name their corners.
+// Equal triangles lie on each other like sheets, however their corners are named.
 TEST(Tufted_cover, stacks_equal_triangles)
 {
   for(unsigned int seed : seeds(50)) {

@@ -38,7 +38,7 @@ struct Tufted
   Triangulation triangulation;
 };
 
-// The sum of the operators of single triangles, from positions.
+// Returns the sum of the operators of single triangles, from positions.
 Matrix sum_of_laplacians(const Soup& soup)
 {
   const auto n = static_cast<Eigen::Index>(soup.points.size());
@@ -69,7 +69,7 @@ double area(const Soup& soup)
   return result;
 }
 
-// The boundary edges of the mesh are Delaunay in the double.
+// Returns a grid whose boundary edges are Delaunay in the double.
 Mesh sharp_grid(std::size_t n)
 {
   Book page({0.5}, n, n);
