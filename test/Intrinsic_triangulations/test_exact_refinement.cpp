@@ -465,8 +465,7 @@ TEST(Exact_refinement, parts_of_edges_near_a_target_lose_no_digits)
   EXPECT_LT(length(nearer, near_target), 0);
 }
 
-// The strip has no prism, and its only vertex lies exactly on a boundary edge, so it cannot be
-// flipped away.
+// The only vertex to refine lies exactly on a boundary edge, and cannot be flipped away.
 TEST(Exact_refinement, faces_without_area_are_named)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0), Point(1, 2, 0)},

@@ -462,7 +462,7 @@ TEST(IO, promises_take_no_memory)
 }
 #endif
 
-// Defines number formats that the stream and the program must not use.
+// Defines number formats of a stream or a program, which must not affect files.
 struct Strange_numbers : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }

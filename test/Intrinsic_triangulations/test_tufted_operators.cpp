@@ -226,7 +226,7 @@ TEST(Tufted_operators, leave_isolated_vertices_out)
     EXPECT_EQ(std::isfinite(distance[v]), v != 4);
 }
 
-// A flat face whose edge can be flipped does no harm.
+// A flat face whose edge can be flipped causes no failure.
 TEST(Tufted_operators, cope_with_flat_faces)
 {
   const Soup soup{{{0, 0, 0}, {0, 0, 2}, {0, 0, 1}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}},
@@ -239,7 +239,8 @@ TEST(Tufted_operators, cope_with_flat_faces)
 
 // ---- Books ----
 
-// Values of a function of the page and the distances from the spine and from the lower side.
+// Returns the values of a function of the page and the distances from the spine and from the lower
+// side.
 Values values(const Book& book, std::size_t pages,
               const std::function<double(std::size_t, double, double)>& f)
 {
@@ -253,8 +254,9 @@ Values values(const Book& book, std::size_t pages,
   return result;
 }
 
-// A function on three squares glued along a side: even functions have a cosine across the spine,
-// the others a sine of half-integer frequency, with coefficients on the pages that add up to zero.
+// Represents a function on three squares glued along a side. Even functions have a cosine across
+// the spine. The others have a sine of half-integer frequency, with coefficients on the pages that
+// add up to zero.
 struct Mode
 {
   std::array<double, 3> on_page; // equal, or with sum zero
@@ -280,7 +282,7 @@ std::vector<Mode> modes(int n)
   return result;
 }
 
-// On squares the Laplacian is the five-point one: its eigenfunctions have closed forms too.
+// On squares the Laplacian is the five-point one, whose eigenfunctions have closed forms, too.
 TEST(Tufted_operators, of_a_book_have_the_known_eigenfunctions)
 {
   const std::size_t n = 8;
@@ -300,8 +302,8 @@ TEST(Tufted_operators, of_a_book_have_the_known_eigenfunctions)
   }
 }
 
-// The spectrum converges to that of three glued squares: pi^2 times (k/2)^2 + l^2, twice if k is
-// odd.
+// The spectrum converges to the spectrum of three glued squares: pi^2 times (k/2)^2 + l^2, twice if
+// k is odd.
 TEST(Tufted_operators, of_a_book_have_the_known_spectrum)
 {
   std::vector<double> exact;
@@ -365,7 +367,7 @@ TEST(Tufted_operators, of_lengths_alone)
   EXPECT_NEAR(IT::mass_matrix(surface).sum(), 3. * double(m * n) * across, 1e-12);
 }
 
-// Two pages are a plane when they are unfolded.
+// Two unfolded pages are a plane.
 TEST(Tufted_operators, have_distances_of_unfolded_books)
 {
   for(const std::size_t pages : traced({2u, 3u, 4u, 7u})) {
@@ -389,7 +391,7 @@ TEST(Tufted_operators, have_distances_of_unfolded_books)
   }
 }
 
-// A function that is linear on each page, has the slopes of a harmonic function.
+// A function that is linear on each page has the slopes of a harmonic function.
 TEST(Tufted_operators, solve_poisson_equations)
 {
   const Book book({0, 2, 4}, 5, 4);
@@ -408,7 +410,7 @@ TEST(Tufted_operators, solve_poisson_equations)
   EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-// Inserted vertices come after those of the soup.
+// Inserted vertices come after the vertices of the soup.
 TEST(Tufted_operators, of_a_refined_cover)
 {
   CGAL::Random random(5);
@@ -424,10 +426,10 @@ TEST(Tufted_operators, of_a_refined_cover)
   EXPECT_NEAR(IT::mass_matrix(tufted.surface()).sum() / area(soup), 1, 1e-12);
 }
 
-// Vectors have no place at vertices without a vertex fan.
+// Vertices without a vertex fan have no vectors.
 static_assert(!std::is_constructible_v<IT::Tangent_frames<double>, const Surface&>);
 
-// Vectors live on the cover: along a flat book of two pages they stay parallel.
+// Vectors belong to the cover: along a flat book of two pages they stay parallel.
 TEST(Tufted_operators, transport_vectors_on_the_cover)
 {
   const Book book({0, pi}, 4, 4);

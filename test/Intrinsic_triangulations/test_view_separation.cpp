@@ -51,7 +51,7 @@ double least(const std::vector<View>& views, double x)
 
 const auto unknown = [](const View&, const View&) { return 0; };
 
-// No point loses a shortest path, whatever views are added in which order.
+// No point loses a shortest path, whatever views are added in any order.
 TEST(View_separation, keeps_least_lengths)
 {
   CGAL::Random random(1);
@@ -111,7 +111,7 @@ View view_of_edge(CGAL::Random& random)
   return view({random.get_double(-3, 4), random.get_double(1.1, 4)}, 0, 1, random.get_double(0, 2));
 }
 
-// Views of the whole edge whose rays pass a line in known order meet in one point at most.
+// Views of the whole edge whose rays pass a line in known order meet in at most one point.
 TEST(View_separation, in_order_leaves_no_overlap)
 {
   CGAL::Random random(2);

@@ -175,7 +175,7 @@ TEST(Supporting_triangles, solve_cycles_of_vertices)
     }
 }
 
-// Vertices that hide each other leave no weight.
+// Vertices that hide each other have no weight.
 TEST(Supporting_triangles, refuse_vertices_without_a_visible_one)
 {
   IT::internal::Supporting_triangles<double> triangles;
@@ -219,7 +219,7 @@ TEST(Weighted_Delaunay, holds_in_fifty_digits_and_is_unique)
 
 namespace {
 
-// Points in the square and, smaller each time, around its middle. There, coordinates have room.
+// Returns points in the square and, ever smaller, around its center, where coordinates have room.
 std::vector<Point_2> nested_points(std::size_t n, double ratio, CGAL::Random& random)
 {
   std::vector<Point_2> result;
@@ -229,7 +229,8 @@ std::vector<Point_2> nested_points(std::size_t n, double ratio, CGAL::Random& ra
   return result;
 }
 
-// Parts of the distances to the nearest points, with squares that are numbers of type `double`.
+// Returns parts of the distances to the nearest points, with squares that are numbers of type
+// `double`.
 std::vector<double> short_radii(const std::vector<Point_2>& points, CGAL::Random& random)
 {
   std::vector<double> result;
@@ -247,7 +248,7 @@ std::vector<double> short_radii(const std::vector<Point_2>& points, CGAL::Random
 
 } // namespace
 
-// Rounded lengths say nothing about angles between points that are so close.
+// Rounded lengths do not determine angles between such near points.
 TEST(Weighted_Delaunay, exact_decisions_give_the_regular_triangulation_of_near_points)
 {
   CGAL::Random random(7);
@@ -332,8 +333,8 @@ TEST(Weighted_Delaunay, constrained_edges_stay)
     }
 }
 
-// Dual edges are orthogonal to edges: coordinates of a flat domain are harmonic inside, whatever
-// the weights.
+// Dual edges are orthogonal to edges: coordinates of a flat domain are harmonic inside, for any
+// weights.
 TEST(Weighted_laplacian, has_linear_precision)
 {
   CGAL::Random random(4);

@@ -21,8 +21,8 @@ using namespace Test_weights;
 
 // ---- Flat tori ----
 
-// A torus, the plane modulo the lattice of (1, 0) and (slope, height). Vertices are near the points
-// of a grid in the parallelogram of this basis.
+// Represents a torus, the plane modulo the lattice of (1, 0) and (slope, height). Vertices are near
+// the points of a grid in the parallelogram of this basis.
 struct Flat_torus
 {
   double slope, height;
@@ -63,7 +63,7 @@ Flat_torus flat_torus(std::size_t m, double slope, double height, CGAL::Random& 
                                 boost::make_function_property_map<Edge_index>(length)))};
 }
 
-// The edges that leave each vertex, as ends and lengths.
+// Stores the edges that leave each vertex, as ends and lengths.
 typedef std::vector<std::tuple<std::size_t, std::size_t, double>> Directed_edges;
 
 Directed_edges edges_of(const Triangulation& t, const std::set<std::size_t>& left_out = {})
@@ -204,7 +204,7 @@ std::vector<double> least_squares_of_lengths(Triangulation t)
 
 constexpr std::uintmax_t largest_file = 40000;
 
-// Weights of any sign, too small to hide a vertex.
+// Weights have any sign, and are too small to hide a vertex.
 TEST(Weighted_Delaunay, of_data_meshes_holds_in_fifty_digits)
 {
   CGAL::Random random(10);
@@ -224,7 +224,7 @@ TEST(Weighted_Delaunay, of_data_meshes_holds_in_fifty_digits)
   EXPECT_GT(meshes, 30u);
 }
 
-// Some hidden vertices are almost on edges of others: faces have almost no area.
+// Some hidden vertices are almost on edges of others, so faces have almost no area.
 TEST(Weighted_Delaunay, of_data_meshes_with_hidden_vertices_holds_up_to_rounded_weights)
 {
   CGAL::Random random(10);
@@ -271,7 +271,7 @@ TEST(Weighted_Delaunay, of_data_meshes_with_few_visible_vertices_is_unique)
   EXPECT_LT(visible, vertices / 10);
 }
 
-// Circles that do not meet, by exact decisions.
+// Circles do not meet, which exact decisions check.
 TEST(Weighted_Delaunay, of_data_meshes_is_exact_for_circles)
 {
   CGAL::Random random(11);

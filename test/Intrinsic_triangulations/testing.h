@@ -41,11 +41,12 @@
 #include <utility>
 #include <vector>
 
-// What all tests use: the headers above, and loops that say where they are.
+// This file contains the common parts of all tests: the headers above, and loops that name their
+// elements in failures.
 namespace Test_surfaces {
 
-// The elements 0, ..., size - 1 of something, each with a name. The trace of a failure in a loop
-// over them has the name of the element at which the loop is.
+// Represents the named elements 0, ..., size - 1 of a range. The trace of a failure in a loop over
+// them has the name of the current element.
 template <typename At, typename Name>
 class Traced_range
 {
@@ -89,7 +90,7 @@ private:
   Name m_name;
 };
 
-// The parts of a text between white space.
+// Returns the parts of a text between white space.
 inline std::vector<std::string> words(const std::string& text)
 {
   std::istringstream is(text);
@@ -112,7 +113,7 @@ constexpr auto name_and_seed = [](const auto& p) {
   return name_of(p.first) + ", seed " + std::to_string(p.second);
 };
 
-// Elements that have a name.
+// Returns a traced range of elements that have a name.
 template <typename T>
 auto traced(std::vector<T> elements)
 {
@@ -122,7 +123,7 @@ auto traced(std::vector<T> elements)
     [](const T& x) { return name_of(x); });
 }
 
-// Values that are their own names.
+// Returns a traced range of values that are their own names.
 template <typename T>
 auto traced(std::initializer_list<T> values)
 {
@@ -131,7 +132,7 @@ auto traced(std::initializer_list<T> values)
     [](const T& x) { return testing::PrintToString(x); });
 }
 
-// The numbers from `first` to `end` - 1.
+// Returns the numbers from `first` to `end` - 1.
 inline auto seeds(unsigned int first, unsigned int end)
 {
   return Traced_range(
@@ -141,7 +142,7 @@ inline auto seeds(unsigned int first, unsigned int end)
 
 inline auto seeds(unsigned int end) { return seeds(0, end); }
 
-// Each element with each of the seeds 0, ..., n - 1.
+// Returns each element with each of the seeds 0, ..., n - 1.
 template <typename T>
 auto traced(std::vector<T> elements, std::size_t n)
 {
@@ -154,7 +155,7 @@ auto traced(std::vector<T> elements, std::size_t n)
     name_and_seed);
 }
 
-// The elements that a function makes of the seeds 0, ..., n - 1, with these.
+// Returns the elements that a function makes of the seeds 0, ..., n - 1, with these seeds.
 template <typename Seed, typename Element>
 auto traced(std::size_t n, Element (*make)(Seed))
 {

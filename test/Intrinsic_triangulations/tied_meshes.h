@@ -7,12 +7,12 @@
 
 #include "hard_meshes.h"
 
-// Surfaces with exact ties: neighbors that are cocircular in exact arithmetic. All coordinates are
-// integers or integers times a power of two, so that nothing has been rounded. The meshes are
-// Delaunay as they are made.
+// This file generates surfaces with exact ties: neighbors that are cocircular in exact arithmetic.
+// All coordinates are integers or integers times a power of two, so that nothing has been rounded.
+// The generated meshes are Delaunay.
 //
 // The cells of the Delaunay tessellation do not depend on how they are triangulated. A cell with k
-// corners has k - 3 diagonals, and each of them is a tie: so the number of ties of a Delaunay
+// corners has k - 3 diagonals, and each of them is a tie. So the number of ties of a Delaunay
 // triangulation is the sum of k - 3 over all cells, whichever ties were kept.
 namespace Test_surfaces {
 
@@ -32,8 +32,8 @@ inline std::int64_t dot(const Integer_vector& v, const Integer_vector& w)
   return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
 }
 
-// Three perpendicular integer vectors of one integer length: the columns of the rotation by the
-// quaternion a + bi + cj + dk, times its norm.
+// Returns three perpendicular integer vectors of one integer length: the columns of the rotation by
+// the quaternion a + bi + cj + dk, times its norm.
 inline std::array<Integer_vector, 3> integer_axes(const std::array<std::int64_t, 4>& q)
 {
   const auto [a, b, c, d] = q;
@@ -59,7 +59,7 @@ inline Point at(const std::array<Integer_vector, 3>& axes, const Integer_vector&
   return {p[0], p[1], p[2]};
 }
 
-// The mesh on the lattice of the axes; all its coordinates are integers.
+// Returns the mesh on the lattice of the axes, with integer coordinates.
 inline Mesh on_lattice(Mesh mesh, const std::array<Integer_vector, 3>& axes)
 {
   const auto whole = [](double x) { return static_cast<std::int64_t>(x); };
@@ -72,8 +72,8 @@ inline Mesh on_lattice(Mesh mesh, const std::array<Integer_vector, 3>& axes)
 
 // ---- Cocircular points ----
 
-// The points with integer coordinates on the circle around the origin, counterclockwise. The radius
-// 1105 has 108 of them.
+// Returns the points with integer coordinates on the circle around the origin, counterclockwise.
+// The radius 1105 has 108 of them.
 inline std::vector<Vector> points_on_circle(std::int64_t radius)
 {
   std::vector<Vector> quadrant, result;
@@ -91,7 +91,8 @@ inline std::vector<Vector> points_on_circle(std::int64_t radius)
   return result;
 }
 
-// Those that come closest to a regular polygon with n corners. \pre `n` is at most 24
+// Returns the points that are closest to a regular polygon with n corners.
+// \pre `n` is at most 24
 inline std::vector<Vector> almost_regular_polygon(std::size_t n)
 {
   const std::vector<Vector> all = points_on_circle(1105);
@@ -124,14 +125,15 @@ inline void append(Triangles& triangles, const Triangles& more)
 
 // ---- Families ----
 
-// A tie in each square. The angles opposite to the sides of the squares are 45 degrees each.
+// Returns a grid with a tie in each square. The angles opposite to the sides of the squares are 45
+// degrees each.
 inline Tied_mesh tied_grid(std::size_t m, std::size_t n, Portable_random& random)
 {
   const Mesh mesh = grid(m, n, [](double x, double y) { return Point(x, y, 0); });
   return {"grid", on_lattice(mesh, random_axes(100, random)), m * n};
 }
 
-// One rectangle with coordinates of up to 30 bits, whose squared sides have up to 60.
+// Returns one rectangle with coordinates of up to 30 bits, whose squared sides have up to 60.
 inline Tied_mesh exact_rectangle(Portable_random& random)
 {
   const auto axes = random_axes(1 << 6, random);
@@ -142,8 +144,8 @@ inline Tied_mesh exact_rectangle(Portable_random& random)
   return {"rectangle", mesh, 1};
 }
 
-// A box of whole numbers of unit squares, a tie in each; elsewhere as in a grid, since the sides of
-// squares on its edges have the angles of two squares too.
+// Returns a box of whole numbers of unit squares, with a tie in each. Other angles are angles of a
+// grid, because the sides of squares on its edges also have the angles of two squares.
 inline Tied_mesh tied_box(const std::array<int, 3>& size, Portable_random& random)
 {
   std::map<std::array<int, 3>, std::size_t> numbers;
@@ -176,7 +178,7 @@ inline Tied_mesh tied_box(const std::array<int, 3>& size, Portable_random& rando
   return {"box", on_lattice(make_mesh(points, triangles), random_axes(100, random)), ties};
 }
 
-// A polygon with n cocircular corners, cut into a fan: n - 3 ties.
+// Returns a polygon with n cocircular corners, cut into a fan: n - 3 ties.
 inline Tied_mesh tied_fan(std::size_t n, Portable_random& random)
 {
   std::vector<Point> points;
@@ -188,9 +190,9 @@ inline Tied_mesh tied_fan(std::size_t n, Portable_random& random)
   return {"fan", make_mesh(points, triangles), n - 3};
 }
 
-// A prism with n sides: n - 3 ties in each base, cut into a fan below and at random above, and one
-// in each side, which is a rectangle. The other angles are less than 90 degrees: for n > 4 a corner
-// sees a side of the base under half of less than 120 degrees.
+// Returns a prism with n sides. It has n - 3 ties in each base, cut into a fan below and at random
+// above, and one in each side, which is a rectangle. The other angles are less than 90 degrees: for
+// n > 4 a corner sees a side of the base under half of less than 120 degrees.
 inline Tied_mesh tied_prism(std::size_t n, std::int64_t height, Portable_random& random)
 {
   const auto axes = random_axes(30, random);
@@ -209,9 +211,9 @@ inline Tied_mesh tied_prism(std::size_t n, std::int64_t height, Portable_random&
   return {"prism", make_mesh(points, triangles), 3 * n - 6};
 }
 
-// A pyramid over a polygon: n - 3 ties in the base. The angles at the foot of a side are less than
-// 90 degrees, so that no sum of two is flat; for n > 4 nor is that of the angle at the apex, below
-// 120 degrees, and of that in the base, below 60.
+// Returns a pyramid over a polygon, with n - 3 ties in the base. The angles at the foot of a side
+// are less than 90 degrees, so that no sum of two is flat. For n > 4, the angle at the apex is
+// below 120 degrees, and the angle in the base is below 60, so that their sum is not flat, either.
 inline Tied_mesh tied_pyramid(std::size_t n, std::int64_t height, Portable_random& random)
 {
   const auto axes = random_axes(30, random);
@@ -227,11 +229,11 @@ inline Tied_mesh tied_pyramid(std::size_t n, std::int64_t height, Portable_rando
   return {"pyramid", make_mesh(points, triangles), n - 3};
 }
 
-// A surface with a mirror plane: rungs that it cuts in half, n quadrangles between them and a
-// triangle at each end of those. Quadrangles are isosceles trapezoids, hence cocircular: n ties.
-// Their sides are 16 to 24 long and the legs 18 or more, up to the unit, so that no angle opposite
-// to a side is 90 degrees; the triangles beside have different shapes on neither side, and their
-// angle opposite to the leg is acute.
+// Returns a surface with a mirror plane: rungs that it cuts in half, n quadrangles between them and
+// a triangle at each end of the quadrangles. Quadrangles are isosceles trapezoids, hence
+// cocircular: n ties. Their sides are 16 to 24 long and the legs at least 18, up to the unit, so
+// that no angle opposite to a side is 90 degrees. The triangles beside have different shapes on
+// both sides, and their angle opposite to the leg is acute.
 inline Tied_mesh mirrored_strip(std::size_t n, Portable_random& random)
 {
   constexpr int unit = 1 << 16;
@@ -262,7 +264,7 @@ inline Tied_mesh mirrored_strip(std::size_t n, Portable_random& random)
   return {"mirrored strip", make_mesh(points, triangles), n};
 }
 
-// Cycles through the families.
+// Returns a mesh of one family after the other.
 inline Tied_mesh tied_mesh(std::uint64_t seed)
 {
   Portable_random random(seed);

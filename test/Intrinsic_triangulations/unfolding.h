@@ -9,17 +9,17 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
-// Distances by brute force: straight lines from every vertex over all sequences of faces, nothing
-// pruned but what is out of sight or too far.
+// This file computes distances by brute force: straight lines from every vertex over all sequences
+// of faces. Only invisible or too distant faces are pruned.
 namespace Test_surfaces {
 
-// With numbers of more digits, also on meshes that `double` can hardly hold.
+// Unfolds with numbers of more digits, also on meshes at the limits of `double`.
 template <typename Number = long double>
 class Unfolding
 {
 public:
-  // Between the vertices and `points`, in this order. All edges are made longer by one length, the
-  // least for which no face is flat.
+  // Computes distances between the vertices and `points`, in this order. All edges are made longer
+  // by one length, the least for which no face is flat.
   template <typename Surface>
   explicit Unfolding(const Surface& surface, const std::vector<Location>& points = {})
     : m_mesh(surface.mesh()),
@@ -37,7 +37,7 @@ public:
       add(p);
   }
 
-  // From one of them; none if that takes more than `bound` faces.
+  // Returns the distances from one of them, or nothing if this takes more than `bound` faces.
   std::optional<std::vector<double>>
   distances(std::size_t from, std::size_t bound = (std::numeric_limits<std::size_t>::max)())
   {
@@ -74,7 +74,8 @@ private:
   };
   typedef std::array<Place, 3> Triangle;
 
-  // A vertex or a point in a face, with weights of its corners, from that of `h` on.
+  // Represents a vertex or a point in a face, with weights of its corners, beginning with the
+  // corner of `h`.
   struct Seat
   {
     std::size_t index;
@@ -82,7 +83,8 @@ private:
     std::array<Number, 3> weight;
   };
 
-  // What is seen through the halfedge from `a` on the left to `b`, between two directions.
+  // Represents the visible part through the halfedge from `a` on the left to `b`, between two
+  // directions.
   struct Sight
   {
     Halfedge_index h;
@@ -147,7 +149,7 @@ private:
     }
   }
 
-  // The corners of a face, from that of `h` on.
+  // Returns the corners of a face, beginning with the corner of `h`.
   Triangle layout(Halfedge_index h) const
   {
     return {Place{0, 0}, Place{length(h), 0}, m_apex[h.idx()]};
@@ -169,7 +171,7 @@ private:
     return is_better;
   }
 
-  // Lines within faces are bounds for others.
+  // Adds lines within faces, which are bounds for others.
   void go_within_faces()
   {
     for(bool is_better = true; is_better;) {

@@ -71,8 +71,8 @@ regular_triangulation(const std::vector<Point_2>& points, const std::vector<doub
   return {edges, hidden};
 }
 
-// Dual edges in 50 digits: lengths come from the strips of T1, and power centers from coordinates
-// of the corners in the plane.
+// Computes dual edges in 50 digits. Lengths are computed in strips of T1, and power centers from
+// coordinates of the corners in the plane.
 class Dual_edges
 {
   typedef boost::multiprecision::cpp_bin_float_50 Number;
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  // A face over one of its sides, with the heights of the power center and of the apex.
+  // Represents a face over one of its sides, with the heights of the power center and of the apex.
   struct Face
   {
     Number side, center, apex, greatest; // square of a side or weight

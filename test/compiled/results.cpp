@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints every digit of what functions of the compiled library compute. It is compiled with the
+// Prints every digit of the results of functions of the compiled library. It is compiled with the
 // library and without.
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
@@ -25,7 +25,7 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// A torus, or a part of it with boundary, of triangles of all shapes.
+// Returns a torus, or a part of it with boundary, of triangles of all shapes.
 template <typename Point>
 CGAL::Surface_mesh<Point> torus(std::size_t n, bool is_closed)
 {

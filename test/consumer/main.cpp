@@ -24,7 +24,7 @@
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-// A thin quadrilateral cut along its long diagonal: one flip makes it Delaunay.
+// Returns a thin quadrilateral cut along its long diagonal: one flip makes it Delaunay.
 Mesh thin_quadrilateral()
 {
   Mesh mesh;
@@ -37,7 +37,8 @@ Mesh thin_quadrilateral()
   return mesh;
 }
 
-// Without a component, what needs it is not tried.
+// Returns whether the mesh is flattened. Without a component, the functions that need it are not
+// called.
 bool is_flattened([[maybe_unused]] const Mesh& mesh)
 {
 #if defined(CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD) || defined(WITH_CERES)

@@ -32,7 +32,7 @@ std::vector<std::string> fields(const std::string& line)
   return result;
 }
 
-// The first field becomes the name of the program.
+// Runs the child. The first field becomes the name of the program.
 [[noreturn]] void run_child(const std::vector<std::string>& call)
 {
   const int output = open((call[0] + ".txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

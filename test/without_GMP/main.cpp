@@ -26,8 +26,8 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>>;
 
-// A tube of n by n (an even number) quadrangles, with columns that come as close as rounding
-// allows: `width` to the power of n.
+// Returns a tube of n by n (an even number) quadrangles, with columns that come as close as
+// rounding allows: `width` to the power of n.
 Mesh tube(std::size_t n, double width)
 {
   Mesh mesh;
@@ -46,7 +46,7 @@ Mesh tube(std::size_t n, double width)
   return mesh;
 }
 
-// Rectangles, each of them a tie, in a plane.
+// Returns rectangles in a plane, each of them a tie.
 Mesh rectangles(std::size_t n, double width)
 {
   Mesh mesh;
@@ -119,8 +119,8 @@ bool is_enclosed_near_a_vertex()
                 "place of a crossing near a vertex");
 }
 
-// A strip folded along parallel lines into panels, whose widths are roots. Four vertices at two
-// heights on its ends are cocircular. Two of eight roots are products of others.
+// Returns a strip folded along parallel lines into panels, whose widths are roots. Four vertices at
+// two heights on its ends are cocircular. Two of eight roots are products of others.
 Mesh folded_strip()
 {
   const std::array<std::array<double, 2>, 8> step{
