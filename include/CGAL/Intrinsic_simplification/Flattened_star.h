@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  // The sides of the triangle between two outgoing halfedges.
+  // Represents the sides of the triangle between two outgoing halfedges.
   struct Corner
   {
     double p, q, opposite;

@@ -234,7 +234,7 @@ private:
   std::array<const Surface_level*, 2> m_levels;
   std::vector<Vertex_index> m_new_vertices; // vertices of the coarse level only
   std::array<std::vector<Intrinsic_triangulations::Surface_point<double>>, 2> m_place;
-  // The positions on the first halfedge of the edge, for vertices with more positions than m_place.
+  // Stores positions on the first halfedge of the edge, for vertices with more than m_place.
   std::map<End_of_part, double> m_places_on_edges;
   std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end

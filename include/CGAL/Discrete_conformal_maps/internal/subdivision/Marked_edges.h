@@ -60,7 +60,7 @@ struct Mark
 {
   Vertex_index vertex; // of the subdivision
   std::size_t family;
-  // The position on the edge of A or C: on the halfedge that leaves the face. The sum of the
+  // `across` is the position on the halfedge of A or C that leaves the face. The sum of the
   // weighted vectors of the ends is the point on B.
   Edge_location<FT> across;
   FT here;                 // the position on the halfedge of B
