@@ -45,7 +45,7 @@ inline std::vector<Map_promise> planar_promises(const Plane_picture& picture)
     {"closing", picture.edge_length_error(), tolerance::promised_length, Map_status::not_closed}};
 }
 
-// The steps from a doubled problem to a map.
+// Executes the steps from a doubled problem to a map.
 class Flattening
 {
 public:
@@ -53,10 +53,11 @@ public:
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {}
 
-  // by the vertices of the input
+  // Starts from scale factors at the vertices of the input.
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
-  // Cones are placed for a finite bound of scale factors, at the first call before the others.
+  // Finds scale factors. Cones are placed first, at the first call, for a finite bound of scale
+  // factors.
   void find_scale_factors(const Any_minimizer& minimizer, const Cone_choice& choice)
   {
     const double bound = choice.maximum_log_scale;
@@ -72,7 +73,7 @@ public:
           m_scale.add_cone_if_beyond(bound));
   }
 
-  // Takes scale factors that need no search, and the flips from T_2 to T_3.
+  // Stores scale factors that need no search, and the flips from T_2 to T_3.
   void take(const std::vector<More_extended>& log_scale, const std::vector<Halfedge_index>& flips)
   {
     m_visitor.start(Flattening_stage::cones);
@@ -81,10 +82,10 @@ public:
     m_flips = flips;
   }
 
-  // Returns whether there are scale factors.
+  // Returns whether scale factors have been found.
   bool has_succeeded() const { return m_scale.status() == Map_status::success; }
 
-  // Returns the last minimization.
+  // Returns the result of the last minimization.
   const Minimization_result& minimization() const { return m_scale.result(); }
 
   Any_visitor& visitor() const { return m_visitor; }
@@ -97,9 +98,9 @@ public:
       m_scale.stop();
   }
 
-  // at the vertices of the surface
+  // Returns the scale factors at the vertices of the surface.
   const Eigen::VectorXd& log_scales() const { return m_scale.values(); }
-  // Returns whether lengths with them may be beyond the range of `double`.
+  // Returns whether lengths with these scale factors may be beyond the range of `double`.
   bool is_wide() const { return m_scale.is_wide(); }
   bool has_bounded_differences() const { return m_scale.has_bounded_differences(); }
 
@@ -138,7 +139,7 @@ public:
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
 
-  // Makes T_3; returns whether it has lengths.
+  // Computes T_3, and returns whether it has lengths.
   bool flip()
   {
     if(!m_flips)
@@ -161,8 +162,8 @@ private:
       leave_out();
   }
 
-  // On a doubled surface, only edges of T_3 with a part inside the input are passed, which the
-  // subdivision determines.
+  // Finds the cut edges. On a doubled surface, only edges of T_3 with a part inside the input are
+  // crossed, which the subdivision determines.
   void find_cut_edges()
   {
     m_is_cut_edge.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
@@ -200,8 +201,8 @@ private:
     return m_problem.component(mesh().target(mesh().halfedge(f)));
   }
 
-  // The sum to be added to the scale factors of the surface. It is zero, or, if no scale factors
-  // are prescribed, it preserves the area of the component.
+  // Returns the number to be added to the scale factors of each component. It is zero, or, if no
+  // scale factors are prescribed, it preserves the area of the component.
   std::vector<double> area_correction() const
   {
     const auto& Delaunay = m_builder.data().ab;
@@ -217,7 +218,7 @@ private:
     return result;
   }
 
-  // for each component, whether its chart is not cut, as it is by cones and handles
+  // Returns for each component whether its chart is not cut, as it is by cones and handles.
   std::vector<char> whole_charts(const Planar_conformal_map& map) const
   {
     std::vector<char> result(m_problem.components().size(), 1);
@@ -238,8 +239,8 @@ private:
     m_layout.is_seam.assign(mesh().num_edges(), 1);
   }
 
-  // With more digits, if scale factors in `double` do not give the promised curvatures, or errors
-  // of positions are more than their rounding.
+  // Lays out the faces. More digits are used if scale factors in `double` do not yield the promised
+  // curvatures, or if errors of positions exceed their rounding.
   void lay_out_in_plane(Named_layout layout)
   {
     const std::vector<double> correction = area_correction();
@@ -312,8 +313,8 @@ private:
       m_layout.is_seam.push_back(cut.is_seam(e));
   }
 
-  // Returns the greatest error of a curvature on the exact surface, with the scale factors as the
-  // map has them, in `double`.
+  // Returns the greatest error of a curvature on the exact surface, with the scale factors that the
+  // map stores in `double`.
   double rounded_curvature_error() const
   {
     const auto& u = m_builder.data().log_scale;
@@ -324,7 +325,7 @@ private:
       .greatest();
   }
 
-  // Puts the charts of different components side by side. What lies beyond the boundary does not
+  // Arranges the charts of different components side by side. Parts beyond the boundary do not
   // count.
   void arrange_charts(Planar_conformal_map& map) const
   {

@@ -36,7 +36,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Tree_cotree;
 
-// The steps from a doubled problem to a map, whose group is the group of the whole double.
+// Executes the steps from a doubled problem to a map, whose group is the group of the whole double.
 class Hyperbolic_uniformization
 {
 public:
@@ -84,8 +84,8 @@ private:
     m_layout.seam.assign(mesh().num_edges(), m_layout.no_seam);
   }
 
-  // of a side of a face, in the Poincare disk. A hyperbolic length shrinks by half of 1 - r^2 at
-  // the distance r from the center
+  // Returns the length of a side of a face, in the Poincare disk. A hyperbolic length shrinks by
+  // half of 1 - r^2 at the distance r from the center.
   double length_in_disk(Halfedge_index h) const
   {
     const double t =
@@ -93,7 +93,7 @@ private:
     return 2 * std::asinh(m_builder.scaled_length(h)) / (1 + t);
   }
 
-  // what was measured in the precision of the layout
+  // Returns the promises measured in the precision of the layout.
   std::vector<Map_promise> promises() const
   {
     std::vector<Map_promise> result = m_errors.promises(m_layout.exists);
@@ -110,7 +110,8 @@ private:
     return result;
   }
 
-  // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
+  // Lays out the faces. Errors grow exponentially with the distance from the origin, but shrink
+  // with the rounding unit.
   void lay_out()
   {
     m_is_cone = m_problem.cones();
@@ -123,8 +124,8 @@ private:
       lay_out_with_more_digits<More_extended>();
   }
 
-  // A triangulation that is Delaunay with rounded scale factors has another metric with precise
-  // ones.
+  // Lays out the faces with more digits. A triangulation that is Delaunay with rounded scale
+  // factors has another metric with precise ones.
   template <typename FT>
   double lay_out_with_more_digits()
   {
@@ -151,8 +152,8 @@ private:
       m_has_cone[m_layout.component[mesh().face(h).idx()]] |= m_is_cone[mesh().source(h).idx()];
   }
 
-  // Returns the error of what must be the identity. `length` has sinh(x/2) for all edges with
-  // lengths x.
+  // Lays out the faces, and returns the error of the motion that must be the identity. `length`
+  // contains sinh(x/2) for all edges with lengths x.
   template <typename FT>
   double lay_out(const std::vector<FT>& length)
   {
@@ -174,7 +175,7 @@ private:
     return error;
   }
 
-  // Corners between which there is no seam are one point, up to rounding.
+  // Sets the positions. Corners without a seam between them are one point, up to rounding.
   template <typename FT>
   void set_positions(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut)
   {
@@ -238,7 +239,7 @@ private:
   }
 
   // Returns the error of the relation in the precision of the layout, or the error of the stored
-  // generators if that is greater.
+  // generators if it is greater.
   template <typename FT>
   double set_group(const Hyperbolic_faces<FT>& layout, const Tree_cotree& cut, std::size_t c)
   {
@@ -266,7 +267,7 @@ private:
     }
   }
 
-  // Rounds motions to the digits that matter for the error of the relation: more are noise.
+  // Rounds motions to the digits that matter for the error of the relation; more digits are noise.
   template <typename FT>
   static void set_precise_generators(const std::vector<Disk_motion<FT>>& motion, double error,
                                      Fuchsian_group& group)
@@ -279,7 +280,7 @@ private:
             group.known_digits < std::numeric_limits<FT>::max_digits10);
   }
 
-  // zero stands for all digits
+  // Returns the rounded motions, or all digits if `digits` is zero.
   template <typename FT>
   static std::vector<Disk_motion<More_extended>>
   rounded_to_digits(const std::vector<Disk_motion<FT>>& motions, int digits)
@@ -306,8 +307,8 @@ private:
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
 };
 
-// Rounded lengths of a double are not symmetric: generators of its group multiply the difference.
-// So a map that is not glued is searched again with exact lengths.
+// Returns the map. Rounded lengths of a double are not symmetric, and generators of its group
+// multiply the difference. So a map that is not glued is searched again with exact lengths.
 template <typename Visitor>
 Hyperbolic_conformal_map
 uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,

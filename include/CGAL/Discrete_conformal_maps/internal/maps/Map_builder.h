@@ -36,7 +36,7 @@ inline Any_minimizer minimizer_of(const Map_parameters& parameters)
   return parameters.minimizer ? parameters.minimizer : Newton_minimizer();
 }
 
-// The steps from scale factors to what all maps have in common.
+// Executes the steps from scale factors to the common parts of all maps.
 class Map_builder
 {
   auto concurrency() const
@@ -51,10 +51,10 @@ public:
     m_data.counts = problem.order()->counts();
   }
 
-  // Notes that scaled lengths are sinh(x/2) for hyperbolic lengths x.
+  // Records that scaled lengths are sinh(x/2) for hyperbolic lengths x.
   void set_hyperbolic() { m_data.is_hyperbolic = true; }
 
-  // Notes scale factors at the vertices of the surface itself, and how they were found.
+  // Stores scale factors at the vertices of the surface itself, and how they were found.
   template <typename Values>
   void set_scale_factors(const Values& u, Map_status search, const Minimization_result& result,
                          double max_curvature_error)
@@ -71,14 +71,14 @@ public:
     set_scale_factors(scale.values(), scale.status(), scale.result(), scale.max_curvature_error());
   }
 
-  // Notes that a numerical error has ended the search or the layout.
+  // Records that a numerical error has ended the search or the layout.
   void set_cause(const std::string& message)
   {
     if(m_outcome.cause.empty())
       m_outcome.cause = message;
   }
 
-  // Calls `function()`. A numerical error that ends it is noted. Returns whether there was none.
+  // Calls `function()`. Records a numerical error that ends it. Returns whether none occurred.
   template <typename Function>
   bool attempt(const Function& function)
   {
@@ -91,17 +91,18 @@ public:
     }
   }
 
-  // what the map consists of
+  // Returns the data of the map.
   const Map_data& data() const { return m_data; }
 
-  // Returns the map that consists of the data and of other parts. To be called once.
+  // Returns the map that consists of the data and of other parts. Must be called only once.
   template <typename Map, typename... Parts>
   Map map(Parts&&... parts)
   {
     return Map(std::move(m_owner), std::forward<Parts>(parts)...);
   }
 
-  // Notes the faces of the input with a part in one of these faces of T_3. There is a subdivision.
+  // Records the faces of the input with a part in one of these faces of T_3. The subdivision must
+  // exist.
   void set_crowded(const std::vector<char>& is_crowded)
   {
     std::vector<Face_index>& result = m_outcome.crowded_faces;
@@ -117,7 +118,7 @@ public:
     result.erase(std::unique(result.begin(), result.end()), result.end());
   }
 
-  // Notes faces of T_3 with a side whose `size(h)` may be no more than rounding. `size(h)` is its
+  // Records faces of T_3 with a side whose `size(h)` may be only rounding error. `size(h)` is its
   // length in a picture with coordinates of at most one.
   template <typename Size>
   void find_crowded(const Size& size)
@@ -130,7 +131,8 @@ public:
     set_crowded(is_crowded);
   }
 
-  // Decides about the map, by measurements on it. `curvature_error` is the error at all vertices.
+  // Determines the status of the map, by measurements on it. `curvature_error` is the error at all
+  // vertices.
   void judge(Discrete_conformal_map& map, double curvature_error, std::vector<Map_promise> promises)
   {
     m_outcome.max_curvature_error = greater_error(m_outcome.max_curvature_error, curvature_error);
@@ -139,15 +141,15 @@ public:
     map.set_outcome(m_outcome);
   }
 
-  // by the vertices of the surface itself
+  // Adds corrections at the vertices of the surface itself.
   void add_to_scale_factors(const std::vector<double>& correction)
   {
     for(std::size_t v = 0; v < m_data.log_scale.size(); ++v)
       m_data.log_scale[v] += correction[m_data.input_vertex[v].idx()];
   }
 
-  // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors.
-  // `scale` has their values at the vertices of the surface itself.
+  // Makes the triangulation of the problem ideal Delaunay with the scale factors. `scale` has their
+  // values at the vertices of the surface itself.
   template <typename Scale_factors>
   void flip(const Scale_factors& scale)
   {
@@ -157,8 +159,8 @@ public:
       flip_exactly();
   }
 
-  // As `flip()`, or takes the triangulation of the problem without flips if lengths with these
-  // scale factors are out of range. Returns whether they are in range.
+  // Flips like `flip()`, or uses the triangulation of the problem without flips if lengths with
+  // these scale factors are out of range. Returns whether they are in range.
   template <typename Scale_factors>
   bool flip_if_in_range(const Scale_factors& scale)
   {
@@ -169,7 +171,7 @@ public:
     return false;
   }
 
-  // Takes the triangulation of the problem, and makes these flips.
+  // Applies these flips to the triangulation of the problem.
   void flip(std::vector<Halfedge_index> flips)
   {
     m_data.input_vertex = m_problem.originals();
@@ -178,8 +180,8 @@ public:
     set_flips(std::move(flips));
   }
 
-  // Makes T_3 ideal Delaunay with more precise scale factors at the vertices of the surface
-  // itself. Returns its scaled lengths.
+  // Makes T_3 ideal Delaunay with more precise scale factors at the vertices of the surface itself.
+  // Returns its scaled lengths.
   template <typename FT>
   std::vector<FT> flip_again(const std::vector<FT>& u)
   {
@@ -198,8 +200,8 @@ public:
     return result;
   }
 
-  // Traces T_1 and T_2, and T_2 and T_3, over each other, and makes their common subdivision,
-  // unless it exists. Beside a factor of a layout, it takes most memory.
+  // Traces T_1 and T_2, and T_2 and T_3, over each other, and computes their common subdivision,
+  // unless it exists. Except for a factor of a layout, it needs most memory.
   void subdivide(Any_visitor& visitor)
   {
     if(m_data.subdivision)
@@ -215,13 +217,13 @@ public:
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
   }
 
-  // T_3
+  // Returns T_3.
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
 
   double scaled_length(Halfedge_index h) const { return m_data.scaled_length(h); }
 
-  // of the edges of T_3, by the recorded flips in the precision of the scale factors. `u` has them
-  // for the vertices of the surface itself
+  // Returns the scaled lengths of the edges of T_3, by the recorded flips in the precision of the
+  // scale factors. `u` contains them for the vertices of the surface itself.
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
   {
@@ -244,8 +246,8 @@ public:
   }
 
 private:
-  // With the digits and the range of the scale factors, unless `flip_exactly()` decides in
-  // `double`, exactly for these numbers.
+  // Returns the flips to T_3, with the digits and the range of the scale factors, unless
+  // `flip_exactly()` decides in `double`, exactly for these numbers.
   template <typename Scale_factors>
   std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
   {
@@ -261,7 +263,7 @@ private:
   }
 
   // Makes T_3 exactly ideal Delaunay with the stored scale factors and lengths in `double`, if
-  // rounding has left it undecided. An edge at which the copy of the surface ends stays.
+  // rounding has left it undecided. Edges at which the copy of the surface ends are not flipped.
   void flip_exactly()
   {
     std::vector<double> factor;

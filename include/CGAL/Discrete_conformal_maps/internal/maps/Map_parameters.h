@@ -21,8 +21,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The named parameters of maps, in types that do not depend on the types of the arguments. The
-// algorithms behind these parameters are compiled once.
+// Stores the named parameters of maps, in types that do not depend on the types of the arguments.
+// So the algorithms are compiled once.
 struct Map_parameters
 {
   std::vector<Vertex_condition> conditions; // by the vertices of the surface
@@ -38,7 +38,7 @@ struct Map_parameters
   std::vector<char> is_corner;        // of a rectangle, by the vertices of the surface
 };
 
-// scale factors to start from
+// Returns the scale factors to start from.
 template <typename Graph, typename NamedParameters>
 std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
 {

@@ -31,7 +31,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The steps from a closed or doubled surface to its map.
+// Executes the steps from a closed or doubled surface to its map.
 class Sphere_mapping
 {
 public:
@@ -63,6 +63,7 @@ private:
 
   static constexpr std::size_t maximum_number_of_trials = 4;
 
+  // Checks the surface.
   // \throws Invalid_input if the surface is not a sphere
   void check() const
   {
@@ -76,7 +77,7 @@ private:
         "the surface is " + description(*type) + ", neither a sphere nor a disk: use uniformize");
   }
 
-  // Returns whether a polygon with numbers of this type is good.
+  // Stores a polygon with numbers of this type, and returns whether it is good.
   template <typename FT>
   bool store_polygon()
   {
@@ -90,8 +91,8 @@ private:
     return true;
   }
 
-  // The first good result, or else the best. Results with different copies of a disk cannot be
-  // compared: unless the first is good, they have all of it.
+  // Returns the first good result, or else the best one. Results with different copies of a disk
+  // cannot be compared: unless the first is good, they have the whole copy.
   Unfolded_sphere unfold()
   {
     const std::vector<Vertex_index> vertices = vertices_at_infinity(m_problem, m_mass);
@@ -106,7 +107,7 @@ private:
       return best; // lengths of the exact surface come next
     if(!is_good(best) && m_problem.complete())
       best = unfolded(vertices.front());
-    // vertices far apart in the order of areas are most likely far apart on the surface
+    // Vertices far apart in the order of areas are most likely far apart on the surface.
     const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
     for(std::size_t i = stride;
         !is_good(best) && i < vertices.size() && i < maximum_number_of_trials * stride; i += stride)
@@ -115,7 +116,7 @@ private:
     return best;
   }
 
-  // Takes the result of the unfolding, and its promises.
+  // Stores the result of the unfolding, and its promises.
   void store(Unfolded_sphere sphere)
   {
     const std::vector<Map_promise> exact = promises_on_exact_surface(sphere);
@@ -182,8 +183,8 @@ private:
     return exact_promises(m_problem, [&] { return errors(sphere); });
   }
 
-  // Returns the greatest distance from the equator of a vertex on the boundary, and of others below
-  // it.
+  // Returns the greatest distance from the equator of a vertex on the boundary, and of other
+  // vertices below it.
   double hemisphere_error() const
   {
     double result = 0;
@@ -196,8 +197,8 @@ private:
 
   // ---- What rounding to `double` loses ----
 
-  // Without a face in the plane, a sphere is a flat polygon in the plane y = 0, seen from both
-  // sides.
+  // Finds lost faces. Without a face in the plane, a sphere is a flat polygon in the plane y = 0,
+  // seen from both sides.
   void find_lost_faces()
   {
     m_layout.is_flat =
@@ -207,7 +208,7 @@ private:
     });
   }
 
-  // of T_3
+  // Returns the number of faces of T_3 that satisfy a predicate.
   template <typename Predicate>
   std::size_t number_of_faces(const Predicate& predicate) const
   {
@@ -215,7 +216,7 @@ private:
     return std::size_t(std::count_if(faces.begin(), faces.end(), predicate));
   }
 
-  // Returns whether the predicate is true of a corner of a face.
+  // Returns whether the predicate is true for a corner of a face.
   template <typename Predicate>
   bool has_corner(Face_index f, const Predicate& predicate) const
   {
@@ -229,7 +230,8 @@ private:
     return !has_corner(f, [this](Vertex_index v) { return v == m_layout.at_infinity; });
   }
 
-  // Faces of a disk are inside it if they have a vertex inside; others are on its back.
+  // Returns whether a face is inside. Faces of a disk are inside it if they have a vertex inside;
+  // others are on its back.
   bool is_inside(Face_index f) const
   {
     return has_corner(f, [this](Vertex_index v) {
@@ -255,7 +257,7 @@ private:
            std::none_of(side.begin(), side.end(), is_under_neighbor);
   }
 
-  // in the plane of two coordinates
+  // Returns the orientation in the plane of two coordinates.
   int orientation(Face_index f, std::size_t x, std::size_t y) const
   {
     const auto side = sides(f, m_builder.mesh());

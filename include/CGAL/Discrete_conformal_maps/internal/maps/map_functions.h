@@ -23,9 +23,9 @@ class Spherical_conformal_map;
 
 namespace internal {
 
-// The functions behind the public ones, which do not depend on the types of the arguments of these.
-// An application compiles them from the headers, or links the compiled library, which has them for
-// `Any_visitor`.
+// The functions behind the public ones do not depend on the types of their arguments. An
+// application compiles them from the headers, or links the compiled library, which contains them
+// for `Any_visitor`.
 
 struct Free_shape;
 class Circular_boundary;
@@ -41,7 +41,7 @@ template <typename Visitor>
 Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                          const Map_parameters& parameters, Visitor visitor);
 
-// Gives a surface a hyperbolic metric, as `uniformize_hyperbolic()` documents.
+// Computes a hyperbolic metric, as `uniformize_hyperbolic()` documents.
 template <typename Visitor>
 Hyperbolic_conformal_map
 uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,

@@ -19,9 +19,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns whether the gradient of an energy has continuous derivatives, as far as the energy
-// declares it. Then a path to its minimum exists on which the gradient shrinks in proportion. Such
-// an energy can move its origin.
+// Determines whether the gradient of an energy has continuous derivatives, as the energy declares.
+// Then a path to its minimum exists on which the gradient shrinks proportionally. Such an energy
+// can move its origin.
 template <typename Energy, typename = void>
 struct Has_smooth_gradient
 {
@@ -36,8 +36,8 @@ struct Has_smooth_gradient<
   static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
 };
 
-// A convex energy whose type is known at run time only, so that minimizers are compiled once for
-// all energies. A model of `ConvexEnergy`.
+// Represents a convex energy whose type is known only at run time, so that minimizers are compiled
+// once for all energies. A model of `ConvexEnergy`.
 class Abstract_energy
 {
 public:

@@ -17,7 +17,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A model of `ConvexMinimizer` whose type is known at run time only.
+// Represents a model of `ConvexMinimizer` whose type is known only at run time.
 typedef std::function<Minimization_result(Abstract_energy&, Eigen::VectorXd&,
                                           const Minimization_domain&, Any_visitor&)>
   Any_minimizer;

@@ -14,12 +14,12 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Refers to a visitor whose type is known at run time only, so that algorithms are compiled once
+// Refers to a visitor whose type is known only at run time, so that algorithms are compiled once
 // for all visitors. A model of `FlatteningVisitor`.
 class Any_visitor
 {
 public:
-  // refers to a model of `FlatteningVisitor`
+  // Returns a reference to a model of `FlatteningVisitor`.
   template <typename Visitor>
   static Any_visitor of(Visitor& visitor)
   {

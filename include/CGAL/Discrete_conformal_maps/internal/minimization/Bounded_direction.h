@@ -26,7 +26,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Variables with lower bounds, and fixed ones. No direction is free of change.
+// Represents variables with lower bounds, and fixed variables. Every direction changes the
+// function.
 class Bounded_variables
 {
 public:
@@ -45,8 +46,8 @@ public:
   void set_fixed_to_zero(Vector& v) const { m_fixed.set_fixed_to_zero(v); }
   double remove_means(Vector&) const { return 0; }
 
-  // Variables some roundings from their bounds, or below them, are put on the bounds: functions
-  // may not distinguish them.
+  // Returns the point with variables moved to their bounds if they are below them, or within some
+  // rounding errors. Functions may not distinguish them.
   Vector feasible(const Vector& point) const
   {
     Vector result = point;
@@ -59,7 +60,8 @@ public:
     return result;
   }
 
-  // Where a variable is at its bound, only a negative derivative is too much.
+  // Returns the norm of the gradient. If a variable is at its bound, only a negative derivative
+  // counts.
   double norm(const Vector& gradient, const Vector& point) const
   {
     double result = 0;
@@ -77,13 +79,12 @@ private:
 };
 
 // Finds directions that lead to the minimum of a quadratic function under lower bounds, from the
-// gradient and Hessian of a convex function. If the Hessian is damped, then as in
-// `Newton_direction`; the maximum principle holds as well with bounds.
+// gradient and Hessian of a convex function. The Hessian may be damped as in `Newton_direction`.
+// The maximum principle also holds with bounds.
 //
-// Which variables reach their bounds is found by block principal pivoting (Judice and Pires 1994):
-// all that break a condition change sides. For a Laplacian that needs few rounds. When there are
-// not fewer and fewer of them, only the last one changes, which always comes to an end (Murty
-// 1974).
+// Block principal pivoting finds the variables that reach their bounds (Judice and Pires 1994): all
+// variables that violate a condition change sides. For a Laplacian this takes few rounds. If their
+// number does not decrease, only the last one changes, which always terminates (Murty 1974).
 class Bounded_direction
 {
 public:
@@ -98,8 +99,8 @@ public:
 
   const Solver& solver() const { return m_solver; }
 
-  // Returns false if there is no such direction; the Hessian is not positive semidefinite then,
-  // even with regard to rounding.
+  // Returns false if no such direction exists. The Hessian is then not positive semidefinite, even
+  // up to rounding.
   bool find(const Matrix& hessian, const Vector& gradient, const Vector& point, double bound)
   {
     m_slack = m_variables.lower_bound() - point;
@@ -129,8 +130,8 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Minimizes the quadratic function with `diagonal` added to the Hessian. Returns false if that
-  // has no factorization, or if the way seems to be longer than `bound`.
+  // Minimizes the quadratic function with `diagonal` added to the Hessian. Returns false if the sum
+  // has no factorization, or if the step seems to be longer than `bound`.
   bool minimize(const Matrix& hessian, const Vector& diagonal, const Vector& gradient, double bound)
   {
     start(gradient);
@@ -151,8 +152,8 @@ private:
     return gradient.dot(m_direction) <= 0;
   }
 
-  // First all variables at their bounds are active. Later the active set consists of the previous
-  // one and of variables that their bounds hold.
+  // Starts the search. First all variables at their bounds are active. Later the active set
+  // consists of the previous one and of variables that their bounds hold.
   void start(const Vector& gradient)
   {
     const bool is_first = m_is_active.empty();
@@ -162,7 +163,8 @@ private:
         m_is_active[std::size_t(i)] = is_first || gradient[i] > 0;
   }
 
-  // Active variables go to their bounds. They are left out by weights that are beyond all others.
+  // Solves for the other variables. Active variables move to their bounds. Weights beyond all
+  // others exclude them.
   bool solve(const Matrix& hessian, const Vector& diagonal, const Vector& gradient)
   {
     const double weight = 1e30 * (1 + hessian.diagonal().maxCoeff() + diagonal.maxCoeff());
@@ -178,7 +180,7 @@ private:
     return m_direction.allFinite();
   }
 
-  // with the last factorization
+  // Returns the solution with the last factorization.
   Vector solve_free(const Vector& gradient)
   {
     Vector result = -gradient;
@@ -195,7 +197,7 @@ private:
         v[i] = 0;
   }
 
-  // how far a variable that is not active would go below its bound
+  // Returns how far an inactive variable would move below its bound.
   double greatest_depth() const
   {
     double result = 0;
@@ -205,8 +207,8 @@ private:
     return result;
   }
 
-  // The variables that break a condition of the minimum, by more than rounding. If some are below
-  // their bounds, the lowest are enough: others will follow them up.
+  // Returns the variables that violate a condition of the minimum by more than rounding. If some
+  // are below their bounds, the lowest suffice: others will follow them.
   std::vector<Eigen::Index> violations(const Matrix& hessian, const Vector& diagonal,
                                        const Vector& gradient) const
   {

@@ -27,8 +27,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Coordinates y of the variables that move in which a Hessian L L^T is the identity: L^T x = y. A
-// method that knows gradients only makes few steps in them.
+// Transforms variables to coordinates y in which a Hessian L L^T is the identity: L^T x = y. A
+// method that uses only gradients needs few steps in them.
 class Hessian_coordinates
 {
 public:
@@ -53,13 +53,13 @@ public:
     return false;
   }
 
-  // the variables of the point with the coordinates `y`
+  // Returns the variables of the point with the coordinates `y`.
   Eigen::VectorXd variables(const Eigen::VectorXd& y) const
   {
     return m_factor.permutationPinv() * m_factor.matrixU().solve(y);
   }
 
-  // the derivatives by the coordinates
+  // Returns the derivatives with respect to the coordinates.
   Eigen::VectorXd gradient(const Eigen::VectorXd& by_variables) const
   {
     return m_factor.matrixL().solve(m_factor.permutationP() * by_variables);
@@ -70,9 +70,9 @@ private:
   Eigen::SimplicialLLT<Matrix, Eigen::Upper> m_factor;
 };
 
-// Runs of Ceres on the variables that move, each from the best point so far. The coordinates make
-// the Hessian at that point the identity, and values are relative to that point. So each run gains
-// as many digits as the last one had left. Exceptions do not pass through Ceres: they wait until
+// Runs Ceres on the free variables, each time from the best point so far. The coordinates make the
+// Hessian at that point the identity, and values are relative to that point. So each run gains as
+// many digits as the last one had left. Exceptions do not pass through Ceres: they are thrown after
 // it has returned.
 template <typename Energy, typename Visitor>
 class Ceres_iteration
@@ -139,7 +139,7 @@ private:
     return Status::converged;
   }
 
-  // Returns false if there are no coordinates.
+  // Starts a run. Returns false if no coordinates exist.
   bool start_run()
   {
     m_start = m_descent.point();
@@ -150,7 +150,7 @@ private:
     return m_coordinates.set(m_descent.energy().Hessian());
   }
 
-  // The energy is at the end of the run then.
+  // Solves; the energy is then evaluated at the end of the run.
   ceres::TerminationType solve()
   {
     Callback callback(*this);
@@ -173,8 +173,8 @@ private:
     return summary.termination_type;
   }
 
-  // Ceres gives up when no value along a line is less than the last: for rounding, if the values
-  // have hardly changed any more.
+  // Returns the status of a failure. Ceres stops if no value along a line is less than the last.
+  // Rounding is the reason if the values have hardly changed.
   Status failure() const
   {
     if(std::abs(m_last_change) <= tolerance::cancellation * std::abs(m_start_value))
@@ -211,7 +211,8 @@ private:
     return m_start + step;
   }
 
-  // Where values have no digits left for their difference, the mean of the slopes gives it.
+  // Returns the change of the value. If the values have no digits for their difference, the mean of
+  // the slopes determines it.
   double value_since_start() const
   {
     const double difference = static_cast<double>(m_descent.energy().value()) - m_start_value;

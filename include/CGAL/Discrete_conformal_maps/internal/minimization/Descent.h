@@ -20,19 +20,20 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// When a minimization ends.
+// Stores the limits of a minimization.
 struct Minimization_limits
 {
   double gradient_tolerance;
   std::size_t iterations;
-  // decides whether a point, and the length of the step to it, are good enough
+  // Decides whether a point is good enough, given the length of the step to it.
   std::function<bool(const Eigen::VectorXd&, double)> is_enough = nullptr;
-  // how often a factorization is used again after a step of full length
+  // Limits the number of times that a factorization is used again after a step of full length.
   std::size_t corrections = 0;
 };
 
-// The sequence of points of an energy. The caller always has the best one. `Variables` determines
-// where points may be, and how far a gradient is from the gradient of a minimum.
+// Follows the sequence of points of an energy, and always gives the best one to the caller.
+// `Variables` determines the allowed points, and the distance of a gradient from the gradient of a
+// minimum.
 template <typename Energy, typename Variables = Free_variables>
 class Descent
 {
@@ -42,7 +43,7 @@ public:
     : m_energy(energy), m_best(best), m_variables(variables), m_limits(limits), m_point(best)
   {}
 
-  // Goes to the start; returns the status if that is the end.
+  // Moves to the start. Returns the status if the minimization ends at it.
   std::optional<Minimization_status> start()
   {
     if(!move_to(Eigen::VectorXd(m_best)))
@@ -66,7 +67,8 @@ public:
     return m_gradient.allFinite();
   }
 
-  // Returns whether the gradient is less than ever. If it is equal, the new point is kept as well.
+  // Returns whether the gradient is less than ever, and keeps the point then. If it is equal, the
+  // new point is kept, too.
   bool keep_if_best()
   {
     if(!(m_norm <= m_best_norm))
@@ -91,7 +93,8 @@ public:
   {
     return (std::max)(m_limits.gradient_tolerance, m_energy.gradient_error());
   }
-  // A point with a worse gradient than the best, but within a great rounding error, is no minimum.
+  // Returns whether the point is a minimum. A point with a worse gradient than the best one, but
+  // within a great rounding error, is not.
   bool has_converged() const { return m_norm <= tolerance() && m_norm <= m_best_norm; }
 
   bool is_at_best() const { return m_point == m_best; }
@@ -102,7 +105,7 @@ public:
       move_to(Eigen::VectorXd(m_best));
   }
 
-  // Goes back to the best point.
+  // Returns to the best point.
   Minimization_result result(Minimization_status status)
   {
     move_to_best();

@@ -22,8 +22,8 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Solves systems with a symmetric positive semidefinite matrix. Rows and columns of some variables
-// are left out; the remaining matrix is positive definite, up to rounding. Solutions are as good
-// as estimates and corrections need to be.
+// are omitted; the remaining matrix is positive definite, up to rounding. Solutions are accurate
+// enough for estimates and corrections.
 class Dirichlet_solver
 {
 public:
@@ -34,7 +34,8 @@ public:
                    std::shared_ptr<Shared_order> order = std::make_shared<Shared_order>())
     : m_solver(free_variables(is_fixed), std::move(order))
   {
-    // the lift, relative to the diagonal, is against rounding where weights differ by many orders
+    // The lift, relative to the diagonal, compensates rounding if weights differ by many orders of
+    // magnitude.
     for(double lift = 0; !m_solver.factorize(matrix, lift * matrix.diagonal());
         lift = tolerance::next_lift(lift)) {
       const auto& order = m_solver.order(matrix);
@@ -49,7 +50,7 @@ public:
     }
   }
 
-  // the solution; zero where variables are fixed
+  // Returns the solution, which is zero for fixed variables.
   Vector solve(const Vector& right_side)
   {
     if(!m_is_stiff)

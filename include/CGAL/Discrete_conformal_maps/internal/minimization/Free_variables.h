@@ -26,7 +26,7 @@ inline double max_norm(const Eigen::VectorXd& v)
   return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>();
 }
 
-// The variables that move, and the components that float: where no variable is fixed.
+// Stores the free variables, and the floating components, which have no fixed variable.
 class Free_variables
 {
 public:
@@ -45,14 +45,15 @@ public:
   }
 
   const Indices& indices() const { return m_indices; }
-  // whether the rows of every Hessian sum to zero: nothing changes with constants on a component
+  // Returns whether the rows of every Hessian sum to zero, because constants on a component change
+  // nothing.
   bool has_zero_row_sums() const { return m_has_zero_row_sums; }
   const std::vector<Indices>& floating_components() const { return m_floating; }
 
-  // every point is allowed
+  // Returns the point unchanged, because every point is allowed.
   const Eigen::VectorXd& feasible(const Eigen::VectorXd& point) const { return point; }
 
-  // how far a gradient is from the gradient of a minimum
+  // Returns the distance of a gradient from the gradient of a minimum.
   double norm(const Eigen::VectorXd& gradient, const Eigen::VectorXd& /* point */) const
   {
     return max_norm(gradient);
@@ -65,7 +66,7 @@ public:
         v[static_cast<Eigen::Index>(i)] = 0;
   }
 
-  // Returns the greatest mean removed.
+  // Removes the means on components, and returns the greatest mean.
   double remove_means(Eigen::VectorXd& v) const
   {
     double greatest = 0;

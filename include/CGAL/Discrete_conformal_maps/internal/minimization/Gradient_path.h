@@ -22,15 +22,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Follows the path on which the gradient g of an energy shrinks to zero in proportion. Angle
-// defects move from their present values to the prescribed ones. Its tangent is Newton's
-// direction. A step takes a part t of it such that the greatest |g_i| shrinks by t/4 of it or
-// more. The slope along the direction suffices near a minimum. It can vanish where single defects
-// have grown to full turns, and Newton's method hardly moves from such points.
+// Follows the path on which the gradient g of an energy shrinks to zero proportionally. Angle
+// defects move from their present values to the prescribed ones. Its tangent is Newton's direction.
+// A step covers a part t of it such that the greatest |g_i| shrinks by at least the fraction t/4.
+// The slope along the direction suffices near a minimum. It can vanish if single defects have grown
+// to 2 pi, and Newton's method hardly moves from such points.
 //
-// How far the tangent is good depends on changes of neighbors relative to each other, not on their
-// common change. The scale factors of a strip can move by hundreds in one step. So a bound holds
-// for differences of neighbors, which grows and shrinks with the steps that succeed.
+// The range in which the tangent is accurate depends on changes of neighbors relative to each
+// other, not on their common change. The scale factors of a strip can move by hundreds in one step.
+// So a bound holds for differences of neighbors, which grows and shrinks with the success of steps.
 template <typename Descent>
 class Gradient_path
 {
@@ -43,7 +43,7 @@ public:
   {}
 
   // Takes a step. Returns the status if no step could be taken, or if a minimum should have been
-  // found before. Paths of 200 steps are rare, and longer ones lead nowhere.
+  // found before. Paths of 200 steps are rare, and longer ones never succeed.
   std::optional<Status> take_step()
   {
     if(m_steps++ == greatest_number_of_steps)
@@ -62,7 +62,7 @@ private:
   static constexpr double longest = 1e100;
   static constexpr std::size_t greatest_number_of_steps = 250;
 
-  // Returns by how much the direction differs at neighbors, at most.
+  // Returns the greatest difference of the direction between neighbors.
   double greatest_difference(const Eigen::SparseMatrix<double>& hessian) const
   {
     const Eigen::VectorXd& d = m_direction.direction();
@@ -92,8 +92,8 @@ private:
         return m_short_steps < 30 ? std::nullopt : std::optional(Status::no_descent);
       }
       has_been_finite |= is_finite;
-      // where the slope vanishes by the secant, but neither far from this point nor close to the
-      // last
+      // The step goes to the zero of the secant of slopes, but neither far from this point nor
+      // close to the last one.
       const double beyond = is_finite ? slope() : 0;
       m_step *= beyond > 0 ? std::clamp(base_slope / (base_slope - beyond), 0.1, 0.5) : 0.5;
     }

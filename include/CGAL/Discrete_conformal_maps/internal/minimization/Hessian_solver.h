@@ -19,8 +19,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Solves with matrix after matrix of similar pattern. The order of elimination, the costly part of
-// the analysis, is kept while it is still good, and shared with others. `Cholesky` is
+// Solves with a sequence of matrices of similar pattern. The elimination order, the costly part of
+// the analysis, is kept while it is good, and shared with others. `Cholesky` is
 // `Simplicial_Cholesky` or `Supernodal_Cholesky`.
 template <typename Cholesky>
 class Hessian_solver
@@ -29,7 +29,7 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Reordered_matrix::Order Order;
 
-  // `rows` are the rows and columns that are taken from every matrix; `shared` is an order of all
+  // `rows` are the rows and columns used of every matrix; `shared` is an order of all rows.
   explicit Hessian_solver(Order rows,
                           std::shared_ptr<Shared_order> shared = std::make_shared<Shared_order>())
     : m_order(std::move(rows)), m_shared(std::move(shared))
@@ -37,7 +37,7 @@ public:
 
   const Factorization_counts& counts() const { return m_counts; }
 
-  // Returns the order in which the rows of `matrix` are eliminated.
+  // Returns the elimination order of the rows of `matrix`.
   const Order& order(const Matrix& matrix)
   {
     if(!m_matrix.has_pattern_of(matrix))
@@ -45,7 +45,7 @@ public:
     return m_order;
   }
 
-  // Factorizes `matrix` with `diagonal` added; returns false if that is not positive definite.
+  // Factorizes `matrix` with `diagonal` added. Returns false if the sum is not positive definite.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& diagonal)
   {
     if(m_order.empty())
@@ -57,7 +57,7 @@ public:
     return m_cholesky.factorize(m_matrix.upper());
   }
 
-  // Rows that are not taken have no influence, and zero in the solution.
+  // Returns the solution. Unused rows have no influence, and are zero in it.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side)
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(right_side.size());
@@ -87,7 +87,7 @@ private:
     count(&Factorization_counts::symbolic_analyses);
   }
 
-  // Variables that are left out have an entry, too: others may use it.
+  // Recomputes the order. Omitted variables have an entry, too, because others may use it.
   void reorder(const Matrix& matrix)
   {
     const Eigen::VectorXi order = Cholesky::fill_reducing_order(matrix);

@@ -18,7 +18,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A model of `ConvexMinimizer` with the steps of an `Iteration<Energy, Visitor>`.
+// Implements a model of `ConvexMinimizer` with the steps of an `Iteration<Energy, Visitor>`.
 template <template <typename, typename> class Iteration>
 class Iterative_minimizer
 {
@@ -40,8 +40,8 @@ public:
     return (*this)(energy, u, domain, Default_minimization_visitor());
   }
 
-  // The same, but once Newton's method converges quadratically, it ends where `is_enough(point,
-  // step length)` holds.
+  // Returns a copy that ends at a point with `is_enough(point, step length)`, once Newton's method
+  // converges quadratically.
   template <typename Is_enough>
   Iterative_minimizer ending_where(const Is_enough& is_enough) const
   {
@@ -50,7 +50,7 @@ public:
     return result;
   }
 
-  // The same, but a factorization is used again, up to `corrections` times, after a step of full
+  // Returns a copy that uses a factorization again, up to `corrections` times, after a step of full
   // length that makes the gradient much smaller.
   Iterative_minimizer correcting_steps(std::size_t corrections) const
   {

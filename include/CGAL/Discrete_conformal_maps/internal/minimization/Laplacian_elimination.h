@@ -22,11 +22,11 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Solves with the Laplacian of a graph with positive weights, however different they are. The
-// excess of a diagonal entry over the weights of its row is stored as a number of its own. So
-// nothing is subtracted if vertices are eliminated: each weight keeps all its digits, as in the
-// algorithm of Grassmann, Taksar and Heyman (1985). A factorization by Cholesky forgets a weight
-// of 1 beside one of 10^16. With more digits than `double` has, solutions of strongly tied
-// variables have correct differences.
+// excess of a diagonal entry over the weights of its row is stored as a separate number. So no
+// subtraction is needed to eliminate vertices. Each weight keeps all its digits, as in the
+// algorithm of Grassmann, Taksar and Heyman (1985). A Cholesky factorization loses a weight of 1
+// beside one of 10^16. With more digits than `double` has, solutions of strongly tied variables
+// have correct differences.
 template <typename FT>
 class Laplacian_elimination
 {
@@ -35,8 +35,8 @@ public:
   typedef std::vector<Eigen::Index> Order;
   typedef std::vector<FT> Solution;
 
-  // Returns whether the weights of rows and columns of a matrix are so different that this is
-  // needed, and none is negative.
+  // Returns whether the weights of rows and columns of a matrix are so different that this
+  // algorithm is needed, and none is negative.
   static bool is_needed(const Matrix& matrix, const Order& rows)
   {
     double least = std::numeric_limits<double>::infinity(), greatest = 0;
@@ -50,7 +50,7 @@ public:
            has_no_negative_weight(matrix, rows);
   }
 
-  // Eliminates the rows and columns of `order`, with `ground` added to the diagonal; returns false
+  // Eliminates the rows and columns of `order`, with `ground` added to the diagonal. Returns false
   // if the sum is singular.
   // \pre The rows of the matrix sum to zero.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& ground, const Order& order)
@@ -71,7 +71,7 @@ public:
     return true;
   }
 
-  // Variables that are not eliminated are zero in the solution.
+  // Returns the solution, in which variables that are not eliminated are zero.
   Solution solve(const Eigen::VectorXd& right_side) const
   {
     Solution b;
@@ -98,7 +98,8 @@ private:
   };
   typedef std::vector<Entry> Row; // in ascending order
 
-  // Rounding can leave a weight of a cocircular pair of faces a little below zero.
+  // Returns whether no weight is negative. Rounding can leave a weight of a cocircular pair of
+  // faces slightly below zero.
   static bool has_no_negative_weight(const Matrix& matrix, const Order& rows)
   {
     for(Eigen::Index column : rows)
@@ -108,7 +109,8 @@ private:
     return true;
   }
 
-  // the weights to variables that are eliminated later, and of all others to the ground
+  // Sets the weights to variables that are eliminated later, and the sum of all other weights to
+  // the ground.
   void set_weights(const Matrix& matrix, const Eigen::VectorXd& ground)
   {
     constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -132,7 +134,7 @@ private:
     }
   }
 
-  // Joins the neighbor `e` of the variable `k` to those after it.
+  // Joins the neighbor `e` of the variable `k` to the neighbors after it.
   void add_star(std::size_t k, const Entry& e, const FT& sum)
   {
     Row& row = m_row[e.column];

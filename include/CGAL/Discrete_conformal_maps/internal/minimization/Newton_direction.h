@@ -21,9 +21,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Numbers that are added to the diagonal of a Hessian against steps beyond a bound: see
-// `Newton_direction`. Entries of the gradient that vanish still need a positive diagonal. The
-// lift, relative to the diagonal, is against rounding in the factorization.
+// Returns numbers that are added to the diagonal of a Hessian to prevent steps beyond a bound, see
+// `Newton_direction`. Entries of the gradient that vanish still need a positive diagonal. The lift,
+// relative to the diagonal, compensates rounding in the factorization.
 inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
                                const Eigen::VectorXd& gradient, double bound, double lift)
 {
@@ -31,9 +31,10 @@ inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
   return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
 }
 
-// If constants are in the kernel of a Hessian on a component, one diagonal entry is doubled. This
-// ties the variable to a fixed one. If the gradient sums to zero, this does not change the other
-// entries of the solution up to a constant. The strongest variable is taken, for accuracy.
+// Returns numbers added to the diagonal of a Hessian that has constants on a component in its
+// kernel. One diagonal entry is doubled, which ties the variable to a fixed one. If the gradient
+// sums to zero, this does not change the other entries of the solution up to a constant. The
+// variable with the strongest ties is chosen, for accuracy.
 inline Eigen::VectorXd grounding(const Eigen::SparseMatrix<double>& hessian,
                                  const Free_variables& variables)
 {
@@ -69,8 +70,8 @@ public:
 
   const Solver& solver() const { return m_solver; }
 
-  // Returns false if there is no such direction; the Hessian is not positive semidefinite then,
-  // even with regard to rounding.
+  // Returns false if no such direction exists. The Hessian is then not positive semidefinite, even
+  // up to rounding.
   bool find(const Matrix& hessian, const Eigen::VectorXd& gradient,
             const Eigen::VectorXd& /* point */, double bound)
   {

@@ -28,7 +28,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// One run of Newton's method.
+// Runs Newton's method once.
 template <typename Energy, typename Visitor, typename Variables = Free_variables,
           typename Direction = Newton_direction>
 class Newton_iteration
@@ -91,7 +91,7 @@ private:
     return has_path() && (end == Status::no_descent || end == Status::not_finite);
   }
 
-  // Goes on from the best point so far, on a path that does not lose its way.
+  // Continues from the best point so far, on a path of proportionally shrinking gradients.
   Status follow_path()
   {
     if constexpr(std::is_same<Direction, Newton_direction>::value &&
@@ -110,7 +110,7 @@ private:
     return Status::converged;
   }
 
-  // Takes a step; returns the status if that was the last.
+  // Takes a step. Returns the status if it was the last one.
   std::optional<Status> iterate()
   {
     const Eigen::SparseMatrix<double>& hessian = m_descent.energy().Hessian();
@@ -134,7 +134,8 @@ private:
     return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
   }
 
-  // Damped steps, and steps that do not make the gradient smaller, are not yet near the minimum.
+  // Returns whether the point is good enough. Damped steps, and steps that do not make the gradient
+  // smaller, are not yet near the minimum.
   bool is_enough() const
   {
     const Minimization_limits& limits = m_descent.limits();
@@ -142,8 +143,9 @@ private:
            m_descent.is_at_best() && limits.is_enough(m_descent.point(), m_last_length);
   }
 
-  // Whether some steps in a row were no more than rounding of each variable, and none was damped.
-  // Steps also count if they gained nothing from a gradient that is as small as `double` permits.
+  // Returns whether several successive steps were at most the rounding of each variable, and none
+  // was damped. Steps also count if they do not reduce a gradient that is as small as `double`
+  // permits.
   bool leads_nowhere()
   {
     const bool is_short =
@@ -157,8 +159,8 @@ private:
 
   double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
 
-  // For each entry of the gradient: the error of its computation, and the error by the rounding of
-  // the point.
+  // Returns for each entry of the gradient the error of its computation, plus the error by the
+  // rounding of the point.
   Eigen::VectorXd rounding_error(const Eigen::SparseMatrix<double>& hessian)
   {
     const double unit = std::numeric_limits<double>::epsilon() / 2;
@@ -169,8 +171,8 @@ private:
     return error;
   }
 
-  // Returns whether the gradient at this point is known: far away, rounding can leave no digit of
-  // angles.
+  // Takes a step, and returns whether the gradient is known at its end. Far away, rounding can
+  // leave no digit of angles.
   bool step(double t)
   {
     m_step = t;
@@ -178,8 +180,8 @@ private:
            m_descent.energy().gradient_error() <= (std::max)(tolerance::known_angle, m_base_error);
   }
 
-  // The slope along a line grows from a negative value at its start. A step is good if it does not
-  // go beyond the minimum by so much that the slope is half of that again.
+  // Searches along a line. The slope grows from a negative value at its start. A step is good if it
+  // exceeds the minimum only as far as the slope is at most half of the initial slope.
   std::optional<Status> search_line()
   {
     bool is_finite = true;
@@ -193,7 +195,7 @@ private:
         accept();
         return std::nullopt;
       }
-      // the secant's zero
+      // This is the zero of the secant.
       t *= is_finite ? (std::max)(0.1, m_base_slope / (m_base_slope - slope())) : 0.1;
     }
     return failure(is_finite);
@@ -235,7 +237,8 @@ private:
            !m_descent.has_converged() && m_descent.norm() <= tolerance::contraction * before;
   }
 
-  // Slopes say little now, but the full step may well be good. Failures in a row are the end.
+  // Takes the full step, which may be good although slopes have few digits. Repeated failures end
+  // the minimization.
   std::optional<Status> step_within_rounding()
   {
     const double before = m_descent.best_norm();
@@ -245,7 +248,7 @@ private:
     return goes_on && m_failures < 3 ? std::nullopt : std::optional(Status::rounding_limit);
   }
 
-  // Another step with the last factorization costs little.
+  // Takes another step with the last factorization, which costs little.
   void polish()
   {
     if(m_iterations == 0 || m_direction.is_damped() ||

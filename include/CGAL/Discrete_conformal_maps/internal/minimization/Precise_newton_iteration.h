@@ -26,20 +26,20 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Newton's method for an energy whose Hessian is a Laplacian, with steps in the digits of the
-// energy. Scale factors of vertices much closer to each other than to others are nearly equal. A
-// step in `double` that all of them take would change their differences by more than their
-// distances allow.
+// Implements Newton's method for an energy whose Hessian is a Laplacian, with steps in the digits
+// of the energy. Scale factors of vertices much closer to each other than to others are nearly
+// equal. A step in `double` that they have in common would change their differences by more than
+// their distances allow.
 //
 // A step may change these differences by a few times as much as distances allow. It leaves angles
-// of zero or pi. These do not change any more until the scale factors have gone back exactly to
-// their old values. So steps stay close to the path on which all entries of the gradient shrink in
-// proportion, from the start to zero. Angles on the path are between the angles of the start and
-// the prescribed ones.
+// of zero or pi. These do not change any more until the scale factors have returned exactly to
+// their old values. So steps stay close to the path on which all entries of the gradient shrink
+// proportionally, from the start to zero. Angles on the path are between the angles of the start
+// and the prescribed ones.
 //
 // Variables may have lower bounds. At its bound, a variable may have a derivative that is greater
-// than on the path, and is then left out of the step. Close to a bound, the slope can be like a
-// root. Then a derivative at the bound is known up to the root of a rounding error.
+// than on the path, and is then excluded from the step. Close to a bound, the slope can behave like
+// a root. Then a derivative at the bound is known up to the root of a rounding error.
 template <typename Energy>
 class Precise_newton_iteration
 {
@@ -47,8 +47,8 @@ class Precise_newton_iteration
   typedef Eigen::VectorXd Vector;
 
 public:
-  // \pre The scale factors of the energy are not below `lower_bound`, which may be empty: there are
-  //   no bounds then.
+  // Without `lower_bound`, no bounds exist.
+  // \pre The scale factors of the energy are not below `lower_bound`.
   Precise_newton_iteration(Energy& energy, const Minimization_domain& domain,
                            std::vector<FT> lower_bound = {})
     : m_energy(energy),
@@ -86,14 +86,15 @@ public:
   }
 
 private:
-  // The distance from the path, in parts of the greatest entry of the gradient on it.
+  // This is the greatest distance from the path, relative to the greatest entry of the gradient on
+  // it.
   static constexpr double greatest_distance = 0.01;
   static constexpr int number_of_corrections = 10, number_of_trials = 10;
-  // of the path, in one step
+  // One step covers at least this part of the path.
   static constexpr double least_part = 1e-7;
   static constexpr double longest_step_within_bounds = 100, longest_damped_step = 10;
   static constexpr double greatest_difference_of_neighbors = 2;
-  // of derivatives at bounds
+  // Derivatives at bounds have this error.
   inline static const double bound_error = std::sqrt(tolerance::rounding_of_gradient<FT>());
 
   void start_path()
@@ -108,8 +109,8 @@ private:
     return has_bounds() && m_energy.scale_factor(v) == m_lower_bound[v];
   }
 
-  // Returns what the gradient exceeds that at this position of the path. At bounds, nothing but a
-  // derivative that is certainly too small counts.
+  // Returns the difference between the gradient and the gradient at this position of the path. At
+  // bounds, only a derivative that is certainly too small counts.
   Vector excess(double position) const
   {
     Vector result = m_gradient;
@@ -135,8 +136,8 @@ private:
     m_removed -= m_gradient;
   }
 
-  // Goes to a point of the path that is closer to its end. The point may be the further away the
-  // better the step before has been.
+  // Moves to a point of the path that is closer to its end. The better the previous step has been,
+  // the farther away the point may be.
   Minimization_status step()
   {
     if(!factorize(m_position))
@@ -166,8 +167,9 @@ private:
                                               : Minimization_status::rounding_limit;
   }
 
-  // Moves each variable towards the minimum, by at most `longest_damped_step`, and starts the path
-  // again. From far away, no point of the path is within reach. Returns whether anything has moved.
+  // Moves each variable towards the minimum, by at most `longest_damped_step`, and restarts the
+  // path. From far away, no point of the path is within reach. Returns whether any variable has
+  // moved.
   bool take_damped_step()
   {
     const Vector wrong = excess(0);
@@ -180,8 +182,8 @@ private:
     return m_gradient.allFinite() && m_length > 0;
   }
 
-  // Corrects the distance from a point of the path. Returns whether it is small now; not if it is
-  // NaN.
+  // Corrects the distance from a point of the path. Returns whether it is small afterwards, and
+  // false if it is NaN.
   bool has_reached(double position)
   {
     const double limit =
@@ -205,7 +207,8 @@ private:
     return false;
   }
 
-  // Takes a step of Newton's method to this position of the path. Returns whether there is one.
+  // Takes a step of Newton's method to this position of the path. Returns whether such a step
+  // exists.
   bool correct(double position)
   {
     if(!factorize(position))
@@ -218,9 +221,9 @@ private:
     return true;
   }
 
-  // Takes a step, from the gradient `before`. Shortens it again while it goes so far beyond the
-  // minimum on its line that the slope is half of the slope before. If slopes are like a root, as
-  // for angles of needles that open, the next steps would oscillate.
+  // Takes a step, from the gradient `before`. Shortens it while it exceeds the minimum on its line
+  // so far that the slope is half of the initial slope. If slopes behave like a root, as for angles
+  // of needles that open, the next steps would oscillate.
   void search_line(const std::vector<FT>& base, std::vector<FT> direction, const Vector& before,
                    double position)
   {
@@ -245,10 +248,10 @@ private:
     return result;
   }
 
-  // Moves groups of variables as one, and then their parts, until the entries of the gradient
-  // equal the entries on the path. The movement of a group hardly depends on differences within
-  // it. Within bounds, variables that are not tied strongly to others would move far, and steps of
-  // all are as good.
+  // Moves groups of variables as one, and then their parts, until the entries of the gradient equal
+  // the entries on the path. The movement of a group hardly depends on differences within it.
+  // Within bounds, variables that are not tied strongly to others would move far, and steps of all
+  // variables are as good.
   void relax(double position, double limit)
   {
     if(!m_gradient.allFinite())
@@ -288,7 +291,7 @@ private:
     move_group(group, (std::max)(x, least), u);
   }
 
-  // Returns how far a group can move down: a number that is not positive.
+  // Returns how far a group can move down, a number that is not positive.
   FT least_move(const std::vector<std::size_t>& group, const std::vector<FT>& u) const
   {
     FT result(m_lower_bound[group[0]] - u[group[0]]);
@@ -303,7 +306,7 @@ private:
       u[v] = in_bounds(v, u[v] + x);
   }
 
-  // Variables some roundings from their bounds, or below them, are put on the bounds.
+  // Returns `u`, moved to its bound if it is below it, or within some rounding errors.
   FT in_bounds(std::size_t v, const FT& u) const
   {
     if(!has_bounds())
@@ -327,12 +330,12 @@ private:
     return result > 0 ? result : 1;
   }
 
-  // Prepares for steps to this position of the path.
+  // Prepares steps to this position of the path.
   bool factorize(double position)
   {
     return factorize(position, Vector::Zero(Eigen::Index(m_energy.size())));
   }
-  // with this added to the diagonal
+  // Prepares steps with `lift` added to the diagonal.
   bool factorize(double position, const Vector& lift)
   {
     const auto& hessian = m_energy.Hessian();
@@ -342,7 +345,7 @@ private:
                                    movable(m_solver.order(hessian), position));
   }
 
-  // Returns the variables of `order` that no bound keeps from moving.
+  // Returns the variables of `order` that can move within their bounds.
   std::vector<Eigen::Index> movable(std::vector<Eigen::Index> order, double position) const
   {
     if(!has_bounds())
@@ -362,8 +365,8 @@ private:
     move_to(u);
   }
 
-  // Returns whether a step leads nowhere, by very many flips. Within bounds, its length counts,
-  // otherwise the greatest difference of neighbors: all of them can move far together.
+  // Returns whether a step is useless, because it causes very many flips. Within bounds, its length
+  // counts, otherwise the greatest difference of neighbors: all of them can move far together.
   bool is_too_long(const std::vector<FT>& direction) const
   {
     return has_bounds() ? !(length(direction) <= longest_step_within_bounds)

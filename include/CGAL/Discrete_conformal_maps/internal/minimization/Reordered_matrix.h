@@ -15,8 +15,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The upper triangle of some rows and columns of a symmetric matrix, in a given order. Where each
-// entry goes is remembered for matrices of the same pattern.
+// Stores the upper triangle of some rows and columns of a symmetric matrix, in a given order. The
+// position of each entry is stored for matrices of the same pattern.
 class Reordered_matrix
 {
 public:
@@ -35,7 +35,7 @@ public:
            std::equal(m_inner.begin(), m_inner.end(), inner);
   }
 
-  // Takes the pattern of `source`, which is compressed, with its rows and columns in `order`. The
+  // Copies the pattern of `source`, which is compressed, with its rows and columns in `order`. The
   // diagonal always exists. Complexity: linear.
   void set_pattern(const Matrix& source, const Order& order)
   {
@@ -47,7 +47,7 @@ public:
     fill_pattern(order, rank);
   }
 
-  // Takes the values of `source`, which has the same pattern as before, and adds `diagonal` (an
+  // Copies the values of `source`, which has the same pattern as before, and adds `diagonal` (an
   // entry for each row of `source`).
   void set_values(const Matrix& source, const Eigen::VectorXd& diagonal, const Order& order)
   {
@@ -69,10 +69,10 @@ private:
     return result;
   }
 
-  // The diagonal is the last entry of its column.
+  // Returns the diagonal entry, which is the last entry of its column.
   int diagonal_entry(std::size_t column) const { return m_upper.outerIndexPtr()[column + 1] - 1; }
 
-  // Calls `visit(entry, row)` for the entries of `column` of the source in rows that are taken.
+  // Calls `visit(entry, row)` for the entries of `column` of the source in rows that are used.
   template <typename Visit>
   void for_entries(Eigen::Index column, const std::vector<int>& rank, Visit visit) const
   {
@@ -98,7 +98,8 @@ private:
     m_upper.resizeNonZeros(start[size]);
   }
 
-  // A column of the source is a row of the upper triangle, for it is symmetric: rows come in order.
+  // Fills the pattern. A column of the symmetric source is a row of the upper triangle, so rows
+  // come in order.
   void fill_pattern(const Order& order, const std::vector<int>& rank)
   {
     int* inner = m_upper.innerIndexPtr();

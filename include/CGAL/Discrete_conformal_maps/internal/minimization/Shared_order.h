@@ -19,9 +19,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The order in which the variables of a problem are eliminated, shared by all who factorize its
-// matrices. An order takes as long as several factorizations. The matrices differ by some flips,
-// and by variables that are left out.
+// Stores the elimination order of the variables of a problem, shared by all objects that factorize
+// its matrices. An order takes as long as several factorizations. The matrices differ by some
+// flips, and by omitted variables.
 class Shared_order
 {
 public:
@@ -32,17 +32,17 @@ public:
 
   void set(Order order) { m_order = std::move(order); }
 
-  // An order is outdated where factors have more entries than this times those they had at first.
+  // An order is outdated if factors have more entries than this multiple of the first number.
   static constexpr double tolerated_growth = 1.2;
 
-  // for each row of a factor
+  // Sets the number of entries for each row of a factor.
   void set_entries(double entries_of_row) { m_entries = entries_of_row; }
   bool is_good(double entries_of_row) const
   {
     return entries_of_row <= tolerated_growth * m_entries;
   }
 
-  // the variables of `some` in this order
+  // Returns the variables of `some` in this order.
   Order sorted(const Order& some) const
   {
     std::vector<char> is_wanted(m_order.size(), 0);
@@ -80,7 +80,7 @@ public:
     return result;
   }
 
-  // what all who share the order have done
+  // Returns the counts of all objects that share the order.
   const std::shared_ptr<Factorization_counts>& counts() const { return m_counts; }
 
 private:

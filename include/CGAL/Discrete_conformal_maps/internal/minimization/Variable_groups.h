@@ -20,14 +20,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Groups of variables that a Laplacian ties to each other much more strongly than to others. An
-// example are vertices of a surface that are close to each other. Groups come from single linkage.
+// Finds groups of variables that a Laplacian ties to each other much more strongly than to others.
+// An example are vertices of a surface that are close to each other. Groups result from single
+// linkage.
 class Variable_groups
 {
 public:
   typedef std::vector<std::size_t> Group;
 
-  // Groups with a fixed variable do not count. A single variable that is free is a group.
+  // Groups with a fixed variable do not count. A single free variable is a group.
   Variable_groups(const Eigen::SparseMatrix<double>& Laplacian, const std::vector<char>& is_fixed)
     : m_parent(std::size_t(Laplacian.cols())), m_weight(m_parent.size(), 0)
   {
@@ -44,7 +45,7 @@ public:
     std::reverse(m_groups.begin(), m_groups.end());
   }
 
-  // A group comes before its parts.
+  // Returns the groups; a group comes before its parts.
   const std::vector<Group>& groups() const { return m_groups; }
 
 private:
@@ -54,7 +55,7 @@ private:
     std::size_t v, w;
   };
 
-  // from the strongest on
+  // Returns the ties, the strongest ones first.
   static std::vector<Tie> ties(const Eigen::SparseMatrix<double>& Laplacian)
   {
     std::vector<Tie> result;

@@ -21,7 +21,7 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Takes steps with the Hessian at the start, close to the minimum. Each gains as many digits as
-// `double` has near the minimum. Returns the gradient that is left, once it is within `limit` or a
+// `double` has near the minimum. Returns the remaining gradient, once it is within `limit` or a
 // step gains less than a digit.
 template <typename Energy, typename Visitor>
 double reduce_gradient(Energy& energy, const Free_variables& variables,

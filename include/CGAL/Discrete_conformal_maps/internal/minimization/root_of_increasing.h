@@ -11,7 +11,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// An interval, and the values of a function at its ends.
+// Stores an interval, and the values of a function at its ends.
 template <typename FT>
 struct Interval_of_root
 {
@@ -40,9 +40,9 @@ Interval_of_root<FT> interval_of_root(const Function& function, double slope, do
   return x;
 }
 
-// Returns where an increasing function is at most `limit` from zero; zero if it is nowhere. `slope`
-// is that at zero. It may change by many orders of magnitude: each second point is in the middle of
-// the interval that is left.
+// Returns a point at which an increasing function is at most `limit` from zero, or zero if no such
+// point is found. `slope` is the slope at zero. The slope may change by many orders of magnitude,
+// so each second point is the center of the remaining interval.
 template <typename FT, typename Function>
 FT root_of_increasing(const Function& function, double slope, double limit)
 {

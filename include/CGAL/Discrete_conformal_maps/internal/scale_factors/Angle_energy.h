@@ -25,10 +25,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The common part of the energies of scale factors, whose derivatives are angle defects. It has a
-// surface that is scaled, the angles of its faces, and the Hessian, a cotan Laplacian. `Derived`
-// has the gradient, as `sum_angles()`. Its `is_remaining()` determines which edges and faces
-// belong to the energy.
+// Implements the common part of the energies of scale factors, whose derivatives are angle defects.
+// It stores a surface that is scaled, the angles of its faces, and the Hessian, a cotan Laplacian.
+// `Derived` has the gradient, as `sum_angles()`. Its `is_remaining()` determines which edges and
+// faces belong to the energy.
 template <typename Derived, typename Surface, typename Triangle>
 class Angle_energy
 {
@@ -45,7 +45,7 @@ public:
     m_concurrency = Intrinsic_triangulations::Concurrency(tag);
   }
 
-  // Where a scaled length is not a length, the gradient is NaN.
+  // Evaluates the energy. If a scaled length is not a length, the gradient is NaN.
   void evaluate(const Vector& x)
   {
     for(std::size_t i = 0; i < m_origin.size(); ++i)
@@ -62,14 +62,15 @@ public:
     derived().sum_angles();
   }
 
-  // The variable is zero at this point: by default, at the present point.
+  // Sets the point at which the variable is zero, by default the present point.
   void set_origin(const std::vector<FT>& origin) { m_origin = origin; }
   void move_origin() { m_origin = m_scale_factor; }
 
   const std::vector<FT>& scale_factors() const { return m_scale_factor; }
   const Surface& surface() const { return m_surface; }
 
-  // at the source of `h`, in the scaled metric. \pre the face of `h` remains
+  // Returns the angle at the source of `h`, in the scaled metric.
+  // \pre the face of `h` remains
   FT angle(Halfedge_index h) const { return m_corner[h.idx()].angle(); }
 
   const Vector& gradient() const { return m_gradient; }
@@ -88,9 +89,9 @@ public:
     return m_Hessian;
   }
 
-  // The second derivative along x is the sum over all edges that remain of
-  //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
-  // This adds its coefficients in the column of `v` to a list; several can have the same row.
+  // Adds the coefficients of the second derivative in the column of `v` to a list; several can have
+  // the same row. The second derivative along x is the sum over all remaining edges of
+  // weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
   template <typename Entries>
   void collect_column(Vertex_index v, Entries& entries) const
   {
@@ -98,8 +99,8 @@ public:
       v, [v](Vertex_index w) { return w == v; }, entries);
   }
 
-  // The result if all vertices for which `is_same()` holds share the variable of `v`: weights
-  // between these do not count, however great they are
+  // Adds the coefficients if all vertices for which `is_same()` holds share the variable of `v`.
+  // Weights between these vertices do not count, however great they are.
   template <typename Is_same, typename Entries>
   void collect_column(Vertex_index v, const Is_same& is_same, Entries& entries) const
   {
@@ -118,15 +119,15 @@ public:
     entries.emplace_back(static_cast<int>(v.idx()), diagonal);
   }
 
-  // Moves some variables alone, as far as `derivative()` is concerned: until `evaluate()`, other
-  // values are those before.
+  // Moves some variables, but only for `derivative()`. All other values are unchanged until
+  // `evaluate()`.
   void move_some(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
   {
     m_surface.scale_at(vertices, u);
   }
 
 protected:
-  // with `is_fixed` if faces may violate the triangle inequality
+  // `is_fixed` must be true if faces may violate the triangle inequality.
   Angle_energy(Surface surface, bool is_fixed)
     : m_is_fixed(is_fixed),
       m_surface(std::move(surface)),
@@ -164,7 +165,7 @@ protected:
 private:
   static constexpr bool has_circles = Intrinsic_triangulations::internal::Has_radii<Surface>::value;
 
-  // Scales the surface. The variables of hyperbolic circles are no scale factors.
+  // Scales the surface. The variables of hyperbolic circles are not scale factors.
   void scale()
   {
     if constexpr(has_circles && !Triangle::has_similar_ones)
@@ -177,7 +178,8 @@ private:
     m_surface.scale(m_scale_factor);
   }
 
-  // the scaled length of the edge of `h`, with circles between their centers
+  // Returns the scaled length of the edge of `h`, or with circles, the distance between their
+  // centers.
   FT length(Halfedge_index h) const
   {
     if constexpr(has_circles)
@@ -217,7 +219,7 @@ private:
     }
   }
 
-  // Sums are in the order of faces.
+  // Adds the errors in the order of faces.
   void add_errors()
   {
     std::vector<double> error(size(), 0.);

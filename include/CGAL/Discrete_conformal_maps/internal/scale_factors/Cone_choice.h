@@ -17,7 +17,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// How cones are placed.
+// States how cones are placed.
 struct Cone_choice
 {
   double maximum_log_scale; // infinity for no cones
@@ -33,7 +33,7 @@ inline double log_scale_of(double area_distortion)
   return std::log(area_distortion) / 2;
 }
 
-// Returns how cones are chosen. `is_free` says whether nothing is prescribed.
+// Returns how cones are chosen. `is_free` states whether nothing is prescribed.
 // \throws Invalid_input if the greatest distortion of areas is not greater than 1
 template <typename NamedParameters>
 Cone_choice cone_choice(bool is_free, const NamedParameters& np)

@@ -23,11 +23,11 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Drops and moves the cones of one component while an estimate of its scale factors stays within a
-// bound. The estimate is u = a + sum of kappa_c g_c + t over all cones c. Here a are the scale
+// Removes and moves the cones of one component while an estimate of its scale factors stays within
+// a bound. The estimate is u = a + sum of kappa_c g_c + t over all cones c. Here a are the scale
 // factors without cones, g_c columns of the inverse Laplacian, and kappa_c curvatures of cones.
-// With the constant t, u is zero at all cones. If scale factors are prescribed in the component,
-// there is no constant. Otherwise the sum of curvatures is known.
+// With the constant t, u is zero at all cones. If scale factors are prescribed in the component, no
+// constant exists. Otherwise the sum of curvatures is known.
 class Cone_exchange
 {
   typedef Eigen::VectorXd Vector;
@@ -50,7 +50,7 @@ public:
       m_cones.push_back({c, m_component.column(c)});
   }
 
-  // Returns the cones. Each round drops one, replaces two by one, or moves one such that the
+  // Returns the cones. Each round removes one cone, replaces two by one, or moves one such that the
   // greatest scale factor is less.
   std::vector<Index> cones_within(double bound)
   {
@@ -78,7 +78,7 @@ private:
 
   Index size() const { return static_cast<Index>(m_cones.size()); }
 
-  // Returns whether there are fewer cones, or scale factors are less, than before.
+  // Returns whether the number of cones, or the greatest scale factor, has decreased.
   bool exchange(double bound)
   {
     if(!m_inverse.allFinite())
@@ -122,7 +122,7 @@ private:
   // Returns the scale factor at cone i without it.
   double scale_without(Index i) const { return std::abs(m_solution[i] / m_inverse(i, i)); }
 
-  // Returns the greatest scale factor of a solution, and where it is.
+  // Returns the greatest scale factor of a solution, and its vertex.
   Extent extent(const Vector& solution) const
   {
     const Index k = size();
@@ -148,8 +148,8 @@ private:
     return result;
   }
 
-  // Replaces a cone by one where scale factors are greatest without it, if they are within the
-  // limit then. With `is_pair`, another cone that depends on it is replaced, too.
+  // Replaces a cone by one at the greatest scale factor without it, if scale factors are then
+  // within the limit. With `is_pair`, another cone that depends on it is replaced, too.
   bool replace(bool is_pair, double limit)
   {
     if(is_pair && !is_one_too_many())
@@ -170,7 +170,7 @@ private:
     return false;
   }
 
-  // whether fewer cones are enough for the curvature of the component
+  // Returns whether fewer cones suffice for the curvature of the component.
   bool is_one_too_many() const
   {
     return m_cones.size() > (std::max)(m_component.least_number_of_cones, std::size_t(1));
@@ -189,7 +189,7 @@ private:
     return result;
   }
 
-  // Adds a cone where scale factors are greatest, and returns the greatest one with it.
+  // Adds a cone at the greatest scale factor, and returns the greatest one with it.
   double add_worst()
   {
     const Index v = extent(m_solution).at;
@@ -198,8 +198,8 @@ private:
     return extent(m_solution).greatest;
   }
 
-  // Adds a cone where scale factors are greatest, and drops the one without which they are least
-  // then. Returns false, with the cones before, if the greatest one is not within the limit.
+  // Adds a cone at the greatest scale factor, and removes the cone without which they are then
+  // least. Returns false, with the previous cones, if the greatest one is not within the limit.
   bool move(double limit)
   {
     const Index added = size();
@@ -211,7 +211,7 @@ private:
     return is_dropped;
   }
 
-  // Drops the one of the first `end` cones without which scale factors are least, if they are
+  // Removes the one of the first `end` cones without which scale factors are least, if they are
   // within the limit.
   bool drop_one_before(Index end, double limit)
   {

@@ -21,21 +21,22 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Greedy cones. One linear system estimates the scale factors that make the surface flat. A cone is
-// placed at the vertex with the greatest estimate, which is zero at this vertex from then on. A new
-// cone needs no new factorization. It takes one column of the inverse, from which the shares of
-// former cones are subtracted. `Laplacian` is the Hessian of the energy at some scale
+// Places greedy cones. One linear system estimates the scale factors that make the surface flat. A
+// cone is placed at the vertex with the greatest estimate, which is zero at this vertex from then
+// on. A new cone needs no new factorization. It needs one column of the inverse, from which the
+// shares of earlier cones are subtracted. `Laplacian` is the Hessian of the energy at some scale
 // factors, and the estimate is good near them.
 //
-// The Laplacian does not see constants on a component without fixed vertices. One vertex is held
-// on it, and every right-hand side that sums to zero has a solution. The first cone takes the rest.
+// Constants on a component without fixed vertices are in the kernel of the Laplacian. One vertex is
+// held on it, and every right-hand side that sums to zero has a solution. The first cone absorbs
+// the rest.
 class Cone_placement
 {
   typedef Eigen::VectorXd Vector;
   typedef Intrinsic_triangulations::Mesh_components Components;
 
 public:
-  // `is_held` are the fixed vertices, and one of every component without any
+  // `is_held` contains the fixed vertices, and one of every component without fixed vertices.
   Cone_placement(const Eigen::SparseMatrix<double>& Laplacian, const std::vector<char>& is_held,
                  const Components& components, const std::shared_ptr<Shared_order>& order)
     : m_solver(Laplacian, is_held, order), m_components(components), m_first(components.size(), -1)
@@ -50,7 +51,7 @@ public:
   const Vector& estimate() const { return m_estimate; }
 
   // Replaces all cones. The first one in each component with a first cone takes its role. `defect`
-  // is as for `estimate()`.
+  // is the argument of `estimate()`.
   void restart(const std::vector<std::size_t>& cones, const Vector& defect)
   {
     std::vector<char> needs_first;
@@ -69,7 +70,7 @@ public:
   // Returns solutions that are zero at fixed vertices.
   Vector solve_with_fixed(const Vector& right_side) { return m_solver.solve(right_side); }
 
-  // Takes `u` for the estimate, which is zero at all cones.
+  // Uses `u` as the estimate, which is zero at all cones.
   void set_estimate(const Vector& u) { m_estimate = u; }
 
   // Moves the estimate along constants, to zero at the first cone of its component.
@@ -82,7 +83,7 @@ public:
         m_estimate[index(w)] -= at_first;
   }
 
-  // the vertex of component `c` with the greatest estimate, among the candidates
+  // Returns the vertex of component `c` with the greatest estimate, among the candidates.
   std::size_t worst(std::size_t c, const std::vector<char>& is_candidate) const
   {
     std::size_t result = 0;
@@ -95,7 +96,7 @@ public:
     return result;
   }
 
-  // Makes the estimate zero at `v`.
+  // Makes `v` a cone, where the estimate becomes zero.
   void add(std::size_t v)
   {
     Vector source = Vector::Zero(m_estimate.size());
@@ -119,7 +120,7 @@ private:
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-  // Each column is zero at the cones before its own.
+  // Subtracts columns, so that values are zero at cones. Each column is zero at the earlier cones.
   Vector zero_at_cones(Vector values) const
   {
     for(const Column& c : m_columns) {
@@ -129,7 +130,7 @@ private:
     return values;
   }
 
-  // zero at fixed vertices and first cones
+  // Returns a solution that is zero at fixed vertices and first cones.
   Vector solve(Vector right_side)
   {
     Vector sum = Vector::Zero(index(m_first.size())), at_first = sum;

@@ -27,7 +27,7 @@ int exponent_of(const FT& x)
 }
 inline int exponent_of(const Extended& x) { return exponent_of(x.high()); }
 
-// The cosine and the sine of an angle, up to a common factor.
+// Stores the cosine and the sine of an angle, up to a common factor.
 template <typename FT>
 struct Corner
 {
@@ -39,8 +39,8 @@ struct Corner
     return atan2(sine, cosine);
   }
 
-  // with a power of two as factor, for which the greater of both is from 1/2 to 1; NaN if both are
-  // zero
+  // Returns the corner, scaled by a power of two so that the greater of both is from 1/2 to 1.
+  // Returns NaN if both are zero.
   Corner scaled() const
   {
     const FT size = (std::max)(cosine < 0 ? FT(-cosine) : cosine, sine < 0 ? FT(-sine) : sine);
@@ -51,29 +51,29 @@ struct Corner
     return {ldexp(cosine, -exponent), ldexp(sine, -exponent)};
   }
 
-  // in double precision
+  // Returns the angle in double precision.
   double rounded_angle() const
   {
     const Corner unit = scaled();
     return std::atan2(static_cast<double>(unit.sine), static_cast<double>(unit.cosine));
   }
 
-  // of the sum of both angles
+  // Returns the corner of the sum of both angles.
   friend Corner operator*(const Corner& a, const Corner& b)
   {
     return {a.cosine * b.cosine - a.sine * b.sine, a.cosine * b.sine + a.sine * b.cosine};
   }
 };
 
-// pi, for any number type
+// Returns pi for any number type.
 template <typename FT>
 FT straight_angle()
 {
   return Corner<FT>{FT(-1), FT(0)}.angle();
 }
 
-// The excess of a full turn over an angle and the angles that are subtracted from it. It has as
-// many digits as `double`, also if it is little.
+// Stores the excess of 2 pi over an angle and the angles that are subtracted from it. It has as
+// many digits as `double`, even if it is small.
 template <typename FT>
 class Angle_difference
 {
@@ -87,11 +87,11 @@ public:
       m_turned = {cos(angle), sin(angle)};
   }
 
-  // returns the data that are needed of a corner besides itself
+  // Returns the data of a corner that are needed besides the corner itself.
   static double rounded_angle(const Corner<FT>& corner) { return corner.rounded_angle(); }
 
-  // Complex numbers are multiplied: that takes much less time than an inverse tangent of high
-  // precision.
+  // Subtracts an angle. Complex numbers are multiplied, which takes much less time than an inverse
+  // tangent of high precision.
   void subtract(const Corner<FT>& corner, double rounded_angle)
   {
     m_rest -= rounded_angle;
@@ -104,7 +104,7 @@ public:
     m_turned = {-m_turned.cosine, -m_turned.sine};
   }
 
-  // adds what half a turn exceeds the angle
+  // Adds the excess of pi over the angle.
   void add_supplement(const Corner<FT>& corner, double rounded_angle)
   {
     m_rest += pi() - rounded_angle;
@@ -124,7 +124,7 @@ private:
   Corner<FT> m_turned; // the sum of all angles, up to full turns
 };
 
-// Hardware has inverse tangents.
+// For `double`, `atan2` is cheap: angles are summed directly.
 template <>
 class Angle_difference<double>
 {

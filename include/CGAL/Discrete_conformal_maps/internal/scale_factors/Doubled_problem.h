@@ -39,10 +39,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The surface that is uniformized, and the conditions at its vertices. A surface with boundary is
-// doubled (Section 4.3.4). Conditions are symmetric, so the result is symmetric, and only vertices
-// of the surface are unknowns. Of the second copy, the part that edges across the boundary reach
-// exists. Beyond it, the copy is the mirror image of the first.
+// Stores the surface that is uniformized, and the conditions at its vertices. A surface with
+// boundary is doubled (Section 4.3.4). Conditions are symmetric, so the result is symmetric, and
+// only vertices of the surface are unknowns. Only the part of the second copy that edges across the
+// boundary reach exists. Beyond it, the copy is the mirror image of the first.
 class Doubled_problem : public Prescribed_curvatures
 {
 public:
@@ -75,41 +75,41 @@ public:
     build();
   }
 
-  // whether T_2 and T_3 are Delaunay, or the same as T_1
+  // Returns whether T_2 and T_3 are Delaunay, or equal to T_1.
   Flipping flipping() const { return m_flipping; }
 
-  // whether functions that solve the problem use several threads
+  // Returns whether functions that solve the problem use several threads.
   Intrinsic_triangulations::Concurrency concurrency() const { return m_concurrency; }
   void set_concurrency(Intrinsic_triangulations::Concurrency c) { m_concurrency = c; }
 
-  // T_1 and T_2
+  // Returns T_1 and T_2.
   const Triangulation& triangulation() const { return m_triangulation; }
   Triangulation& triangulation() { return m_triangulation; }
 
-  // in which the vertices of the surface are eliminated, wherever they are variables
+  // Returns the elimination order of the vertices of the surface, wherever they are variables.
   const std::shared_ptr<Shared_order>& order() const { return m_order; }
 
-  // the values of the vertices of the triangulation
+  // Returns the elimination order of the vertices of the triangulation.
   std::shared_ptr<Shared_order> expanded_order() const { return m_order->refined(m_original); }
 
-  // from T_1 to T_2
+  // Returns the number of flips from T_1 to T_2.
   std::size_t number_of_flips() const { return m_number_of_flips; }
 
-  // whether errors of the map are measured on the exact surface, although T_2 has rounded lengths
+  // Returns whether errors of the map are measured on the exact surface, for rounded lengths of
+  // T_2.
   bool is_measured() const { return m_is_measured; }
 
-  // whether the flips to T_3 are decided exactly, too
+  // Returns whether the flips to T_3 are decided exactly, too.
   bool is_exact() const { return m_is_exact && has_precise_lengths(); }
 
-  // whether rounding changes angles of the input, so that lengths of T_2 need more digits
+  // Returns whether rounding changes angles of the input, so that lengths of T_2 need more digits.
   bool has_needles() const { return m_has_needles && has_precise_lengths(); }
 
-  // whether the lengths of T_2 are lengths on the exact surface, with more digits than `double`
-  // has
+  // Returns whether the lengths of T_2 are exact, with more digits than `double` has.
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
-  // Makes T_2 by exact decisions, and computes its lengths on the exact surface, from now on.
-  // Returns whether there are such lengths, where there were none.
+  // Computes T_2 by exact decisions, and its lengths on the exact surface, from now on. Returns
+  // whether the problem has gained such lengths.
   bool make_precise()
   {
     if(m_has_exact_flips || m_flipping == Flipping::none || has_radii())
@@ -124,8 +124,8 @@ public:
     return has_precise_lengths();
   }
 
-  // Takes the lengths of T_2 on the exact surface until they are dropped, and returns how far T_2
-  // and its rounded lengths are from that.
+  // Uses the lengths of T_2 on the exact surface until they are dropped. Returns the distance of
+  // T_2 and its rounded lengths from the exact surface.
   double take_exact_lengths()
   {
     m_precise_length = exact_lengths<Extended>(m_triangulation);
@@ -133,10 +133,10 @@ public:
   }
   void drop_exact_lengths() { m_precise_length.clear(); }
 
-  // whether there are circles at the vertices
+  // Returns whether vertices have circles.
   bool has_radii() const { return m_circles.exist(); }
 
-  // Returns the radii of the circles at the vertices of the triangulation, if there are any.
+  // Returns the radii of the circles at the vertices of the triangulation, if they have circles.
   template <typename FT>
   std::vector<FT> radii() const
   {
@@ -162,15 +162,15 @@ public:
     });
   }
 
-  // the surface itself
+  // Returns the surface itself.
   const Delta_complex& surface() const { return m_half; }
 
-  // for each vertex of the triangulation, the vertex of the surface that it equals or copies
+  // Returns the original on the surface of each vertex of the triangulation.
   const std::vector<Vertex_index>& originals() const { return m_original; }
   Vertex_index original(Vertex_index v) const { return m_original[v.idx()]; }
 
-  // For each vertex of the triangulation another one with the same original, until the last one.
-  // From a vertex of the surface, they lead to all its copies.
+  // Returns for each vertex another one with the same original, until the last one. From a vertex
+  // of the surface, they lead to all its copies.
   std::vector<Vertex_index> next_copies() const
   {
     std::vector<Vertex_index> result(m_original.size());
@@ -183,18 +183,18 @@ public:
 
   using Prescribed_curvatures::part;
 
-  // Of a face and its copy, if it is in this triangulation, each is a half of what the surface has.
+  // Returns the share of a face, a half if the face and its copy are in this triangulation.
   double part(Face_index f) const
   {
     return f.idx() < m_half.num_faces() && !m_has_copy[f.idx()] ? 1 : 0.5;
   }
 
-  // the component of a vertex of the triangulation
+  // Returns the component of a vertex of the triangulation.
   std::size_t component(Vertex_index v) const { return components()[m_original[v.idx()].idx()]; }
 
   bool has_no_copies() const { return m_original_face.size() == m_half.num_faces(); }
 
-  // values at the vertices of the triangulation: at vertices of the surface and at copies
+  // Returns values at the vertices of the triangulation: at vertices of the surface and at copies.
   Vector expanded(const Vector& value) const
   {
     Vector result(Eigen::Index(m_original.size()));
@@ -212,8 +212,8 @@ public:
     return result;
   }
 
-  // For each vertex of the triangulation, whether faces need not close up at it: a scale factor is
-  // prescribed, or a curvature other than zero.
+  // Returns for each vertex whether faces need not close up at it: a scale factor is prescribed, or
+  // a curvature other than zero.
   std::vector<char> cones() const
   {
     std::vector<char> result = expanded(is_fixed());
@@ -223,9 +223,9 @@ public:
     return result;
   }
 
-  // Returns whether the second copy is not deep enough for these flips, from T_2 on. Beyond a
-  // seam, the triangulation is the mirror image of the triangulation of the surface. As seams and
-  // their mirror images bound a symmetric region, it is enough that no seam has to be flipped.
+  // Returns whether the second copy is not deep enough for these flips, starting from T_2. Beyond a
+  // seam, the triangulation is the mirror image of the triangulation of the surface. Seams and
+  // their mirror images bound a symmetric region, so it suffices that no seam must be flipped.
   bool has_exceeded(const std::vector<Halfedge_index>& flips)
   {
     m_exceeded.clear();
@@ -240,10 +240,10 @@ public:
     return !m_exceeded.empty();
   }
 
-  // the edges of T_2 between faces with and without copies
+  // Returns the edges of T_2 between faces with and without copies.
   const std::vector<Edge_index>& seams() const { return m_seams; }
 
-  // Makes the second copy deeper, and T_1 and T_2 with it, where it was not deep enough for these
+  // Makes the second copy deeper, and T_1 and T_2 with it, if it was not deep enough for these
   // flips.
   void extend(const std::vector<Halfedge_index>& flips)
   {
@@ -270,7 +270,7 @@ public:
     return scaled(std::vector<double>(scale.begin(), scale.end()));
   }
 
-  // Copies all of the surface. Returns whether that is more than before.
+  // Copies the whole surface. Returns whether this copies more faces than before.
   bool complete()
   {
     for(Face_index f : m_half.faces())
@@ -281,7 +281,7 @@ public:
     return true;
   }
 
-  // Gives the memory of the surface back: from now on there are prescribed curvatures only.
+  // Frees the memory of the surface: from now on only prescribed curvatures exist.
   void drop_surface()
   {
     m_half = Delta_complex();
@@ -289,8 +289,8 @@ public:
     m_length = std::vector<double>();
   }
 
-  // the area of each component of the double in one of its triangulations, for these lengths of
-  // halfedges
+  // Returns the area of each component of the double in one of its triangulations, for these
+  // lengths of halfedges.
   template <typename Length>
   std::vector<double> areas(const Delta_complex& complex, const Length& length) const
   {
@@ -306,7 +306,7 @@ public:
   }
 
 private:
-  // Returns the length of the tangent of an edge if there are circles, otherwise its length.
+  // Returns the length of the tangent of an edge if vertices have circles, otherwise its length.
   template <typename FT>
   FT without_radii(const FT& length, Edge_index e, const Triangulation& t) const
   {
@@ -324,7 +324,7 @@ private:
     build();
   }
 
-  // Copies the faces at vertices within a number of rings around some.
+  // Copies the faces at vertices within `width` rings around `front`.
   void copy_around(std::vector<Vertex_index> front, std::size_t width)
   {
     std::vector<char> is_near(m_half.num_vertices(), 0);
@@ -345,8 +345,7 @@ private:
     }
   }
 
-  // Edges that are flipped join faces of T_1 to regions. Copies whole ones: there is no flip across
-  // their boundaries.
+  // Copies whole regions of faces of T_1 joined by flipped edges. No flip crosses their boundary.
   void copy_regions(const std::vector<Halfedge_index>& flips)
   {
     boost::disjoint_sets_with_storage<> regions(m_half.num_faces());
@@ -367,7 +366,7 @@ private:
       m_has_copy[f.idx()] = has_copy[regions.find_set(f.idx())];
   }
 
-  // Makes T_1 and T_2 again.
+  // Rebuilds T_1 and T_2.
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);
@@ -409,7 +408,8 @@ private:
       find_precise_lengths();
   }
 
-  // Unless exact lengths are asked for, rounded ones stay where 1024 bits are too few for them.
+  // Computes precise lengths. Unless exact lengths are requested, rounded ones are kept if 1024
+  // bits do not suffice.
   void find_precise_lengths()
   {
     try {

@@ -22,17 +22,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A surface and a copy of some of its faces, glued along the boundary (Section 4.3.4). It is the
-// double of the surface, or a sufficient part of it. The surface itself keeps its indices, and its
-// border halfedges become halfedges of copied faces. Where copied and other faces meet, the copy
-// has a border.
+// Represents a surface and a copy of some of its faces, glued along the boundary (Section 4.3.4).
+// It is the double of the surface, or a sufficient part of it. The surface itself keeps its
+// indices, and its border halfedges become halfedges of copied faces. The copy has a border between
+// copied and other faces.
 class Doubled_surface
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `has_copy` says of each face of `half`, which has no garbage, whether it is copied. All faces
-  // at a vertex on the boundary are, or none.
+  // `has_copy` states for each face of `half`, which has no garbage, whether it is copied. Either
+  // all faces at a vertex on the boundary are copied, or none is.
   Doubled_surface(const Delta_complex& half, const std::vector<char>& has_copy)
     : m_half(half),
       m_mesh(half),
@@ -55,17 +55,17 @@ public:
 
   const Delta_complex& mesh() const { return m_mesh; }
 
-  // for each vertex the vertex that it equals or copies. If the copies of the faces around a
-  // vertex are not connected, it has several copies
+  // Returns for each vertex the vertex that it equals or copies. If the copies of the faces around
+  // a vertex are not connected, it has several copies.
   const std::vector<Vertex_index>& originals() const { return m_original; }
 
-  // for each face the face that it equals or copies
+  // Returns for each face the face that it equals or copies.
   const std::vector<Face_index>& original_faces() const { return m_original_face; }
 
-  // the edges of the surface between a face with and a face without a copy
+  // Returns the edges of the surface between a face with and a face without a copy.
   const std::vector<Edge_index>& seams() const { return m_seams; }
 
-  // the copy of an edge; itself on the boundary and where there is no copy
+  // Returns the copy of an edge, or the edge itself on the boundary and if it has no copy.
   Edge_index mirrored(Edge_index e) const { return m_edge[e.idx()]; }
 
   // Returns the triangulation with the lengths of the edges of the surface.
@@ -81,8 +81,8 @@ public:
                   [&](Edge_index e) { return length[e.idx()]; })));
   }
 
-  // Returns the triangulation with the positions of the vertices of the surface. Rounded lengths
-  // of a thin face may be lengths of a face without area; positions are not.
+  // Returns the triangulation with the positions of the vertices of the surface. Rounded lengths of
+  // a thin face may be lengths of a face without area, but positions are not.
   Intrinsic_triangulations::Intrinsic_triangulation<>
   triangulation(const std::vector<std::array<double, 3>>& point_on_surface) const
   {
@@ -100,7 +100,7 @@ private:
     return !m_half.is_border(h) && m_has_copy[m_half.face(h).idx()];
   }
 
-  // It leads from the mirrored target to the mirrored source.
+  // Returns the mirrored halfedge, which leads from the mirrored target to the mirrored source.
   Halfedge_index mirrored(Halfedge_index h) const
   {
     using namespace Intrinsic_triangulations;
@@ -127,7 +127,7 @@ private:
         add_corners(v);
   }
 
-  // A copy of `v` for every run of copied faces around it.
+  // Adds a copy of `v` for every sequence of copied faces around it.
   void add_corners(Vertex_index v)
   {
     if(m_half.is_border(v)) {
@@ -170,7 +170,7 @@ private:
     } while(h != m_half.halfedge(f));
   }
 
-  // the border halfedge of the copy of a seam
+  // Returns the border halfedge of the copy of a seam.
   Halfedge_index border(Edge_index e) const
   {
     const Halfedge_index h = m_half.halfedge(e);

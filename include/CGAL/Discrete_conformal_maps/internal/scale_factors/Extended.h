@@ -14,7 +14,7 @@
 #include <cmath>
 
 // The exponential function and its relatives, which argument-dependent lookup finds, have an error
-// of about 100 u^2, and times the argument if that is greater.
+// of about 100 u^2, and times the argument if it is greater.
 namespace CGAL::Intrinsic_triangulations::internal {
 
 inline Double_double ln_two()
@@ -22,8 +22,8 @@ inline Double_double ln_two()
   return Double_double::exact_sum(0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56);
 }
 
-// e^x - 1 of a number or complex number `x`: the series for 2^-n x, and n squarings. Squares of e^x
-// would lose more digits.
+// Returns e^x - 1 of a number or complex number `x` by the series for 2^-n x, and n squarings.
+// Squares of e^x would lose more digits.
 template <typename Number>
 Number exponential(const Number& x, int n)
 {
@@ -45,7 +45,7 @@ inline Double_double exp(Double_double x)
   return ldexp(1 + exponential(x - exponent * ln_two(), 9), exponent);
 }
 
-// by a step of third order from the logarithm in `double`
+// Computes the logarithm by a step of third order from the logarithm in `double`.
 inline Double_double log(Double_double x)
 {
   const double first = std::log(x.high());
@@ -55,7 +55,7 @@ inline Double_double log(Double_double x)
   return first + (rest - rest * rest / 2);
 }
 
-// e^(ix) - 1
+// Returns e^(ix) - 1.
 inline auto turn(Double_double x)
 {
   return exponential(Discrete_conformal_maps::internal::Plane_vector<Double_double>{0, x},
@@ -65,7 +65,7 @@ inline auto turn(Double_double x)
 inline Double_double cos(Double_double x) { return 1 + turn(x).x; }
 inline Double_double sin(Double_double x) { return turn(x).y; }
 
-// by a step of third order from the angle in `double`
+// Computes the angle by a step of third order from the angle in `double`.
 inline Double_double atan2(Double_double y, Double_double x)
 {
   const Double_double first = std::atan2(y.high(), x.high());
@@ -79,7 +79,7 @@ inline Double_double atan2(Double_double y, Double_double x)
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// takes over where double has too few digits
+// This type is used if `double` has too few digits.
 typedef Intrinsic_triangulations::Double_double Extended;
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -26,7 +26,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The scale factors of a doubled problem with flat faces, and the cones it needs.
+// Computes the scale factors of a doubled problem with flat faces, and the cones that it needs.
 class Flat_scale_factors : public Scale_factors<Flat_triangle>
 {
   typedef Eigen::VectorXd Vector;
@@ -37,7 +37,7 @@ public:
       m_problem(problem),
       m_may_be_cone(problem.size(), 1)
   {
-    // prescriptions on the boundary, or other than zero, stay
+    // Prescriptions on the boundary, or other than zero, are kept.
     const Vector target = problem.target_defect();
     for(std::size_t v = 0; v < problem.size(); ++v)
       m_may_be_cone[v] = !problem.is_on_boundary(vertex(v)) && target[Eigen::Index(v)] == 0;
@@ -75,9 +75,9 @@ public:
       start_from_estimate(energy, placement, bound);
   }
 
-  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Returns
-  // whether it has. With needles, all scale factors start from zero. Otherwise, a cone beside near
-  // vertices would move so far from them, in proportion, that their angles would be lost.
+  // Makes the vertex with the greatest scale factor a cone if it is out of bounds. Returns whether
+  // it does. With needles, all scale factors start from zero. Otherwise, a cone beside near
+  // vertices would move relatively far from them, so that their angles would be lost.
   bool add_cone_if_beyond(double bound)
   {
     const std::size_t v = vertex_beyond(bound, values());
@@ -92,9 +92,9 @@ public:
     return true;
   }
 
-  // Returns `minimizer`. Newton's method ends when the scale factors of the minimum are certainly
-  // out of bounds, so that a cone can be added. The minimum is not as far away as half of the last
-  // step.
+  // Returns `minimizer`, or Newton's method with an earlier end. It ends when the scale factors of
+  // the minimum are certainly out of bounds, so that a cone can be added. The distance of the
+  // minimum is less than half of the last step.
   Any_minimizer ending_beyond(double bound, const Any_minimizer& minimizer) const
   {
     const auto* newton = minimizer.target<Newton_minimizer>();
@@ -115,8 +115,8 @@ private:
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
   }
 
-  // The vertex whose scale factor is farthest from zero, if that is out of bounds and it can be a
-  // cone. If none are prescribed, zero may end up anywhere between the least and the
+  // Returns the vertex whose scale factor is farthest from zero, if it is out of bounds and can be
+  // a cone. If no scale factors are prescribed, zero may end up anywhere between the least and the
   // greatest. Then the distance from the farther of both counts.
   std::size_t vertex_beyond(double bound, const Vector& scale) const
   {
@@ -140,7 +140,7 @@ private:
     return worst == none || m_problem.is_fixed()[worst] ? none : worst;
   }
 
-  // the vertices with prescribed scale factors, and one of every component without any
+  // Returns the vertices with prescribed scale factors, and one of every component without them.
   std::vector<char> with_pins() const
   {
     std::vector<char> result = m_problem.is_fixed();
@@ -157,8 +157,8 @@ private:
     m_cones.push_back(vertex(v));
   }
 
-  // the vertex that is beyond a bound at the minimum, too, if that is not as far from `scale` as
-  // half of the last step
+  // Returns the vertex that is beyond a bound at the minimum, too, if the minimum is closer to
+  // `scale` than half of the last step.
   std::size_t certainly_beyond(double bound, const Vector& scale, double step) const
   {
     return step < bound / 10 ? vertex_beyond(bound + step / 2, scale) : none;
@@ -166,7 +166,7 @@ private:
 
   typedef Symmetric_energy<Conformal_energy<>> Energy;
 
-  // by the variables
+  // Returns the gradient with respect to the variables.
   Vector free_gradient(const Energy& energy) const
   {
     Vector result = energy.gradient();
@@ -181,8 +181,9 @@ private:
     return free_gradient(energy);
   }
 
-  // The estimate is the first step of Newton's method from scale factors of zero, at which the
-  // energy is. If its slope lets the minimizer take it, it need not be computed again.
+  // Starts from the estimate, the first step of Newton's method from scale factors of zero, at
+  // which the energy is evaluated. If its slope lets the minimizer accept it, it need not be
+  // computed again.
   void start_from_estimate(Energy& energy, Cone_placement& placement, double bound)
   {
     if(m_problem.flipping() == Flipping::none || !values().isZero(0) || has_prescribed_scale())
@@ -194,8 +195,8 @@ private:
       start_near(start, energy, placement, bound);
   }
 
-  // Makes a cone of `v`, and starts from scale factors with the same curvatures elsewhere, to first
-  // order. Leaves the others unchanged if their gradient is less then. Returns false if rounding
+  // Makes `v` a cone, and starts from scale factors with the same curvatures elsewhere, to first
+  // order. Leaves the others unchanged if their gradient is then less. Returns false if rounding
   // prevents the cone.
   bool start_with_cone(std::size_t v, double bound)
   {
@@ -218,7 +219,7 @@ private:
     return true;
   }
 
-  // Drops and moves the cones that have been placed.
+  // Removes and moves the cones that have been placed.
   void exchange_cones(Cone_placement& placement, const Vector& defect, double bound)
   {
     std::vector<std::vector<Eigen::Index>> cones(m_problem.components().size());
@@ -239,7 +240,7 @@ private:
     placement.restart(result, defect);
   }
 
-  // a component without cones
+  // Returns a component without cones.
   Cone_exchange::Component exchangeable(std::size_t c, Cone_placement& placement,
                                         const Vector& defect) const
   {
@@ -272,9 +273,10 @@ private:
     add_cone(v);
   }
 
-  // Starts from scale factors near `u`, where the energy is, with a smaller gradient. While lengths
-  // change little, so does the Laplacian, on a smooth surface not at all: the factorization of the
-  // placement finds them. Cones that are certainly needed are placed meanwhile.
+  // Starts from scale factors near `u`, at which the energy is evaluated, with a smaller gradient.
+  // While lengths change little, so does the Laplacian, and on a smooth surface it hardly changes.
+  // So the factorization of the placement finds them. Cones that are certainly needed are placed
+  // meanwhile.
   void start_near(Vector u, Energy& energy, Cone_placement& placement, double bound)
   {
     const Free_variables variables(domain(), m_problem.size());
@@ -305,7 +307,7 @@ private:
     start_from({u.begin(), u.end()});
   }
 
-  // whether a scale factor is prescribed that is not zero
+  // Returns whether a scale factor other than zero is prescribed.
   bool has_prescribed_scale() const
   {
     for(std::size_t v = 0; v < m_problem.size(); ++v)
@@ -314,7 +316,7 @@ private:
     return false;
   }
 
-  // `defect`, with a sum of zero on components without prescribed scale factors
+  // Returns `defect`, with a sum of zero on components without prescribed scale factors.
   Vector balanced(Vector defect) const
   {
     const auto& component = m_problem.components();
@@ -329,8 +331,8 @@ private:
     return defect;
   }
 
-  // A component without prescribed scale factors gets a cone where the estimate is farthest from
-  // its middle, unless it needs none.
+  // Places a cone in each component without prescribed scale factors at the estimate farthest from
+  // its mean value, unless it needs none.
   void place_first_cones(Cone_placement& placement, double bound)
   {
     const std::vector<double> excess = m_problem.curvature_excess();
@@ -367,7 +369,7 @@ private:
     }
   }
 
-  // a component with cones whose estimate is out of bounds, or that needs more of them
+  // Returns a component with cones whose estimate is out of bounds, or that needs more cones.
   std::size_t worst_component(const Vector& estimate, double bound) const
   {
     const std::vector<double> excess = m_problem.curvature_excess();

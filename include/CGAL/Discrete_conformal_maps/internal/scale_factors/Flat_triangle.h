@@ -53,20 +53,21 @@ in_range(std::array<Intrinsic_triangulations::Decorated_length<FT>, 3> side)
   return side;
 }
 
-// The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate
-// the triangle inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
-// With circles at the corners, the cotangents are twice the heights of the power center over the
-// opposite sides, divided by these. They are the derivatives of angles by scale factors.
+// Computes the angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that
+// violate the triangle inequality have the limits of angles: pi opposite to the longest, zero
+// elsewhere. With circles at the corners, the cotangents are twice the heights of the power center
+// over the opposite sides, divided by these sides. They are the derivatives of angles by scale
+// factors.
 template <typename FT>
 class Flat_triangle
 {
   typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
 
 public:
-  // whether scaling changes no angles
+  // States whether scaling preserves all angles.
   static constexpr bool has_similar_ones = true;
 
-  // the logarithmic scale factor of a circle of this radius, for a variable of the energy
+  // Returns the logarithmic scale factor of a circle of this radius, for a variable of the energy.
   static const FT& log_scale(const FT& variable, const FT& /* radius */) { return variable; }
 
   explicit Flat_triangle(const std::array<FT, 3>& lengths)
@@ -82,14 +83,15 @@ public:
       const FT product = Intrinsic_triangulations::doubled_corner_product(
         side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
       m_corner[s] = {product, area};
-      // cotangents only lead to a minimum: cotangents of a flat triangle may be any large number
+      // Cotangents only lead to a minimum, so cotangents of a flat triangle may be any large
+      // number.
       m_cotangent[s] = product / (area > least ? area : least);
     }
-    // A relative error e of sides moves an angle by 2 e times the sum of the cotangents or less.
+    // A relative error e of sides moves an angle by at most 2 e times the sum of the cotangents.
     m_error = 8 * std::numeric_limits<FT>::epsilon() * squares / (area > least ? area : least);
-    // An error e moves a cosine by at most 2 e times a quotient. The quotient is the sum of
-    // squares of the sides over the product of the two sides at the corner. It moves an angle near
-    // zero or pi by no more than the root of twice that.
+    // An error e moves a cosine by at most 2 e times a quotient. The quotient is the sum of squares
+    // of the sides over the product of the two sides at the corner. It moves an angle near zero or
+    // pi by at most the root of twice this value.
     if(area * area < 2 * least * squares)
       m_error = (std::min)(m_error, root_error(side, least));
   }
@@ -120,37 +122,38 @@ public:
       m_error = (std::min)(m_error, root_error(length, least));
   }
 
-  // between the centers of circles
+  // Returns the distance between the centers of circles.
   static FT length(const Decorated_length& edge) { return edge.length(); }
 
-  // at the source of side s
+  // Returns the corner at the source of side s.
   const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
   FT angle(std::size_t s) const { return m_corner[s].angle(); }
-  // between the opposite side and the circle through the corners
+  // Returns the angle between the opposite side and the circle through the corners.
   FT circle_angle(std::size_t s) const { return angle(s); }
   const FT& cotangent(std::size_t s) const { return m_cotangent[s]; }
-  // half of pi less the sum of angles
+  // Returns half of pi minus the sum of angles.
   FT half_defect() const { return FT(0); }
-  // of half a side in proportion to the radius of curvature
+  // Returns the squared hyperbolic tangent of half a side, relative to the radius of curvature.
   static FT squared_tanh(const FT& /* length */) { return FT(0); }
-  // The derivative of the angle at corner s by a logarithmic scale factor at s, which multiplies
-  // both its sides by e^(u/2). By a factor at another corner, it is half the cotangent at the
-  // third
+  // Returns the derivative of the angle at corner s by a logarithmic scale factor at s, which
+  // multiplies both its sides by e^(u/2). The derivative by a factor at another corner is half the
+  // cotangent at the third.
   FT angle_derivative(std::size_t s) const
   {
     return -(m_cotangent[(s + 1) % 3] + m_cotangent[(s + 2) % 3]) / 2;
   }
 
-  // whether there is no triangle inside its longest side
+  // Returns whether the triangle is contained in its longest side.
   bool is_flat() const { return m_is_flat; }
 
-  // a bound for the rounding error of an angle, if the sides have an error of a few units in the
-  // last place
+  // Returns a bound for the rounding error of an angle, if the sides have an error of a few units
+  // in the last place.
   const FT& angle_error() const { return m_error; }
 
 private:
-  // Returns by how much both sides at corner s together exceed the third, zero if they do not. The
-  // two radii elsewhere cancel: only what sides exceed the sums of their radii counts.
+  // Returns the excess of the sum of both sides at corner s over the third, or zero if it is
+  // negative. The two other radii cancel: only the excesses of sides over the sums of their radii
+  // count.
   static FT slack_at(std::size_t s, const std::array<Decorated_length, 3>& side,
                      const std::array<FT, 3>& length)
   {

@@ -22,9 +22,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Variables that all vertices of a component share. With them, small hyperbolic triangles would
-// have the area that a component must have by Gauss and Bonnet. Circles have tanh(R/2) of at most
-// one half.
+// Returns variables that all vertices of a component share. With them, small hyperbolic triangles
+// would have the area of the component by Gauss and Bonnet. Circles have tanh(R/2) of at most one
+// half.
 inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
 {
   const auto& t = problem.triangulation();
@@ -35,7 +35,7 @@ inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
   Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(problem.size()));
   for(std::size_t v = 0; v < problem.size(); ++v) {
     double& w = result[Eigen::Index(v)];
-    // a length l = sinh(x/2) is half of x
+    // A length l = sinh(x/2) is half of x for small x.
     if(const std::size_t c = problem.components()[v]; target[c] > 0 && area[c] > 0)
       w = std::log(target[c] / (4 * area[c])) / 2;
     if(!radii.empty())
@@ -44,13 +44,14 @@ inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
   return result;
 }
 
-// The scale factors of a doubled problem with hyperbolic faces. With circles, they follow from the
-// variables of the energy.
+// Computes the scale factors of a doubled problem with hyperbolic faces. With circles, they follow
+// from the variables of the energy.
 class Hyperbolic_scale_factors : public Scale_factors<Hyperbolic_triangle>
 {
   typedef Scale_factors<Hyperbolic_triangle> Base;
 
 public:
+  // Prepares the search.
   // \throws Invalid_input if a prescribed scale factor makes a circle too large
   explicit Hyperbolic_scale_factors(Doubled_problem& problem)
     : Base(problem, hyperbolic_start(problem)), m_problem(problem)

@@ -19,34 +19,34 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the
-// next.
+// Computes the angles of a hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads
+// from corner s to the next.
 //
-// With the law of cosines, at the corner between sides b and c:
+// The law of cosines holds at the corner between sides b and c:
 //
 //   2 l_b l_c cosh(x_b/2) cosh(x_c/2) cos(angle) = p + 2 l_b^2 l_c^2,   p = l_b^2 + l_c^2 - l_a^2,
 //
-// With the sine in place of the cosine, the left side is d. Here d^2 is 16 times the squared area
-// of the Euclidean triangle with sides l, plus 4 (l_a l_b l_c)^2. No term cancels more than in that
+// With the sine instead of the cosine, the left side is d. Here d^2 is 16 times the squared area of
+// the Euclidean triangle with sides l, plus 4 (l_a l_b l_c)^2. No term cancels more than in that
 // triangle, which is the limit for short sides.
 //
-// With circles at the corners, sides join their centers. A circle of hyperbolic radius R is scaled
-// to the radius r with 2 r = tanh R. Angles are no gradient by scale factors u. They are one by w,
-// where dw = cosh R du. This gives w = log tanh(R/2) up to a constant, for which w = u if r = 0.
-// Consider the side l_c = sinh(x_c/2) from corner i to j, and the third corner k. Let C be cosh R
-// - 1, and q = p + 2 l_a^2 l_b^2, proportional to the cosine at the corner. The derivative of the
-// angle at i by w_j is cot_k / (2 cosh^2(x_c/2)), where
+// With circles at the corners, sides join their centers. A circle of hyperbolic radius R has the
+// scaled radius r with tanh R = 2 r. Angles are not a gradient with respect to scale factors u, but
+// with respect to w, where dw = cosh R du. This yields w = log tanh(R/2) up to a constant, and w =
+// u if r = 0. Consider the side l_c = sinh(x_c/2) from corner i to j, and the third corner k. Let C
+// be cosh R - 1, and q = p + 2 l_a^2 l_b^2, proportional to the cosine at the corner. The
+// derivative of the angle at i by w_j is cot_k / (2 cosh^2(x_c/2)) for this number:
 //
 //   cot_k = (p_k + (C_i q_j + C_j q_i) / (2 l_c^2) - C_k (1 + l_c^2)) / d.
 //
-// Its derivative by w_i is minus the sum, over both sides at i, of cosh x times this.
+// Its derivative by w_i is minus the sum, over both sides at i, of cosh x times this derivative.
 template <typename FT>
 class Hyperbolic_triangle
 {
   typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
 
 public:
-  // whether scaling changes no angles
+  // States whether scaling preserves all angles.
   static constexpr bool has_similar_ones = false;
 
   explicit Hyperbolic_triangle(const std::array<FT, 3>& l)
@@ -79,11 +79,11 @@ public:
     }
   }
 
-  // between the centers of circles
+  // Returns the length between the centers of circles.
   static FT length(const Decorated_length& edge) { return edge.hyperbolic_length(); }
 
-  // The logarithmic scale factor u for a variable w of the energy, of a circle of this radius. It
-  // is NaN if no circle is that large.
+  // Returns the logarithmic scale factor u for a variable w of the energy, of a circle of this
+  // radius. It is NaN if no circle is that large.
   static FT log_scale(const FT& variable, const FT& radius)
   {
     using std::exp;
@@ -93,7 +93,7 @@ public:
                     : FT(std::numeric_limits<double>::quiet_NaN());
   }
 
-  // the inverse function
+  // Returns the variable, by the inverse of log_scale().
   static FT variable(const FT& log_scale, const FT& radius)
   {
     using std::exp;
@@ -103,37 +103,37 @@ public:
     return log_scale - log(FT((1 + sqrt(FT((1 - 2 * r) * (1 + 2 * r)))) / 2));
   }
 
-  // at the source of side s
+  // Returns the corner at the source of side s.
   const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
   FT angle(std::size_t s) const { return m_corner[s].angle(); }
 
-  // between the opposite side and the circle through the corners: (pi + a_s - a_t - a_u) / 2 for
-  // angles a
+  // Returns the angle between the opposite side and the circle through the corners. It is (pi + a_s
+  // - a_t - a_u) / 2 for angles a.
   FT circle_angle(std::size_t s) const { return Corner<FT>{m_product[s], sine()}.angle(); }
 
-  // Of the circle angle. It only leads to a minimum: for a flat triangle it may be any large
-  // number
+  // Returns the cotangent of the circle angle. It only leads to a minimum: for a flat triangle it
+  // may be any large number.
   FT cotangent(std::size_t s) const { return m_product[s] / divisor(); }
 
-  // of half of a side given as l
+  // Returns the squared hyperbolic tangent of half of a side given as l.
   static FT squared_tanh(const FT& l) { return l * l / (1 + l * l); }
 
-  // half of pi less the sum of angles, which is the area
+  // Returns half of pi minus the sum of angles, which is the area.
   FT half_defect() const { return Corner<FT>{2 + m_squares, sine()}.angle(); }
 
-  // whether there is no triangle inside its longest side
+  // Returns whether the triangle is contained in its longest side.
   bool is_flat() const { return !(sine() > 0); }
 
-  // A bound for the rounding error of an angle, if the sides have an error of a few units in the
-  // last place. It is twice the bound of a flat triangle, since derivatives have the additional
-  // factor 1 + tanh^2(x/2).
+  // Returns a bound for the rounding error of an angle, if the sides have an error of a few units
+  // in the last place. It is twice the bound of a flat triangle, because derivatives have the
+  // additional factor 1 + tanh^2(x/2).
   FT angle_error() const
   {
     return 16 * std::numeric_limits<FT>::epsilon() * (1 + m_squares / divisor());
   }
 
 private:
-  // cosh R - 1 for a scaled radius r with 2 r = tanh R
+  // Returns cosh R - 1 for a scaled radius r with 2 r = tanh R.
   static FT cosh_excess(const FT& r)
   {
     using std::sqrt;

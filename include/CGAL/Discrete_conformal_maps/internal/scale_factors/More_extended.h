@@ -11,10 +11,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// takes over from `Extended` where errors grow on very long ways
+// This type replaces `Extended` if errors grow on very long paths.
 typedef Intrinsic_triangulations::Decimal_float<115> More_extended;
 
-// has positions in one plane of faces that differ in size by a factor of up to e^3400
+// This type stores positions in one plane of faces that differ in size by a factor of up to e^3400.
 typedef Intrinsic_triangulations::Decimal_float<1500> Long_number;
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -19,8 +19,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A closed ideal polyhedron with one vertex without horocycle, in the triangulation that is
-// Delaunay for given scale factors of the others (Section 4.4.1). Without that vertex, its edges
+// Represents a closed ideal polyhedron with one vertex without horocycle, in the triangulation that
+// is Delaunay for given scale factors of the others (Section 4.4.1). Without that vertex, its edges
 // and its faces it is a disk, the remaining surface.
 template <typename FT_>
 class Partially_decorated_surface
@@ -36,7 +36,7 @@ public:
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
-  // all flips so far
+  // Returns all flips so far.
   const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
 
   bool is_remaining(Edge_index e) const
@@ -51,11 +51,12 @@ public:
     return mesh().target(mesh().next(h)) != m_at_infinity && is_remaining(Edge_index(h));
   }
 
-  // With a scale factor of zero at the vertex at infinity. Arcs elsewhere do not depend on it.
+  // Returns the length with a scale factor of zero at the vertex at infinity. Arcs elsewhere do not
+  // depend on it.
   const FT& scaled_length(Edge_index e) const { return m_surface.scaled_length(e); }
 
-  // Takes other scale factors, and flips to the triangulation that is Delaunay with them. The
-  // factor of the vertex at infinity has no influence.
+  // Sets other scale factors, and flips to the triangulation that is Delaunay with them. The factor
+  // of the vertex at infinity has no influence.
   // \throws Numerical_error if a scaled length is not a length
   void scale(std::vector<FT> u)
   {
@@ -70,15 +71,15 @@ public:
     m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); });
   }
 
-  // Takes other scale factors at some vertices, as `Penner_surface::scale_at()` does.
+  // Sets other scale factors at some vertices, as `Penner_surface::scale_at()` does.
   void scale_at(const std::vector<Vertex_index>& vertices, const std::vector<FT>& u)
   {
     m_surface.scale_at(vertices, u, [this](Halfedge_index h) { return is_Delaunay(h); });
   }
 
 private:
-  // Equation 4.16, in which arcs at infinity vanish. A tie is decided in favor of edges to
-  // infinity: they are the limit of triangulations with a horocycle at infinity. The two
+  // Evaluates Equation 4.16, in which arcs at infinity vanish. Ties are decided in favor of edges
+  // to infinity: they are the limit of triangulations with a horocycle at infinity. The two
   // tolerances differ, so that no edge is flipped back.
   bool is_Delaunay(Halfedge_index h) const
   {

@@ -22,11 +22,12 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The triangulation whose edges join a center to all other vertices by shortest geodesics, and to
-// itself (Section 4.4.3). It is ideal Delaunay if only the center has a horocycle.
+// Represents the triangulation whose edges join a center to all other vertices by shortest
+// geodesics, and to itself (Section 4.4.3). It is ideal Delaunay if only the center has a
+// horocycle.
 //
-// The surface may have a border, whose edges stay: they are geodesics, and shortest ones within
-// them do not cross them.
+// The surface may have a border, whose edges are not flipped. They are geodesics, and shortest
+// geodesics within the surface do not cross them.
 //
 // The other horocycles shrink at the same rate, and every edge is flipped when it ceases to be
 // Delaunay. So intermediate edges stay short.
@@ -34,8 +35,9 @@ template <typename FT>
 class Peacock_triangulation
 {
 public:
+  // Flips to the triangulation with the center `center`.
   // \pre the triangulation is ideal Delaunay
-  // \throws Flip_limit_exceeded if rounding makes the flips go on
+  // \throws Flip_limit_exceeded if rounding prevents the flips from ending
   template <typename EdgeLengthMap>
   Peacock_triangulation(const Delta_complex& mesh, const EdgeLengthMap& length, Vertex_index center)
     : m_surface(mesh, length), m_center(center), m_end(mesh.num_edges())
@@ -54,8 +56,8 @@ public:
 
   std::size_t number_of_flips() const { return m_surface.flips().size(); }
 
-  // the distance of the horocycle of the center to the horocycle of each vertex; infinity for the
-  // center itself
+  // Returns the distance of the horocycle of the center to the horocycle of each vertex, or
+  // infinity for the center itself.
   std::vector<FT> distances() const
   {
     using std::log;
@@ -73,7 +75,8 @@ public:
 private:
   typedef Delta_complex::size_type size_type;
 
-  // Notes at which scale of the arcs at the center the edge ceases to be Delaunay (Equation 4.16).
+  // Records the scale of the arcs at the center at which the edge ceases to be Delaunay (Equation
+  // 4.16).
   void enqueue(Edge_index e)
   {
     const Halfedge_index h(2 * e.idx()), o = opposite(h);
@@ -90,7 +93,7 @@ private:
     add(mesh().target(h), -arc.at_j);
     FT& end = m_end[e.idx()];
     end = (std::max)(FT(-shrinking / growing), m_scale);
-    // a tie is not broken by rounding, lest edges be flipped without end
+    // Rounding does not break a tie, so that no edge is flipped endlessly.
     if(growing > tolerance::roundings_of_squares * std::numeric_limits<FT>::epsilon() * center_size)
       m_queue.emplace(end, e.idx());
     else

@@ -28,9 +28,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The prescribed curvature or scale factor of each vertex of a surface, and the topology of its
-// components, which curvatures have to suit. A component with boundary is doubled (Section 4.3.4):
-// its vertices on the boundary have twice the prescribed exterior angle.
+// Stores the prescribed curvature or scale factor of each vertex of a surface, and the topology of
+// its components, which curvatures must match. A component with boundary is doubled (Section
+// 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
 class Prescribed_curvatures
 {
 public:
@@ -38,7 +38,7 @@ public:
   typedef Intrinsic_triangulations::Topological_type Topological_type;
   typedef Eigen::VectorXd Vector;
 
-  // `condition` has one entry for each vertex of `surface`
+  // `condition` has one entry for each vertex of `surface`.
   Prescribed_curvatures(const Delta_complex& surface,
                         const std::vector<Vertex_condition>& condition)
     : m_components(surface),
@@ -54,16 +54,16 @@ public:
     }
   }
 
-  // the number of vertices of the surface
+  // Returns the number of vertices of the surface.
   std::size_t size() const { return m_is_fixed.size(); }
 
-  // the components of the surface
+  // Returns the components of the surface.
   const Components& components() const { return m_components; }
 
-  // the topology of each of them; an isolated vertex has no component
+  // Returns the topology of each component; an isolated vertex has no component.
   const std::vector<Topological_type>& topology() const { return m_topology; }
 
-  // whether a component is doubled
+  // Returns whether a component is doubled.
   bool has_boundary(std::size_t component) const
   {
     return m_topology[component].boundary_loops > 0;
@@ -74,19 +74,20 @@ public:
     return m_topology[m_components[v.idx()]].components == 0;
   }
 
-  // false for a vertex of the second copy
+  // Returns whether a vertex is on the boundary, and false for a vertex of the second copy.
   bool is_on_boundary(Vertex_index v) const
   {
     return v.idx() < size() && m_is_on_boundary[v.idx()];
   }
 
-  // how many vertices of the double a vertex of the surface is
+  // Returns how many vertices of the double represent a vertex of the surface.
   double number_of_copies(std::size_t v) const
   {
     return has_boundary(m_components[v]) ? 2 * part(v) : 1;
   }
 
-  // On the boundary, a vertex of the double is half one of the surface.
+  // Returns the share of a vertex. On the boundary, a vertex of the surface is half a vertex of the
+  // double.
   double part(std::size_t v) const
   {
     return is_on_boundary(Vertex_index(Delta_complex::size_type(v))) ? 0.5 : 1;
@@ -103,12 +104,12 @@ public:
     m_value[Eigen::Index(v.idx())] = !is_scale && is_isolated(v) ? 0 : value;
   }
 
-  // the vertices where scale factors are prescribed
+  // Returns the vertices with prescribed scale factors.
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
-  // the scale factor where it is prescribed
+  // Returns the prescribed scale factor, or zero if none is prescribed.
   double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
-  // The free variables of an energy of scale factors: all that are not prescribed. If scaling
-  // changes no angles, the variables of a component move together.
+  // Returns the free variables of an energy of scale factors: all that are not prescribed. If
+  // scaling changes no angles, the variables of a component move together.
   Minimization_domain domain(bool has_similar_ones) const
   {
     Minimization_domain result{m_is_fixed, {}};
@@ -117,7 +118,7 @@ public:
         result.component.push_back(m_components[v]);
     return result;
   }
-  // the angle defects that are prescribed; zero elsewhere
+  // Returns the prescribed angle defects, and zero elsewhere.
   Vector target_defect() const
   {
     Vector result = m_value;
@@ -127,12 +128,14 @@ public:
     return result;
   }
 
-  // Straight boundaries may be bent outwards by this angle at each vertex: zero at first.
+  // Returns the angle by which straight boundaries may be bent outwards at each vertex, which is
+  // initially zero.
   double bend() const { return m_bend; }
 
   void straighten_boundaries() { m_bend = 0; }
 
-  // Bends them by so little that the sum of all bends is less than is promised of one angle.
+  // Bends straight boundaries by so little that the sum of all bends is less than the promised
+  // error of one angle.
   void bend_straight_boundaries()
   {
     double sides = 1;
@@ -141,12 +144,12 @@ public:
     m_bend = (std::min)(tolerance::bend, tolerance::promised_angle / sides);
   }
 
-  // Returns by how much the tried angle defects differ from the prescribed ones. Consider a
-  // straight boundary without vertices inside. Every triangle beside it reaches to a vertex
-  // inside, however small its side on the boundary is and however far that vertex. So lengths of
-  // as many digits would be needed. A bend of 1e-13 is a rounding error of angles. It makes
-  // triangles with a third corner on the boundary Delaunay if sides are so small. The other
-  // exterior angles of the component shrink in proportion.
+  // Returns the differences between the tried angle defects and the prescribed ones. Consider a
+  // straight boundary without vertices inside. Every triangle beside it reaches to a vertex inside,
+  // however small its side on the boundary is and however far that vertex is. So lengths would need
+  // as many digits. A bend of 1e-13 is a rounding error of angles. It makes triangles with a third
+  // corner on the boundary Delaunay if sides are so small. The other exterior angles of the
+  // component shrink proportionally.
   Vector bends() const
   {
     Vector result = Vector::Zero(m_value.size());
@@ -169,9 +172,8 @@ public:
     return result;
   }
 
-  // Returns the prescribed angle defects with the digits of `FT`. If no scale factor is
-  // prescribed, their sums obey Gauss and Bonnet. Rounding of defects other than zero leaves a
-  // part of a unit.
+  // Returns the prescribed angle defects with the digits of `FT`. If no scale factor is prescribed,
+  // their sums satisfy Gauss and Bonnet. The rounding of nonzero defects leaves a part of a unit.
   template <typename FT>
   std::vector<FT> balanced_target_defect() const
   {
@@ -193,9 +195,9 @@ public:
     return result;
   }
 
-  // For each component of the double, the excess of the prescribed curvatures over 2 pi times the
-  // Euler characteristic. The curvature of the vertices with prescribed scale factors must be less
-  // by this excess (Equation 4.11). It is zero for an isolated vertex.
+  // Returns, for each component of the double, the excess of the prescribed curvatures over 2 pi
+  // times the Euler characteristic. The curvature of the vertices with prescribed scale factors
+  // must be less by this excess (Equation 4.11). It is zero for an isolated vertex.
   std::vector<double> curvature_excess() const
   {
     std::vector<double> sum(m_components.size(), 0);
@@ -207,7 +209,7 @@ public:
     return sum;
   }
 
-  // whether the prescribed curvatures obey Gauss and Bonnet, up to rounding
+  // Returns whether the prescribed curvatures satisfy Gauss and Bonnet, up to rounding.
   bool is_balanced() const
   {
     const std::vector<double> excess = curvature_excess();
@@ -218,8 +220,8 @@ public:
     return true;
   }
 
-  // The least number of vertices with prescribed scale factors that a component needs for this
-  // excess. Each can have a curvature of less than a full turn.
+  // Returns the least number of vertices with prescribed scale factors that a component needs for
+  // this excess. Each can have a curvature of less than 2 pi.
   static std::size_t needed_cones(double excess)
   {
     if(std::abs(excess) <= tolerance::curvature_sum)
@@ -230,7 +232,7 @@ public:
                           1;
   }
 
-  // how many vertices with prescribed scale factors each component of the double has
+  // Returns how many vertices with prescribed scale factors each component of the double has.
   std::vector<std::size_t> number_of_fixed() const
   {
     std::vector<std::size_t> result(m_components.size(), 0);
@@ -240,6 +242,7 @@ public:
     return result;
   }
 
+  // Checks the conditions.
   // \throws Invalid_input if no flat metric satisfies the conditions
   void check() const
   {
@@ -251,8 +254,9 @@ public:
         throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
   }
 
-  // \throws Invalid_input if no hyperbolic metric satisfies the conditions: the area, by Gauss and
-  // Bonnet, must be positive
+  // Checks the conditions for a hyperbolic metric, whose area, by Gauss and Bonnet, must be
+  // positive.
+  // \throws Invalid_input if no hyperbolic metric satisfies them
   void check_hyperbolic() const
   {
     check_angles();
@@ -264,7 +268,7 @@ public:
   }
 
 private:
-  // whether an exterior angle is prescribed that is almost zero, or greater
+  // Returns whether an exterior angle is prescribed that is almost zero, or greater.
   bool is_straight(std::size_t v) const
   {
     return m_is_on_boundary[v] && !m_is_fixed[v] && std::abs(m_value[Eigen::Index(v)]) < 2 * m_bend;
@@ -274,7 +278,7 @@ private:
     return m_is_on_boundary[v] && !m_is_fixed[v] && m_value[Eigen::Index(v)] >= 2 * m_bend;
   }
 
-  // by Euler, with all boundary loops filled
+  // Sets the topology by Euler's formula, with all boundary loops filled.
   void set_topology(const Delta_complex& surface)
   {
     std::vector<long> filled(m_components.size(), 0);
@@ -297,14 +301,14 @@ private:
         m_topology[c].genus = static_cast<std::size_t>(2 - filled[c]) / 2;
   }
 
-  // the Euler characteristic of a component, zero for an isolated vertex
+  // Returns the Euler characteristic of a component, or zero for an isolated vertex.
   long characteristic(std::size_t c) const
   {
     return 2 * (long(m_topology[c].components) - long(m_topology[c].genus)) -
            long(m_topology[c].boundary_loops);
   }
 
-  // how a message names a component: by its first vertex if there are others with faces
+  // Returns the name of a component in a message: its first vertex if other components have faces.
   std::string name(std::size_t component) const
   {
     const auto has_faces = [](const Topological_type& type) { return type.components > 0; };
@@ -316,7 +320,7 @@ private:
     return "the component of vertex " + std::to_string(v);
   }
 
-  // why a component, whose double would have the area `area`, is not hyperbolic
+  // Returns why a component, whose double would have the area `area`, is not hyperbolic.
   std::string not_hyperbolic(std::size_t component, double area) const
   {
     const std::string kind = Intrinsic_triangulations::description(m_topology[component]);
@@ -331,7 +335,7 @@ private:
     return text.str();
   }
 
-  // whether no curvature is prescribed anywhere in a component
+  // Returns whether no curvature is prescribed in a component.
   bool is_flat(std::size_t component) const
   {
     for(std::size_t v = 0; v < size(); ++v)
@@ -349,7 +353,7 @@ private:
           ": its curvature is too great; it must be less than 2 pi, on the boundary less than pi");
   }
 
-  // the error in the curvatures of a component
+  // Describes the error in the curvatures of a component.
   std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
   {
     const double own = has_boundary(component) ? excess / 2 : excess; // not of the double

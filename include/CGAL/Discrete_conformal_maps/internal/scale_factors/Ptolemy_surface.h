@@ -18,7 +18,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The factor by which logarithmic scale factors that sum up to `u` multiply lengths.
+// Returns the factor by which logarithmic scale factors that sum up to `u` multiply lengths.
 template <typename FT>
 FT length_factor(const FT& u)
 {
@@ -26,16 +26,17 @@ FT length_factor(const FT& u)
   return exp(u / 2);
 }
 
-// Equation 4.1: the length of an edge ij after scaling. It is multiplied by the factors of i and
-// j, which are computed once for each vertex. With less rounding, it is multiplied by the factor
-// of u_i + u_j.
+// Returns the length of an edge ij after scaling (Equation 4.1). It is multiplied by the factors of
+// i and j, which are computed once for each vertex. With less rounding, it is multiplied by the
+// factor of u_i + u_j.
 template <typename FT, typename... Factor>
 FT scaled_length(const FT& length, const Factor&... factor)
 {
   return (length * ... * factor);
 }
 
-// The length with the circles at the ends: radii are multiplied by squared factors of lengths.
+// Returns the length with the circles at the ends. Radii are multiplied by squared factors of
+// lengths.
 template <typename FT>
 Intrinsic_triangulations::Decorated_length<FT>
 scaled(const Intrinsic_triangulations::Decorated_length<FT>& edge, const FT& u_i, const FT& u_j)
@@ -45,9 +46,9 @@ scaled(const Intrinsic_triangulations::Decorated_length<FT>& edge, const FT& u_i
           scaled_length(edge.source_radius, i, i), scaled_length(edge.target_radius, j, j)};
 }
 
-// A closed ideal polyhedron with Penner lengths, or a hyperideal one with the tangents of circles.
-// Its edges turn by Ptolemy's relation (Equation 4.4) or its generalization, and the flips are
-// recorded.
+// Represents a closed ideal polyhedron with Penner lengths, or a hyperideal one with the tangents
+// of circles. Its edges are flipped by Ptolemy's relation (Equation 4.4) or its generalization, and
+// the flips are recorded.
 template <typename FT>
 class Ptolemy_surface
 {
@@ -56,7 +57,7 @@ public:
   typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
 
   // `length` is a readable property map of lengths; `radii` are the radii of all vertices, or
-  // empty
+  // empty.
   template <typename EdgeLengthMap>
   Ptolemy_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
                   std::vector<FT> radii = {})
@@ -71,7 +72,7 @@ public:
   const Delta_complex& mesh() const { return m_mesh; }
   const FT& length(Edge_index e) const { return m_length[e.idx()]; }
 
-  // all flips so far; flips of another surface with this connectivity can be replayed
+  // Returns all flips so far. Flips of another surface with this connectivity can be replayed.
   const std::vector<Halfedge_index>& flips() const { return m_flips; }
   void replay(const std::vector<Halfedge_index>& flips)
   {
@@ -79,7 +80,7 @@ public:
       flip(h);
   }
 
-  // the edge ij of `h` and its faces ijk and jil, optionally with other lengths of edges
+  // Returns the edge ij of `h` and its faces ijk and jil, optionally with other lengths of edges.
   Diamond diamond(Halfedge_index h) const { return diamond(h, m_length); }
   Diamond diamond(Halfedge_index h, const std::vector<FT>& length) const
   {
@@ -88,11 +89,11 @@ public:
     return {of(h), of(m_mesh.next(h)), of(m_mesh.prev(h)), of(m_mesh.next(o)), of(m_mesh.prev(o))};
   }
 
-  // whether there are circles at the vertices
+  // Returns whether vertices have circles.
   bool has_radii() const { return !m_radii.empty(); }
   const std::vector<FT>& radii() const { return m_radii; }
 
-  // the edge of `h` with the circles at its ends, optionally with other lengths and radii
+  // Returns the edge of `h` with the circles at its ends, optionally with other lengths and radii.
   Decorated_length decorated_length(Halfedge_index h) const
   {
     return decorated_length(h, m_length, m_radii);
@@ -104,7 +105,7 @@ public:
             radii[m_mesh.target(h).idx()]};
   }
 
-  // Calls `function` with the diamond of `h`, with radii if there are any. Flips with radii need
+  // Calls `function` with the diamond of `h`, and with radii if they exist. Flips with radii need
   // square roots, which rational numbers do not have.
   template <typename Function>
   auto of_diamond(const Function& function, Halfedge_index h, const std::vector<FT>& length,
@@ -118,7 +119,8 @@ public:
     return function(diamond(h, length));
   }
 
-  // \pre `flip_status(h, mesh())` says that it is possible
+  // Flips the edge of `h`.
+  // \pre `flip_status(h, mesh())` returns that it is possible
   void flip(Halfedge_index h)
   {
     m_length[Edge_index(h).idx()] =
@@ -135,8 +137,8 @@ private:
   std::vector<Halfedge_index> m_flips;
 };
 
-// The horocyclic arcs of two decorated triangles ijk and jil, each multiplied by the length of ij
-// (Equation 4.15).
+// Stores the horocyclic arcs of two decorated triangles ijk and jil, each multiplied by the length
+// of ij (Equation 4.15).
 template <typename FT>
 struct Horocyclic_arcs
 {

@@ -18,10 +18,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The energy whose minimum under lower bounds are the scale factors that unfold a sphere, without
-// one of its vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`. Scale factors are
-// the sum of an origin and a variable, as in `Conformal_energy`. The variables of the vertex at
-// infinity and of isolated vertices have no influence.
+// Represents the spherical energy. Its minimum under lower bounds are the scale factors that unfold
+// a sphere, without one of its vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`.
+// Scale factors are the sum of an origin and a variable, as in `Conformal_energy`. The variables of
+// the vertex at infinity and of isolated vertices have no influence.
 template <typename FT_ = double>
 class Spherical_energy
   : public Angle_energy<Spherical_energy<FT_>, Partially_decorated_surface<FT_>, Flat_triangle<FT_>>
@@ -33,7 +33,7 @@ public:
   typedef FT_ FT;
   using Base::surface;
 
-  // `length` is a readable property map of the lengths of edges
+  // `length` is a readable property map of the lengths of edges.
   template <typename EdgeLengthMap>
   Spherical_energy(const Delta_complex& complex, const EdgeLengthMap& length,
                    Vertex_index at_infinity)
@@ -43,8 +43,8 @@ public:
   FT value() const;
 
   // Returns the derivative by one variable, after some have been moved. The gradient has the angle
-  // defects, with pi instead of 2 pi on the boundary of the remaining surface. A vertex begins
-  // with two right angles for each half of an edge without a face.
+  // defects, with pi instead of 2 pi on the boundary of the remaining surface. A vertex begins with
+  // two right angles for each half of an edge without a face.
   double derivative(Vertex_index v) const
   {
     Angle_difference<FT> defect(FT(0));
@@ -68,7 +68,7 @@ private:
     return surface().is_remaining(i);
   }
 
-  // as `derivative()`
+  // Sums up the angles for all derivatives.
   void sum_angles()
   {
     std::vector<Angle_difference<FT>> defect(Base::size(), Angle_difference<FT>(0));

@@ -38,8 +38,8 @@ Symmetric_energy<Spherical_energy<FT>> spherical_energy(Doubled_problem& problem
           }};
 }
 
-// The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
-// 4.4.4). They belong to the vertices of the surface that has perhaps been doubled.
+// Computes the scale factors that unfold a sphere, without one of its vertices, into the plane
+// (Section 4.4.4). They belong to the vertices of the surface that was possibly doubled.
 template <typename FT>
 class Spherical_scale_factors
 {
@@ -47,8 +47,8 @@ class Spherical_scale_factors
   typedef Symmetric_energy<Spherical_energy<FT>> Energy;
 
 public:
-  // A disk has its vertex at infinity on the boundary: then there are shortest geodesics within
-  // it.
+  // A disk has its vertex at infinity on the boundary, because shortest geodesics within it then
+  // exist.
   // \throws Numerical_error if the bounds are out of the range of `FT`
   Spherical_scale_factors(Doubled_problem& problem, Vertex_index at_infinity)
     : m_problem(problem),
@@ -64,16 +64,16 @@ public:
     m_u = start(std::vector<Extended>(problem.size(), Extended(0)));
   }
 
-  // the scale factors; zero at infinity and at isolated vertices
+  // Returns the scale factors, which are zero at infinity and at isolated vertices.
   const std::vector<FT>& values() const { return m_u; }
-  // their lower bounds: at the bounds, vertices are neighbors of the vertex at infinity
+  // Returns the lower bounds. At the bounds, vertices are neighbors of the vertex at infinity.
   const std::vector<FT>& bounds() const { return m_bound; }
   const Minimization_result& result() const { return m_result; }
 
-  // The greatest error of an angle that must be full, at vertices that are not at their bounds. At
-  // the others, the slope of the energy is like a root. Numbers may not resolve where it vanishes.
-  // The bound leaves as much as the root of a rounding unit in the gradient, before which all
-  // other terms are lost. But the sum of angles need not be full at these vertices.
+  // Returns the greatest error of an angle that must be 2 pi, at vertices that are not at their
+  // bounds. At the others, the slope of the energy behaves like a root, and numbers may not resolve
+  // its zero. The bound leaves as much as the root of a rounding unit in the gradient, beside which
+  // all other terms are lost. But the sum of angles need not be 2 pi at these vertices.
   double angle_error() const { return m_angle_error; }
 
   // Starts from scale factors of another precision instead of a guess.
@@ -86,8 +86,8 @@ public:
                  : (std::max)(m_bound[v], converted<FT>(other.values()[v]));
   }
 
-  // Starts from rounded scale factors, which are equal at near vertices: rounding has left nothing
-  // of the angles between these.
+  // Starts from rounded scale factors, which are equal at near vertices, because rounding has left
+  // no digits of the angles between these.
   void set_start_of_groups(const Spherical_scale_factors<double>& rounded)
   {
     set_start(rounded);
@@ -108,9 +108,10 @@ public:
   void set_start(const std::vector<Extended>& flat) { m_u = start(flat); }
 
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
-  // `double` limits only how far a step can change the scale factors: where they have more digits,
-  // a second run finds these. Where they have not, a second run leaves vertices at their bounds:
-  // see `angle_error()`. The energy does not outlive the minimization: a layout needs its memory.
+  // `double` limits only how far a step can change the scale factors. If they have more digits, a
+  // second run finds these. Otherwise, a second run leaves vertices at their bounds, see
+  // `angle_error()`. The energy does not outlive the minimization, because a layout needs its
+  // memory.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
@@ -121,7 +122,7 @@ public:
     m_angle_error = angle_error(energy.gradient());
   }
 
-  // Does the same with steps in all digits, for needles on the exact surface.
+  // Minimizes the energy with steps in all digits, for needles on the exact surface.
   template <typename Visitor>
   void descend(Visitor& visitor)
   {
@@ -140,8 +141,8 @@ public:
   }
 
 private:
-  // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more
-  // digits.
+  // Ten or twenty iterations are usual. If bounds are active without effect, more digits may be
+  // better.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
 
@@ -171,7 +172,7 @@ private:
       m_result.status = Minimization_status::converged; // less than that is used, no more
   }
 
-  // at the bounds to the bit
+  // Stores the scale factors. At the bounds, they equal them bitwise.
   void store_scale_factors(const Energy& energy, const Vector& x, const Vector& lower)
   {
     for(std::size_t v = 0; v < m_u.size(); ++v) {
@@ -191,9 +192,10 @@ private:
     return result;
   }
 
-  // As if the neighbors of the vertex at infinity remained, with other scale factors like `first`,
-  // up to a constant. With needles, this is very small. Then scale factors of near vertices differ
-  // as little as their bounds, also if some are neighbors of the vertex at infinity.
+  // Returns scale factors for a start. The neighbors of the vertex at infinity have their factors
+  // as if they remained, the others are like `first`, up to a constant. With needles, this constant
+  // is very small. Then scale factors of near vertices differ as little as their bounds, even if
+  // some are neighbors of the vertex at infinity.
   std::vector<FT> start(const std::vector<Extended>& first) const
   {
     FT sum(0), count(0), least = std::numeric_limits<FT>::infinity();
@@ -216,7 +218,7 @@ private:
     return result;
   }
 
-  // Joins vertices with an edge that is much shorter than others of its faces.
+  // Joins vertices with an edge that is much shorter than the other edges of its faces.
   template <typename Sets>
   void join_near_vertices(Sets& sets) const
   {

@@ -26,10 +26,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Half of the energy of a double, as a function of the scale factors on the surface itself. Copies
-// have equal scale factors. A model of `ConvexEnergy`. All faces at a vertex of the surface exist.
-// If the second copy is not deep enough for a point, it is made deeper. A surface without boundary
-// has its own energy.
+// Represents half of the energy of a double, as a function of the scale factors on the surface
+// itself. Copies have equal scale factors. A model of `ConvexEnergy`. All faces at a vertex of the
+// surface exist. If the second copy is not deep enough for a point, it is made deeper. A surface
+// without boundary has its own energy.
 template <typename Energy>
 class Symmetric_energy
 {
@@ -56,10 +56,11 @@ public:
 
   std::size_t size() const { return m_problem.size(); }
 
-  // Triangulations that follow the scale factors do not break the derivatives of angles.
+  // Returns whether the triangulation follows the scale factors, so that the derivatives of angles
+  // are continuous.
   bool has_smooth_gradient() const { return m_problem.flipping() == Flipping::to_Delaunay; }
 
-  // of the variables
+  // Returns the elimination order of the variables.
   std::shared_ptr<Shared_order> shared_order() const { return m_problem.order(); }
 
   void evaluate(const Vector& x)
@@ -81,8 +82,8 @@ public:
   }
   void move_origin() { set_origin(scale_factors()); }
 
-  // Moves some variables alone, and returns the sum of the derivatives by them; NaN if a scaled
-  // length is not a length. Until `evaluate()`, other values are those before.
+  // Moves some variables, and returns the sum of the derivatives by them, or NaN if a scaled length
+  // is not a length. All other values are unchanged until `evaluate()`.
   double derivative_at(const std::vector<std::size_t>& variables, const std::vector<FT>& u)
   {
     if(m_next_copy.size() != m_problem.originals().size())
@@ -115,7 +116,7 @@ public:
 
   const FT& scale_factor(std::size_t v) const { return m_energy->scale_factors()[v]; }
 
-  // the value of the double, as far as it exists
+  // Returns the energy of the existing part of the double.
   const Energy& energy() const { return *m_energy; }
 
   FT value() const
@@ -128,9 +129,9 @@ public:
   const Vector& gradient() const { return m_gradient; }
   double gradient_error() const { return m_energy->gradient_error(); }
 
-  // The columns of vertices of the surface, with columns of copies added to the rows, and half of
-  // it transposed. Ties between faces across the boundary are not broken symmetrically, where
-  // entries vanish.
+  // Returns the Hessian. It consists of the columns of vertices of the surface, with columns of
+  // copies added to the rows, and half of it transposed. Ties between faces across the boundary are
+  // not broken symmetrically, where entries vanish.
   const Matrix& Hessian() const
   {
     if(m_problem.has_no_copies())
@@ -150,7 +151,8 @@ public:
   }
 
 private:
-  // Rounding of the sums below depends on the order of their terms.
+  // Makes the matrix symmetric, because rounding of the sums below depends on the order of their
+  // terms.
   static void make_symmetric(Matrix& matrix)
   {
     for(Eigen::Index column = 0; column < matrix.cols(); ++column)
@@ -195,7 +197,7 @@ private:
   mutable bool m_has_Hessian = false;
 };
 
-// `triangulation` is as for the constructor
+// `triangulation` is the argument of the constructor.
 template <typename FT, typename Triangle>
 Symmetric_energy<Conformal_energy<FT, Triangle>>
 symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation& triangulation)
@@ -208,7 +210,7 @@ symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation&
       result.set_concurrency(problem.concurrency());
       return result;
     };
-    // more digits than targets have make a difference only to needles on the exact surface
+    // More digits than targets have make a difference only for needles on the exact surface.
     if constexpr(Triangle::has_similar_ones && !std::is_same_v<FT, double>)
       if(problem.has_needles())
         return energy(problem.template balanced_target_defect<FT>());

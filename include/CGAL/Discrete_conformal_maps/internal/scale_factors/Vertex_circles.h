@@ -30,7 +30,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The circles at the vertices of a surface, if it has any, for its double. `original` maps
+// Stores the circles at the vertices of a surface, if it has any, for its double. `original` maps
 // vertices of the double to vertices of the surface.
 class Vertex_circles
 {
@@ -38,7 +38,7 @@ class Vertex_circles
   typedef std::vector<Vertex_index> Originals;
 
 public:
-  // with a radius for each vertex of the surface; none if all are zero
+  // Stores a radius for each vertex of the surface, or no circles if all are zero.
   // \throws Invalid_input if one is negative, infinite or NaN
   explicit Vertex_circles(std::vector<double> radii = {}) : m_radii(std::move(radii))
   {
@@ -52,7 +52,7 @@ public:
 
   bool exist() const { return !m_radii.empty(); }
 
-  // Returns the radii at the vertices of the double, if there are any.
+  // Returns the radii at the vertices of the double, if they have circles.
   template <typename FT>
   std::vector<FT> radii(const Originals& original) const
   {

@@ -16,10 +16,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A number with the digits of `Mantissa`, `double` or `Extended`, and an exponent of its own. The
-// lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares in a row.
-// They are beyond the range of both types. Exponents are multiples of 512, so that most operations
-// leave them alone.
+// Represents a number with the digits of `Mantissa`, `double` or `Extended`, and a separate
+// exponent. The lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares
+// in a row. They are beyond the range of both types. Exponents are multiples of 512, so that most
+// operations do not change them.
 template <typename Mantissa>
 class Wide_number
 {
@@ -29,7 +29,7 @@ public:
   {
     normalize();
   }
-  // `mantissa` times a power of two
+  // Constructs `mantissa` times a power of two.
   explicit Wide_number(const Mantissa& mantissa, std::int64_t exponent)
     : m_mantissa(mantissa), m_window(exponent / window)
   {
@@ -43,17 +43,17 @@ public:
     : Wide_number(Mantissa(x.mantissa()), x.exponent())
   {}
 
-  // zero, not finite, or from 2^-256 to 2^256 by absolute value
+  // Returns the mantissa, which is zero, not finite, or from 2^-256 to 2^256 by absolute value.
   const Mantissa& mantissa() const { return m_mantissa; }
-  // zero if the mantissa is zero or not finite
+  // Returns the exponent, which is zero if the mantissa is zero or not finite.
   std::int64_t exponent() const { return window * m_window; }
   bool is_finite() const { return std::isfinite(leading_part()); }
-  // the sign, and what says whether the number is zero or finite
+  // Returns a number with the same sign, which is zero or not finite if the number is.
   double leading_part() const { return static_cast<double>(m_mantissa); }
 
   explicit operator double() const { return static_cast<double>(in_range_of_mantissa()); }
 
-  // Beyond the range of `Mantissa`, zero or infinity.
+  // Returns the number as `Mantissa`, or zero or infinity beyond its range.
   Mantissa in_range_of_mantissa() const
   {
     using std::ldexp;
@@ -165,7 +165,7 @@ private:
     return result;
   }
 
-  // Changes nothing in nearly all cases.
+  // Normalizes the mantissa, which changes nothing in nearly all cases.
   void normalize()
   {
     const double size = std::abs(leading_part());
@@ -186,14 +186,14 @@ private:
     m_window += step;
   }
 
-  // the mantissa for the window above
+  // Returns the mantissa for the window above.
   Mantissa in_next_window() const
   {
     using std::ldexp;
     return ldexp(m_mantissa, -window);
   }
 
-  // whether a sum of both is the other, in a different window
+  // Returns whether a sum of both equals the other, in a different window.
   bool is_absorbed_by(const Wide_number& other) const
   {
     if(!other.is_finite() || leading_part() == 0)
@@ -201,7 +201,7 @@ private:
     return is_finite() && other.leading_part() != 0 && m_window < other.m_window - 1;
   }
 
-  // the sign of the difference; NaN if there is none
+  // Returns the sign of the difference, or NaN if it is undefined.
   double order(const Wide_number& other) const
   {
     if(!is_finite() || !other.is_finite())
@@ -222,7 +222,7 @@ int exponent_of(const Wide_number<Mantissa>& x)
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 
-// The exponent has no end that a computation could reach.
+// No computation can exceed the range of exponents.
 template <typename Mantissa>
 class std::numeric_limits<CGAL::Discrete_conformal_maps::internal::Wide_number<Mantissa>>
   : public std::numeric_limits<Mantissa>

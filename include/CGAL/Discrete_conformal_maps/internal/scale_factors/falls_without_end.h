@@ -20,9 +20,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns whether the energy of a fixed triangulation falls along a direction without end. Far
-// along it, every face has the angle pi where its entry is least. A convex energy that falls even
-// there has no minimum.
+// Returns whether the energy of a fixed triangulation falls along a direction without limit. Far
+// along it, every face has the angle pi at its least entry. A convex energy that falls even there
+// has no minimum.
 inline bool falls_without_end(const Doubled_problem& problem, const Eigen::VectorXd& direction)
 {
   const Delta_complex& mesh = problem.triangulation().mesh();

@@ -35,8 +35,8 @@ inline bool has_exact_metric(const Intrinsic_triangulations::Intrinsic_triangula
          });
 }
 
-// Returns whether rounding of lengths may change an angle of the input by more than curvatures may
-// be wrong.
+// Returns whether rounding of lengths may change an angle of the input by more than the allowed
+// error of curvatures.
 inline bool has_unknown_angles(const Intrinsic_triangulations::Intrinsic_triangulation<>& half)
 {
   const auto faces = half.mesh().faces();
@@ -48,9 +48,9 @@ inline bool has_unknown_angles(const Intrinsic_triangulations::Intrinsic_triangu
   });
 }
 
-// The computations on the exact surface, with more digits than `double` has. They are nothing, or
-// the errors of the map, or the flips to T_2 and its lengths. The last value adds the flips to
-// T_3, for the rounded numbers of the map.
+// States the computations on the exact surface, with more digits than `double` has. They are
+// nothing, or the errors of the map, or the flips to T_2 and its lengths. The last value adds the
+// flips to T_3, for the rounded numbers of the map.
 enum class Exactness
 {
   none,
@@ -98,7 +98,7 @@ range_of_lengths(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
   return {shortest, longest};
 }
 
-// Returns by how much rounding of the longest edge may change an angle at the shortest one.
+// Returns the greatest change of an angle at the shortest edge by rounding of the longest edge.
 template <typename FT>
 double rounding_at_short_edges(const Intrinsic_triangulations::Intrinsic_triangulation<>& t)
 {

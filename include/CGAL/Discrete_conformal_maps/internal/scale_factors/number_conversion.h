@@ -15,8 +15,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// `converted<To>(x)` is the number `x` of any type as the type `To`, rounded if that has fewer
-// digits; infinite or zero beyond its range.
+// `converted<To>(x)` is the number `x` of any type as the type `To`. It is rounded if `To` has
+// fewer digits, and infinite or zero beyond its range.
 
 template <typename To>
 To converted(double x)
@@ -60,8 +60,8 @@ To converted(const Wide_number<Mantissa>& x)
     return ldexp(converted<To>(x.mantissa()), exponent_of(x));
 }
 
-// A number with as many digits of a difference of two numbers as are useful. More digits of a long
-// number only keep positions apart.
+// Selects a number type with as many digits of a difference of two numbers as are useful. More
+// digits of a long number only keep positions apart.
 template <typename FT>
 using Difference_of =
   std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, FT>;

@@ -16,8 +16,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Makes the greatest logarithmic scale factor of each component zero where none is prescribed, so
-// that no scaled length is too great for `double`. Returns all scale factors.
+// Makes the greatest logarithmic scale factor of each component zero if none is prescribed, so that
+// no scaled length is too great for `double`. Returns all scale factors.
 template <typename FT>
 const std::vector<FT>& shift_to_zero(const Prescribed_curvatures& problem,
                                      std::vector<FT>& log_scale)

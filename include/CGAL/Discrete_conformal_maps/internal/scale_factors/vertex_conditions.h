@@ -18,8 +18,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The conditions at the vertices of `g`, by their indices. By default flat inside, and
-// `on_boundary` on the boundary.
+// Returns the conditions at the vertices of `g`, by their indices. By default they are flat inside,
+// and `on_boundary` on the boundary.
 template <typename Graph, typename NamedParameters>
 std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_complex& mesh,
                                                 const NamedParameters& np,

@@ -43,9 +43,9 @@ Metric_surface precise_surface(const Intrinsic_triangulation<Traits>& tri)
 // The greatest error of a curvature that counts: a face of nearly zero area could make it infinite.
 constexpr double greatest_curvature_error() { return 1e-6; }
 
-// Returns for each vertex by how much rounding of the input can change its curvature. Lengths have
-// relative errors of a rounding, and positions errors of a rounding of the largest coordinate: they
-// turn the sides of faces.
+// Returns for each vertex the greatest change of its curvature by rounding of the input. Lengths
+// have relative errors of one rounding. Positions have errors of one rounding of the largest
+// coordinate, which turn the sides of faces.
 template <typename Traits>
 std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -68,7 +68,7 @@ std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
   return result;
 }
 
-// The surface without its flat vertices, which rest in faces.
+// Stores the surface without its flat vertices, which rest in faces.
 struct Curved_vertices
 {
   Metric_surface surface;
@@ -86,7 +86,8 @@ inline void check_sphere(const Delta_complex& mesh)
                         description(type));
 }
 
-// Vertices are flat if their curvatures are at most `tolerance`, or else what rounding comes to.
+// Determines the flat vertices, whose curvatures are at most `tolerance`, or else at most their
+// rounding errors.
 template <typename Traits>
 Curved_vertices curved_vertices(const Intrinsic_triangulation<Traits>& tri,
                                 std::optional<double> tolerance)

@@ -26,8 +26,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A closed surface that can be flipped, with twice the digits of `double`, and points in its faces
-// that stay where they are.
+// Represents a closed surface that can be flipped, with twice the digits of `double`, and points in
+// its faces that keep their positions.
 class Metric_surface
 {
 public:
@@ -53,7 +53,7 @@ public:
   const Number& length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
   Diamond<Number> diamond_at(Halfedge_index h) const { return diamond(m_length, h, m_mesh); }
 
-  // whether the edge of `h` can be flipped
+  // Returns whether the edge of `h` can be flipped.
   bool is_flippable(Halfedge_index h) const
   {
     return flip_status(h, m_mesh) == Operation_status::possible &&
@@ -61,7 +61,7 @@ public:
            cotangents_at_source(diamond_at(opposite(h))) > 0;
   }
 
-  // Turns the edge of `h`.
+  // Flips the edge of `h`.
   void flip(Halfedge_index h)
   {
     const Diamond<Number> length = diamond_at(h);
@@ -70,7 +70,7 @@ public:
     m_length[m_mesh.edge(h)] = Euclidean_geometry_traits<Number>::Compute_flipped_length()(length);
   }
 
-  // Removes a flat vertex, which rests in a face then. Returns whether edges could be flipped such
+  // Removes a flat vertex, which then rests in a face. Returns whether edges could be flipped such
   // that it has only three.
   bool remove_flat_vertex(Vertex_index v)
   {
@@ -84,7 +84,7 @@ public:
     return true;
   }
 
-  // Numbers the elements that are left consecutively. Returns the old numbers of vertices.
+  // Numbers the remaining elements consecutively. Returns the old numbers of vertices.
   std::vector<Vertex_index> collect_garbage()
   {
     auto old = m_mesh.add_property_map<Vertex_index, Vertex_index>("v:old").first;
@@ -122,11 +122,11 @@ public:
   }
 
 private:
-  // A possible result of rounding if a flat vertex lies on a straight line between neighbors. One
-  // of the triangles that a flip leaves at the vertex, and a removal deletes, may have no area.
+  // Rounding can cause this sine if a flat vertex lies on a straight line between neighbors. One of
+  // the triangles that a flip leaves at the vertex, and a removal deletes, may have no area.
   static constexpr double straight_tolerance = 1e-6;
 
-  // Returns the edge from `v` whose flip leaves the largest angles; null if none can be flipped.
+  // Returns the edge from `v` whose flip leaves the largest angles, or null if none can be flipped.
   Halfedge_index most_convex_at(Vertex_index v) const
   {
     Halfedge_index result;

@@ -17,8 +17,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The distances of an apex from the vertices of a surface. Their squares are stored as a mean and
-// differences from it. If the apex is far away, distances have no digits for their differences.
+// Stores the distances of an apex from the vertices of a surface. Their squares are stored as a
+// mean and differences from it. If the apex is far away, distances have no digits for their
+// differences.
 class Radii
 {
 public:
@@ -39,8 +40,8 @@ public:
     return std::isfinite(m_mean.high());
   }
 
-  // Returns the radii multiplied by exp(x). The factors have relative errors of type `double`, the
-  // products do not.
+  // Returns the radii multiplied by exp(x). The factors have relative errors of type `double`, but
+  // the products do not.
   Radii scaled(const Vector& x) const
   {
     const double mean = x.mean();
@@ -55,8 +56,8 @@ public:
     return result;
   }
 
-  // Returns a weighted mean of the squares; if they are large, of logarithms of their means and of
-  // differences of radii.
+  // Returns a weighted mean of the squares. If they are large, the logarithms of their means and
+  // the differences of radii are averaged.
   static Radii mean_of(const std::vector<const Radii*>& radii, const std::vector<double>& factors,
                        bool are_large)
   {

@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Returns the apex of a triangle over a side from 0 to `side`, above the x-axis. In a triangle that
-// is almost flat, lengths of type `double` know half of the digits of the height.
+// is almost flat, lengths of type `double` determine half of the digits of the height.
 inline std::complex<double> apex_over(const Double_double& side, const Double_double& from_source,
                                       const Double_double& from_target)
 {
@@ -33,7 +33,8 @@ inline std::complex<double> apex_over(const Double_double& side, const Double_do
   return {x.high(), y.high()};
 }
 
-// Barycentric coordinates of a point, which is best in the triangle where the least is greatest.
+// Stores barycentric coordinates of a point, which are best in the triangle with the greatest least
+// coordinate.
 struct Coordinates_in_triangle
 {
   std::array<double, 3> coordinates;
@@ -58,7 +59,7 @@ private:
   static constexpr double least_area = 1e-7;
 };
 
-// Points on a surface that keep their positions when its edges are flipped. Coordinates are
+// Stores points on a surface that keep their positions when its edges are flipped. Coordinates are
 // relative to a face, beginning with the source of its halfedge.
 class Resting_points
 {
@@ -69,7 +70,7 @@ public:
     std::array<double, 3> coordinates;
   };
 
-  // the points in the face `f`
+  // Returns the points in the face `f`.
   const std::vector<Point>& in_face(Face_index f) const
   {
     static const std::vector<Point> none;
@@ -83,7 +84,7 @@ public:
     m_points[f.idx()].push_back(point);
   }
 
-  // Moves the points of the two faces at the edge of `h` to the faces that its flip leaves.
+  // Moves the points of the two faces at the edge of `h` to the new faces after its flip.
   void before_flip(Halfedge_index h, const Diamond<Double_double>& length,
                    const Delta_complex& mesh)
   {
@@ -130,7 +131,7 @@ private:
   typedef std::complex<double> Complex;
   typedef std::vector<std::pair<std::size_t, Complex>> Placed;
 
-  // Takes the points of the face of `h` away and adds them to `placed`. The face has these corners,
+  // Removes the points of the face of `h` and adds them to `placed`. The face has these corners,
   // the source of `h` first.
   void take(Halfedge_index h, const std::array<Complex, 3>& corner, const Delta_complex& mesh,
             Placed& placed)
