@@ -49,10 +49,10 @@ class Scale_factors : public Scale_values
   using Energy = Symmetric_energy<Conformal_energy<FT, Triangle<FT>>>;
 
 public:
-  // `start` has scale factors to begin with; prescribed ones do not count
+  // `start` contains initial scale factors; prescribed ones are ignored.
   Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
-  // whether they were found with bounded differences of neighbors
+  // Returns whether the scale factors were found with bounded differences of neighbors.
   bool has_bounded_differences() const { return m_bounds_differences; }
 
   // Takes scale factors that need no search.
@@ -148,7 +148,7 @@ private:
       minimize_in<More_extended>(minimizer, tolerance, visitor);
   }
 
-  // in `double`, unless `double` does not resolve the minimum; measured with all digits
+  // Minimizes in `double`, if it resolves the minimum. The result is measured with all digits.
   void minimize_rounded(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     auto energy = energy_at_start<double>(m_problem.triangulation());
@@ -241,7 +241,7 @@ private:
     return m_is_wide = true;
   }
 
-  // not if an evaluation takes flips without end
+  // Returns whether the minimum is reached, and false if an evaluation needs endless flips.
   template <typename FT>
   bool reaches_minimum(Energy<FT>& energy, Any_visitor& visitor)
   {
@@ -258,7 +258,7 @@ private:
     return m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
   }
 
-  // whether the error of curvatures moves no side in the plane by more than is promised
+  // Returns whether the error of curvatures moves no side in the plane by more than promised.
   bool can_be_laid_out() const
   {
     const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
@@ -281,7 +281,7 @@ private:
       energy.move_origin();
       Vector x = Vector::Zero(m_u.size());
       before = norm;
-      // the digits of x end at this point
+      // The digits of x are used up at this point.
       Energy_reference<Energy<FT>> any_energy(energy);
       const Any_minimizer minimizer = Newton_minimizer(tolerance::reduction * norm);
       norm = minimizer(any_energy, x, domain(), visitor).gradient_norm;
@@ -373,7 +373,7 @@ private:
     m_result.gradient_error = (std::max)(m_max_curvature_error, m_result.gradient_error);
   }
 
-  // whether there are needles of the exact surface, and similar ones have the same energy
+  // Returns whether the exact surface has needles, and similar surfaces have the same energy.
   template <typename FT>
   bool can_descend() const
   {
@@ -427,7 +427,7 @@ private:
     }
   }
 
-  // after a minimization that has led in this direction
+  // Returns the status after a minimization in this direction.
   Map_status status_after(const Vector& direction) const
   {
     if(m_problem.flipping() == Flipping::none && falls_without_end(m_problem, direction))

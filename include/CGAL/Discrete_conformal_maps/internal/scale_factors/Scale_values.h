@@ -23,22 +23,22 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Scale factors at the vertices of the surface of a doubled problem, with the digits that they
-// have, and how their search has ended.
+// Stores scale factors at the vertices of the surface of a doubled problem, with all their digits,
+// and the end of their search.
 class Scale_values
 {
 public:
   typedef Eigen::VectorXd Vector;
 
-  // the scale factors, rounded to `double`
+  // Returns the scale factors, rounded to `double`.
   const Vector& values() const { return m_u; }
-  // whether scale factors have more digits, because `double` has too few
+  // Returns whether scale factors have more digits, because `double` has too few.
   bool is_extended() const { return m_precise.index() > 0; }
-  // whether `Extended` has too few digits
+  // Returns whether `Extended` has too few digits.
   bool is_more_extended() const { return m_precise.index() > 1; }
-  // whether lengths with these scale factors may be beyond the range of `double`
+  // Returns whether lengths with these scale factors may be beyond the range of `double`.
   bool is_wide() const { return m_is_wide; }
-  // Returns the scale factors as `Extended` or `More_extended`, with the digits that there are.
+  // Returns the scale factors as `Extended` or `More_extended`, with the available digits.
   template <typename FT>
   std::vector<FT> precise_values() const
   {
@@ -54,12 +54,12 @@ public:
   }
 
   const Minimization_result& result() const { return m_result; }
-  // of the vertices where curvatures are prescribed
+  // Returns the greatest error of vertices with prescribed curvatures.
   double max_curvature_error() const { return m_max_curvature_error; }
   Map_status status() const { return m_status; }
-  // Notes that a numerical error has ended the search.
+  // Records that a numerical error has ended the search.
   void stop() { m_status = Map_status::not_converged; }
-  // whether all faces have the triangle inequality, up to rounding
+  // Returns whether all faces satisfy the triangle inequality, up to rounding.
   bool has_layout() const { return m_has_layout; }
 
   void start_from(const std::vector<double>& log_scale)
@@ -71,7 +71,8 @@ public:
 protected:
   Scale_values(Doubled_problem& problem, const Vector& start) : m_problem(problem), m_u(start) {}
 
-  // If scale factors differ so much, intermediate lengths may be beyond the range of `double`.
+  // Returns whether scale factors differ so much that intermediate lengths may be beyond the range
+  // of `double`.
   bool is_beyond_range() const
   {
     return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() && m_u.size() > 0 &&
@@ -85,7 +86,7 @@ protected:
       m_u[Eigen::Index(v)] = static_cast<double>(u[v]);
   }
 
-  // Keeps scale factors with the digits that they have.
+  // Stores scale factors with all their digits.
   template <typename FT>
   void store(const std::vector<FT>& u)
   {
@@ -96,14 +97,14 @@ protected:
     m_precise = std::move(result);
   }
 
-  // rounding counts as well
+  // Returns whether the error is within `tolerance`, where rounding counts, too.
   bool is_within(double tolerance) const
   {
     return m_max_curvature_error <= tolerance && m_result.gradient_error <= tolerance;
   }
 
-  // Whether more digits might give less than the tolerance; not if the minimizer was content with
-  // more, or has not been allowed to go on.
+  // Returns whether more digits might reach the tolerance. Returns false if the minimizer accepted
+  // a greater error, or must not continue.
   bool is_rounded(double tolerance) const
   {
     const bool has_been_stopped = m_result.status != Minimization_status::converged &&
@@ -112,7 +113,8 @@ protected:
            (m_max_curvature_error > tolerance && has_been_stopped);
   }
 
-  // In a fixed triangulation it need not be rounding that stops the minimization.
+  // Returns whether no solution exists. In a fixed triangulation, reasons other than rounding may
+  // stop the minimization.
   bool has_no_solution() const
   {
     return m_status == Map_status::no_minimum ||

@@ -55,7 +55,8 @@ private:
   static constexpr double least_step = 1e-6, greatest_start = 1e20;
   static constexpr int steps_of_Newton = 12;
   static constexpr std::size_t most_steps = 20000; // in all
-  // the error of curvatures, relative to their distance from the ends of their range
+  // This is the greatest error of curvatures, relative to their distance from the ends of their
+  // range.
   static constexpr double curvature_error = 1e-5;
 
   static Vector vector_of(const std::vector<double>& x)
@@ -66,7 +67,7 @@ private:
   // With large radii the curvatures at the apex are nearly the curvatures of the surface.
   void start()
   {
-    // with equal radii, a convex surface has a Delaunay triangulation
+    // With equal radii, a convex surface has a Delaunay triangulation.
     const std::size_t n = m_surface.mesh().num_vertices();
     if(!make_convex(m_surface, Radii(n, 1), flip_limit()))
       throw Numerical_error("rounding keeps the surface from becoming Delaunay");

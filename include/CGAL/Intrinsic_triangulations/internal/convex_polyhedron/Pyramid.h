@@ -39,7 +39,7 @@ public:
     m_height = m_squared_height > 0 ? sqrt(m_squared_height) : Number(0);
   }
 
-  // whether there is such a pyramid
+  // Returns whether such a pyramid exists.
   bool exists() const { return m_quadrupled_area > 0 && m_squared_height > 0; }
 
   const Number& height() const { return m_height; }

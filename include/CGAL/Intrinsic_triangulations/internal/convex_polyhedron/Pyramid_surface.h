@@ -65,7 +65,7 @@ private:
 
   const Metric_surface& m_surface;
   const Radii& m_radii;
-  // with the relative error of lengths that flips have rounded
+  // Lengths that flips have rounded have this relative error.
   Is_locally_weighted_Delaunay<Double_double> m_is_Delaunay{0x1p-80};
 };
 

@@ -114,7 +114,7 @@ private:
     const Delta_complex& mesh = m_surface.mesh();
     const bool is_next = h == mesh.next(frame.h);
     const Halfedge_index third = is_next ? mesh.prev(frame.h) : mesh.next(frame.h);
-    // the exterior angle between the halfedges of the frame and `h`
+    // The frame turns by the exterior angle between its halfedge and `h`.
     const Number a = m_surface.length(frame.h), b = m_surface.length(h),
                  c = m_surface.length(third), area = quadrupled_area(a, b, c);
     const Number cosine = Number(-1) * doubled_corner_product(c, a, b) / (2 * a * b),
