@@ -5,6 +5,7 @@
 
 """Checks sentences of the manuals, of README.md and the like, of comments of headers, and of messages.
 A sentence has at most 25 words, no pronoun in place of a noun ("that of"), and words of the field only.
+A comment on lines of its own starts with a capital letter, a digit or a name, and ends with a mark.
 Prints file:line of each violation, and exits with 1 if there is any. Without arguments all files are
 checked."""
 
@@ -259,6 +260,44 @@ def blocks_of_source(path):
     return result
 
 
+NO_SENTENCE = re.compile(r"// (?:----|clang-format|NOLINT|Copyright|SPDX)|//(?!\s|$)")
+SENTENCE_START = re.compile(r"[A-Z0-9`(|~-]")
+
+
+def comments(path):
+    """Pairs of the first line of each comment on lines of its own, and its text. Section marks, licenses and
+    indented formulas are none, nor are lines that continue a comment behind code."""
+    text, first, before, behind_code = [], 0, "", None
+    for number, line in enumerate([*path.read_text().split("\n"), ""], 1):
+        stripped = line.strip()
+        is_comment = stripped.startswith("//") and not stripped.startswith("///")
+        column = line.find("//") if is_comment else None
+        if is_comment and before[:column].strip() and before[column:column + 2] == "//":
+            behind_code = column
+        elif column != behind_code:
+            behind_code = None
+        if is_comment and behind_code is None and stripped != "//" and not NO_SENTENCE.match(stripped):
+            first = first if text else number
+            text.append(stripped[2:])
+        elif text:
+            if any(not part.startswith("   ") for part in text):
+                yield first, " ".join(part.strip() for part in text)
+            text = []
+        before = line
+
+
+def unmarked_comments(path):
+    """Pairs of a line and what is wrong at the ends of a comment, without its commands of Doxygen."""
+    for line, text in comments(path):
+        text = re.split(r"\s*\\(?:pre|post|throws|returns)\b", text)[0]
+        if not text:
+            continue
+        if not SENTENCE_START.match(text):
+            yield line, f"a comment that starts with a small letter: {text[:40]} ..."
+        if not re.search(r"[.:?!)]$", text):
+            yield line, f"a comment that does not end with a mark: ... {text[-40:]}"
+
+
 def violations(path):
     """Pairs of a line and what is wrong in it."""
     if path.suffix in [".txt", ".md"]:
@@ -267,6 +306,8 @@ def violations(path):
         blocks = blocks_of_source(path)
     else:
         blocks = blocks_of_header(path) + blocks_of_source(path)
+    if path.suffix in [".h", ".cpp"]:
+        yield from unmarked_comments(path)
     for block in blocks:
         for sentence in sentences(block.words):
             words = count(sentence)

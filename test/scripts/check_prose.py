@@ -39,6 +39,8 @@ CASES = [
     ("a.h", f"// Copyright of those of whom.\nint f(); // that of g\n/// returns {WORDS} too.\n", [3]),
     ("a.h", "/// returns the value of those.\n///\n/// \\param x that of `f()`\nint f(int x);\n", [1, 3]),
     ("a.h", f"// Returns {WORDS}.\n/// returns {WORDS}.\nint a; ///< the place of a\n", [3]),
+    ("a.h", "// the length\nint f();\n// Returns it\n//\n// by name.\nint g();\n", [1, 1, 3, 5]),
+    ("a.h", "// Returns it.\n// \\pre `f` is set\nint f(); // of g\n         // and h\n// ---- Queries ----\n", []),
 ]
 
 
