@@ -49,7 +49,7 @@ public:
       cut_begin(m_b, x);
   }
 
-  // Separates other views. If both see an end of a part, one of them is cut off.
+  // Separates other views. From an end of the common part, the view with longer paths is cut off.
   void by_points()
   {
     const FT first = (std::max)(m_a.begin, m_b.begin), last = (std::min)(m_a.end, m_b.end);

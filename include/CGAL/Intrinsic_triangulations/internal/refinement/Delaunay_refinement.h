@@ -246,8 +246,8 @@ private:
     add_center(m_inserter.insert(m_walk.location(), m_walk.closeness()), f);
   }
 
-  // Handles a face that outlives a vertex in its circumcircle. This happens if rounding has
-  // misplaced the vertex, or makes a face appear Delaunay that is not.
+  // Adds a vertex in the circumcircle of `f`. The face remains only if rounding has misplaced the
+  // vertex, or makes a face appear Delaunay that is not.
   void add_center(Vertex_index m, Face_index f)
   {
     const std::size_t before = version(f);
