@@ -93,8 +93,8 @@ private:
     }
 
   private:
-    // Adds `part` times the weight of `w` to the equation of `v`. If `w` is `v`, `normalize()`
-    // eliminates it.
+    // Adds `part` times the weight of `w` to the equation of `v`. The weight of `v` itself is
+    // dropped, because `normalize()` compensates it.
     void add(const FT& part, Vertex_index w, Vertex_index v, const FT& weight)
     {
       const auto of_w = m_equation.find(w);
