@@ -441,6 +441,8 @@ public:
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
     m_run.finish(summary_of_distances(m_run));
     warn_of_errors(m_run.statistics(), m_run.options(), m_options);
+    if(!m_run.options().is_quiet)
+      warn_of_empty_levels(values);
     return 0;
   }
 
@@ -522,13 +524,27 @@ private:
     save(m_run, triangulation);
   }
 
+  std::pair<double, double> range(const std::vector<double>& values) const
+  {
+    return {m_options.is_signed ? *std::min_element(values.begin(), values.end()) : 0,
+            *std::max_element(values.begin(), values.end())};
+  }
+
+  void warn_of_empty_levels(const std::vector<double>& values) const
+  {
+    const auto [least, greatest] = range(values);
+    for(const double level : m_options.levels)
+      if(!(least < level && level <= greatest))
+        std::cerr << m_run.options().input << ": warning: level " << level
+                  << " has no curve; distances are from " << least << " to " << greatest << '\n';
+  }
+
   // Returns the levels, or ten levels with equal differences if none are given.
   std::vector<double> levels(const std::vector<double>& values) const
   {
     if(!m_options.levels.empty())
       return m_options.levels;
-    const double greatest = *std::max_element(values.begin(), values.end()),
-                 least = m_options.is_signed ? *std::min_element(values.begin(), values.end()) : 0;
+    const auto [least, greatest] = range(values);
     std::vector<double> result;
     for(int i = 0; i < 10; ++i)
       result.push_back(least + (greatest - least) * (i + 0.5) / 10);

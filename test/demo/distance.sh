@@ -539,5 +539,10 @@ claim "m = ply('b.ply')" "all(near(abs(p[0]) + abs(p[1]), l, 1e-12) for e, l in 
   "Counter(m.edge['level']) == {.5: 4, .25: 4}"
 expect 0 distance fan.mesh.off --source 0 --exact-distance -o a.ply --level-sets b.vtp --level 0.5
 claim "near(lines('b.vtp'), [1, 4 * sqrt(.5)], 1e-12)"
+! grep -q warning err || fail 'a level with a curve has no warning'
+expect 0 distance fan.mesh.off --source 0 --exact-distance -o a.ply --level-sets b.ply --level 0.5 --level 1.5 --level 0
+says 'fan.mesh.off: warning: level 1.5 has no curve; distances are from 0 to 1'
+says 'fan.mesh.off: warning: level 0 has no curve; distances are from 0 to 1'
+claim "Counter(ply('b.ply').edge['level']) == {.5: 4}"
 expect 0 distance slivers.mesh.off --source 0 -o a.ply --min-angle 25 --level-sets b.obj
 claim "len([w for w in lines_of('b.obj') if w.startswith('l')]) >= 10"
