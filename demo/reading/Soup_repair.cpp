@@ -10,8 +10,13 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -58,13 +63,19 @@ public:
   {
     const std::size_t welded = distance > 0 ? weld(m_soup.points, distance) : 0;
     note("points merged with one nearby", welded);
-    note("points merged with an equal one",
-         PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_polygons) - welded);
+    const std::size_t equal =
+      PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_polygons) - welded;
+    note("points merged with an equal one", equal);
+    const std::size_t place = m_report.size() - 1;
     clean();
-    orient();
+    const std::size_t kept = orient(equal);
+    m_report[place].second -= kept;
     if(!m_soup.data.empty())
       carry_data();
     m_soup.polygons = polygons();
+    m_report.erase(std::remove_if(m_report.begin(), m_report.end(),
+                                  [](const auto& done) { return done.second == 0; }),
+                   m_report.end());
     return m_report;
   }
 
@@ -88,11 +99,7 @@ private:
     }
   };
 
-  void note(const char* what, std::size_t count)
-  {
-    if(count > 0)
-      m_report.emplace_back(what, count);
-  }
+  void note(const char* what, std::size_t count) { m_report.emplace_back(what, count); }
 
   Polygons polygons() const
   {
@@ -115,7 +122,9 @@ private:
     const std::size_t points = m_soup.points.size();
     const std::size_t faces = m_polygons.size();
     const std::size_t corners = number_of_corners();
-    PMP::repair_polygon_soup(m_soup.points, m_polygons);
+    PMP::repair_polygon_soup(m_soup.points, m_polygons,
+                             CGAL::parameters::require_same_orientation(true));
+    remove_opposite_faces();
     // A pinched polygon becomes several.
     const std::size_t left = m_polygons.size();
     note("degenerate or duplicate faces removed", left < faces ? faces - left : 0);
@@ -124,19 +133,100 @@ private:
     note("points without a face left removed", points - m_soup.points.size());
   }
 
-  void orient()
+  typedef std::vector<std::size_t> Cycle;
+
+  // Returns the points of a polygon, from the least one on, in the direction of its lesser neighbor.
+  static Cycle undirected_cycle(const std::vector<Corner>& polygon)
+  {
+    Cycle result(polygon.begin(), polygon.end());
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    if(result.size() > 1 && result.back() < result[1])
+      std::reverse(result.begin() + 1, result.end());
+    return result;
+  }
+
+  // Removes the later one of two faces with the same points. They stay if no other face has any of
+  // their sides: such faces are the two sides of a polygon, a closed surface.
+  void remove_opposite_faces()
+  {
+    std::vector<std::pair<Cycle, std::size_t>> faces;
+    for(std::size_t i = 0; i < m_polygons.size(); ++i)
+      faces.emplace_back(undirected_cycle(m_polygons[i]), i);
+    std::sort(faces.begin(), faces.end());
+    std::vector<std::size_t> twins;
+    for(std::size_t i = 0; i + 1 < faces.size(); ++i)
+      if(faces[i].first == faces[i + 1].first)
+        twins.push_back(faces[i + 1].second);
+    if(twins.empty())
+      return;
+    const auto count = faces_at_sides();
+    for(const std::size_t i : twins)
+      if(has_other_faces(m_polygons[i], count))
+        m_polygons[i].clear();
+    m_polygons.erase(std::remove_if(m_polygons.begin(), m_polygons.end(),
+                                    [](const auto& polygon) { return polygon.empty(); }),
+                     m_polygons.end());
+  }
+
+  // Calls `f(side)` with the ends of each side, the lesser first.
+  template <class Function>
+  static void for_each_side(const std::vector<Corner>& polygon, const Function& f)
+  {
+    for(std::size_t c = 0; c < polygon.size(); ++c)
+      f(std::minmax({std::size_t(polygon[c]), std::size_t(polygon[(c + 1) % polygon.size()])}));
+  }
+
+  typedef std::map<std::pair<std::size_t, std::size_t>, std::size_t> Side_counts;
+
+  Side_counts faces_at_sides() const
+  {
+    Side_counts result;
+    for(const auto& polygon : m_polygons)
+      for_each_side(polygon, [&](const auto& side) { ++result[side]; });
+    return result;
+  }
+
+  static bool has_other_faces(const std::vector<Corner>& polygon, const Side_counts& count)
+  {
+    bool result = false;
+    for_each_side(polygon, [&](const auto& side) { result |= count.at(side) > 2; });
+    return result;
+  }
+
+  // Orients faces and duplicates points. Returns how many of `equal` merged points are apart again.
+  std::size_t orient(std::size_t equal)
   {
     const std::size_t points = m_soup.points.size();
     std::size_t reversals = 0;
-    std::vector<std::vector<std::size_t>> polygons;
+    std::vector<Cycle> polygons;
     for(const std::vector<Corner>& polygon : m_polygons)
       polygons.emplace_back(polygon.begin(), polygon.end());
     PMP::orient_polygon_soup(m_soup.points, polygons,
                              CGAL::parameters::visitor(Reversal_follower(*this, reversals)));
+    const std::size_t apart =
+      equal == 0 ? 0 : (std::min)(equal, points_apart_again(polygons, points));
     for(std::size_t i = 0; i < polygons.size(); ++i)
       std::copy(polygons[i].begin(), polygons[i].end(), m_polygons[i].begin());
     note("faces reversed", reversals);
-    note("points duplicated to make the surface manifold", m_soup.points.size() - points);
+    note("points duplicated to make the surface manifold", m_soup.points.size() - points - apart);
+    return apart;
+  }
+
+  // Returns how many points of the input that are one of the first `n` points were merged, but are
+  // several points of `polygons`.
+  std::size_t points_apart_again(const std::vector<Cycle>& polygons, std::size_t n) const
+  {
+    std::vector<std::set<std::size_t>> before(n), after(n);
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      for(std::size_t c = 0; c < polygons[i].size(); ++c) {
+        const Corner& corner = m_polygons[i][c];
+        before[corner].insert(m_soup.polygons.corners()[corner.origin()]);
+        after[corner].insert(polygons[i][c]);
+      }
+    std::size_t result = 0;
+    for(std::size_t v = 0; v < n; ++v)
+      result += (std::max)((std::min)(before[v].size(), after[v].size()), std::size_t(1)) - 1;
+    return result;
   }
 
   // Moves the data. Corners keep their data. A point gets the data of the first of its corners in

@@ -28,6 +28,23 @@ says 'isolated points removed: 1'
 expect 0 delaunay good.mesh.off -o - --repair
 ! grep -q repaired err || fail 'a good mesh was repaired'
 
+# Repaired meshes need no repair, even if points were merged and duplicated again.
+off parted '0 0 0,1 0 0,0 1 0,0 0 1,0 0 0,1 0 0,0 -1 0' '0 1 2,0 1 3,4 5 6'
+expect 0 delaunay parted.mesh.off -o first.off --repair
+says 'points duplicated to make the surface manifold: '
+expect 0 delaunay first.off -o second.off --repair
+! grep -q repaired err || fail 'a repaired mesh was repaired'
+rm first.off second.off
+
+# Two sides of a triangle are a closed surface; a face with an opposite one on a surface is not.
+off pillow '0 0 0,1 0 0,0 1 0' '0 1 2,2 1 0'
+expect 0 delaunay pillow.mesh.off -o result.off --repair
+! grep -q repaired err || fail 'a triangle with two sides was repaired'
+claim "len(off('result.off').faces) == 2"
+rm result.off
+off flap '0 0 0,1 0 0,0 1 0,1 1 0' '0 1 2,2 1 0,3 2 1'
+mended flap.mesh.off 'degenerate or duplicate faces removed: 1'
+
 expect 2 delaunay index.mesh.obj -o result.off --repair
 expect 2 delaunay overflow.mesh.obj -o result.off --repair
 expect_files
