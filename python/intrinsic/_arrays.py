@@ -73,7 +73,8 @@ def integers(
     if array.dtype.kind == "O" and all(isinstance(i, int) for i in array.flat):
         array = np.clip(array, -1, _GREATEST_INDEX + 1).astype(np.int64)  # of huge numbers
     if array.dtype.kind not in "iu":
-        hint = "; convert it by .astype(int)" if array.dtype.kind in "fb" else ""
+        hint = {"f": "; convert it by .astype(int)",
+                "b": "; np.flatnonzero() returns the indices of a mask"}.get(array.dtype.kind, "")
         raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
     _check_shape(array, shape, name)
     limit = _GREATEST_INDEX + 1 if size is None else size
@@ -128,7 +129,7 @@ def points_on(
     if is_bad.any():
         row = _first_row(is_bad)
         error = InputError(f"row {row} of the barycentric coordinates of {name} is {weights[row]}; "
-                           "they are not negative and sum up to one")
+                           "they must not be negative, and their sum must be one")
         error.row = row
         raise error
     return rows, weights

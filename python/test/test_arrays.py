@@ -220,6 +220,16 @@ class Elements(unittest.TestCase):
             error = self.error(bad_V, bad_F, ArrayError)
             self.assertGreater(len(str(error)), 10)
 
+    def test_masks(self):
+        # .astype(int) of a mask would be vertices 0 and 1.
+        mask = np.arange(len(V)) == 3
+        with self.assertRaisesRegex(ArrayError, "flatnonzero"):
+            intrinsic.distance(V, F, mask)
+
+    def test_barycentric_coordinates(self):
+        with self.assertRaisesRegex(InputError, "sum must be one"):
+            intrinsic.distance(V, F, ([0], [[0.5, 0.5, 0.5]]))
+
 
 def mutations():
     """Generate arrays that are wrong, or odd, in one or two ways."""
