@@ -574,8 +574,21 @@ class Triangulation:
             raise InputError(f"{os.fspath(path)} is of another mesh: its faces differ from F")
         return result
 
+    @_locked
+    def __reduce__(self) -> tuple[Any, ...]:
+        on = self._surface
+        points = None if on is None or not on.has_positions() else (on.positions(), on.faces())
+        return _unpickled, (points, self._core.to_text(), self._exact)
+
     def __repr__(self) -> str:
         return f"<Triangulation: {self.n_vertices} vertices, {len(self.F)} faces>"
+
+
+def _unpickled(points: tuple[Floats, Integers] | None, text: str, exact: bool) -> Triangulation:
+    on = None if points is None else _core.Surface.of_points(*points, True)
+    result = Triangulation._of_core(on, _core.Triangulation.from_text(text, on))
+    result._exact = exact
+    return result
 
 
 def _is_input(side: str, name: str) -> bool:

@@ -4,6 +4,8 @@
 
 """Triangulations against closed forms and positions in space."""
 
+import copy
+import pickle
 import tempfile
 import unittest
 from pathlib import Path
@@ -223,6 +225,20 @@ class Files(unittest.TestCase):
                     intrinsic.Triangulation.load(path)
             path.write_bytes(text + b"\n\n")
             intrinsic.Triangulation.load(path)
+
+    def test_pickle(self):
+        V, F = support.meshes()["flat_torus"]
+        lengths = support.lengths_of(V, F)
+        for T in intrinsic.Triangulation(V, F), intrinsic.Triangulation(None, F, lengths=lengths):
+            T.refine(20)
+            for same in pickle.loads(pickle.dumps(T)), copy.deepcopy(T):
+                T.delaunay()
+                for name in ("F", "E", "lengths", "crossings", "input_F"):
+                    np.testing.assert_array_equal(getattr(same, name), getattr(T, name))
+        exact = pickle.loads(pickle.dumps(intrinsic.Triangulation(V, F, exact=True)))
+        exact.delaunay()
+        self.assertTrue(exact.certify().is_delaunay)
+        np.testing.assert_array_equal(exact.V, V)
 
 
 if __name__ == "__main__":
