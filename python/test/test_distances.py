@@ -62,6 +62,18 @@ class Heat(unittest.TestCase):
         self.assertEqual(intrinsic.distance(V, F, 5, full=True).method, "exact")
         self.assertEqual(intrinsic.distance(V, F, 5, time_step_factor=2, full=True).method, "heat")
 
+    def test_sources(self):
+        # Zero at a source, also with rounding; the distance in the face at its corners.
+        V, F = intrinsic.shapes.cube()
+        solver = intrinsic.DistanceSolver(V * [1, 1, 1e-7], F)
+        for v in range(len(V)):
+            self.assertEqual(solver.distance(v)[v], 0)
+        V, F = intrinsic.shapes.icosphere(2)
+        point = [0.2, 0.3, 0.5]
+        d = intrinsic.DistanceSolver(V, F).distance(([5], [point]))
+        np.testing.assert_allclose(d[F[5]], np.linalg.norm(V[F[5]] - point @ V[F[5]], axis=1),
+                                   rtol=1e-12)
+
     def test_solver(self):
         V, F = support.meshes()["noisy_sphere"]
         solver = intrinsic.DistanceSolver(V, F)

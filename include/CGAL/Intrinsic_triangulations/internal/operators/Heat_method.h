@@ -116,10 +116,12 @@ public:
       }
     // Without a source, all distances become infinite.
     for(Eigen::Index v = 0; v < distance.size(); ++v)
-      if(const std::size_t c = component(v); weight[c] > 0)
-        distance[v] -= Digits<FT>::few(error[c] / weight[c]);
-      else
+      if(const std::size_t c = component(v); !(weight[c] > 0))
         distance[v] = infinity();
+      else if(sources.is_known(v))
+        distance[v] = sources.distance[v];
+      else
+        distance[v] -= Digits<FT>::few(error[c] / weight[c]);
     return distance;
   }
 
