@@ -93,8 +93,8 @@ void check(const IT::Convex_polyhedron& polyhedron)
   if(!(polyhedron.max_edge_error() <= greatest_edge_error))
     text << "an edge of the polyhedron has a relative error of " << polyhedron.max_edge_error();
   else if(!polyhedron.certificate().is_convex())
-    text << "by rounding, " << polyhedron.certificate().concave_edges
-         << " edges of the polyhedron are not convex";
+    text << "by rounding, the polyhedron is not convex; "
+         << IT::to_string(polyhedron.certificate());
   else
     return;
   throw IT::Numerical_error(text.str());

@@ -103,7 +103,6 @@ def convex_polyhedron(
         raise NumericalError(
             f"an edge of the polyhedron has a relative error of {d['max_edge_error']:g}")
     if not d["is_convex"]:
-        raise NumericalError(
-            f"by rounding, {d['concave_edges']} edges of the polyhedron are not convex")
+        raise NumericalError(f"by rounding, the polyhedron is not convex; {d['certificate']}")
     return ConvexPolyhedron(d["points"], d["faces"], d["flat_vertices"], d["is_flat"],
                             d["max_edge_error"], Triangulation._of_core(on, d["triangulation"]))

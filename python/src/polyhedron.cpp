@@ -37,7 +37,7 @@ py::dict convex_polyhedron(const std::shared_ptr<Surface>& surface, std::optiona
   result["flat_vertices"] = array_of(std::move(flat));
   result["is_flat"] = polyhedron.is_flat();
   result["is_convex"] = polyhedron.certificate().is_convex();
-  result["concave_edges"] = polyhedron.certificate().concave_edges;
+  result["certificate"] = IT::to_string(polyhedron.certificate());
   result["max_edge_error"] = polyhedron.max_edge_error();
   result["triangulation"] =
     py::cast(std::make_unique<Bound_triangulation>(surface, polyhedron.triangulation()));

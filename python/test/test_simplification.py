@@ -107,6 +107,22 @@ class Polyhedron(unittest.TestCase):
         p = intrinsic.convex_polyhedron(V, [[0, 1, 2], [0, 2, 1]])
         self.assertTrue(p.is_flat)
 
+    def test_thin(self):
+        # A failure names what is not convex.
+        angles = 2 * np.pi * np.arange(7) / 7
+        z = 7.525650929438565e-06
+        V = np.vstack([np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1),
+                       [[0, 0, z], [0, 0, -z]]])
+        F = [f for i in range(7) for f in ((i, (i + 1) % 7, 7), ((i + 1) % 7, i, 8))]
+        try:
+            p = intrinsic.convex_polyhedron(V, F)
+        except intrinsic.NumericalError as error:
+            self.assertRegex(str(error), "(edges|faces): [1-9]|degree: [02-9]")
+        else:
+            np.testing.assert_allclose(np.linalg.norm(p.V[F] - p.V[np.roll(F, 1, axis=1)], axis=2),
+                                       np.linalg.norm(V[F] - V[np.roll(F, 1, axis=1)], axis=2),
+                                       rtol=1e-8)
+
     def test_negative_curvature(self):
         with self.assertRaises(intrinsic.NegativeCurvatureError) as caught:
             intrinsic.convex_polyhedron(*support.meshes()["folded_sphere"])

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -33,6 +34,15 @@ struct Polyhedron_certificate
   /// returns whether the polyhedron is convex.
   bool is_convex() const { return concave_edges == 0 && hidden_faces == 0 && degree == 1; }
 };
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// returns the numbers of a certificate that decide about convexity.
+inline std::string to_string(const Polyhedron_certificate& certificate)
+{
+  return "concave edges: " + std::to_string(certificate.concave_edges) +
+         ", hidden faces: " + std::to_string(certificate.hidden_faces) +
+         ", degree: " + std::to_string(certificate.degree);
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 
