@@ -75,6 +75,7 @@ using Path = IT::Surface_path<double>;
 using Place = IT::Surface_point<double>;
 using Halfedge = IT::Halfedge_index;
 using Halfedges = std::vector<Halfedge>;
+using Edge_paths = IT::Edge_paths<Triangulation::Traits>;
 
 // All crossings are kept, also for the statistics.
 constexpr std::size_t greatest_number_of_crossings = 1000000;
@@ -237,7 +238,8 @@ private:
   Found_path flipped_path(Triangulation& triangulation)
   {
     Halfedges path = path_along_edges(triangulation);
-    Found_path result = shortened(path, m_options.is_loop, triangulation);
+    Edge_paths paths(triangulation);
+    Found_path result = shortened(path, m_options.is_loop, triangulation, paths);
     if(path.empty())
       throw Program_error(
         "the path contracts to a point; lead it around a handle, a hole or a vertex of "
@@ -255,13 +257,14 @@ private:
   std::vector<Found_path> homology_loops(Triangulation& triangulation) const
   {
     IT::make_Delaunay(triangulation);
-    const Triangulation start = triangulation;
+    Edge_paths paths(triangulation);
     const auto geodesic = [&](Halfedges loop) {
-      triangulation = start;
-      return shortened(loop, true, triangulation);
+      const Found_path result = shortened(loop, true, triangulation, paths);
+      paths.rewind();
+      return result;
     };
     const auto loops = IT::homology_basis(
-      start.intrinsic(), [&](const Halfedges& loop) { return geodesic(loop).path.length; });
+      triangulation.intrinsic(), [&](const Halfedges& loop) { return geodesic(loop).path.length; });
     std::vector<Found_path> result;
     std::transform(loops.begin(), loops.end(), std::back_inserter(result), geodesic);
     return result;
@@ -269,13 +272,13 @@ private:
 
   // Shortens a path along edges, whose halfedges become halfedges after flips. It is empty if it
   // contracts.
-  Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation) const
+  Found_path shortened(Halfedges& path, bool is_loop, const Triangulation& triangulation,
+                       Edge_paths& paths) const
   {
     const double before =
       std::accumulate(path.begin(), path.end(), 0., [&](double sum, Halfedge h) {
         return sum + triangulation.length(triangulation.mesh().edge(h));
       });
-    IT::Edge_paths paths(triangulation);
     is_loop ? paths.add_loop(path) : paths.add_path(path);
     const bool is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
     path = paths.halfedges(0);

@@ -8,6 +8,7 @@
 #include "Surface.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 
 #include <memory>
 #include <optional>
@@ -45,10 +46,44 @@ public:
     return *m_correspondence;
   }
 
+  // Returns `use(triangulation, paths)` of a triangulation that is the input, and paths on it. Takes
+  // all flips of the paths back.
+  template <class Use>
+  auto with_paths(const Use& use) const
+  {
+    if(!m_paths)
+      m_paths = std::make_unique<Paths_on_input>(m_triangulation);
+    const Rewinding rewinding{m_paths->paths};
+    return use(std::as_const(m_paths->triangulation), m_paths->paths);
+  }
+
 private:
+  typedef IT::Edge_paths<Triangulation::Traits> Edge_paths;
+
+  struct Paths_on_input
+  {
+    explicit Paths_on_input(const Triangulation& of) : triangulation(of), paths(reset()) {}
+
+    Triangulation& reset()
+    {
+      triangulation.reset_to_input();
+      return triangulation;
+    }
+
+    Triangulation triangulation;
+    Edge_paths paths;
+  };
+
+  struct Rewinding
+  {
+    ~Rewinding() { paths.rewind(); }
+    Edge_paths& paths;
+  };
+
   std::shared_ptr<Surface> m_surface;
   Triangulation m_triangulation;
   mutable std::optional<IT::Correspondence<>> m_correspondence;
+  mutable std::unique_ptr<Paths_on_input> m_paths; // null until paths are needed
 };
 
 #endif // INTRINSIC_PYTHON_BOUND_TRIANGULATION_H

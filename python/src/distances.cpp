@@ -281,15 +281,14 @@ py::tuple geodesic_through(const Bound_triangulation& self, const Index_array& v
   bool is_geodesic = true;
   IT::Surface_path<double> path{0, {}};
   released([&] {
-    Triangulation triangulation = self.triangulation();
-    triangulation.reset_to_input();
-    const auto halfedges = path_along_edges(triangulation, vertices);
+    const auto halfedges = path_along_edges(self.triangulation(), vertices);
     if(halfedges.empty())
       return;
-    IT::Edge_paths paths(triangulation);
-    is_loop ? paths.add_loop(halfedges) : paths.add_path(halfedges);
-    is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
-    path = IT::path_on_input(triangulation, paths.halfedges(0));
+    self.with_paths([&](const Triangulation& triangulation, auto& paths) {
+      is_loop ? paths.add_loop(halfedges) : paths.add_path(halfedges);
+      is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
+      path = IT::path_on_input(triangulation, paths.halfedges(0));
+    });
   });
   return path_arrays(path, self.triangulation().input_mesh()) + py::make_tuple(is_geodesic);
 }
@@ -302,9 +301,9 @@ py::list geodesics_between(const Bound_triangulation& self, const Index_array& p
     for(py::ssize_t i = 0; i + 1 < pairs.size(); i += 2)
       ends.emplace_back(checked_vertex(pairs.data()[i], self.triangulation()),
                         checked_vertex(pairs.data()[i + 1], self.triangulation()));
-    Triangulation triangulation = self.triangulation();
-    triangulation.reset_to_input();
-    return IT::flipped_paths(triangulation, ends);
+    return self.with_paths([&](const Triangulation& triangulation, const auto&) {
+      return IT::flipped_paths(triangulation, ends);
+    });
   });
   py::list result;
   for(const auto& path : paths)
