@@ -31,8 +31,6 @@ namespace {
 
 const auto in_parallel = IT::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
 
-constexpr std::size_t most_polygons = 200000; // of a common subdivision in a page
-
 Edge_bool_map constrained_edges(Input_mesh& input, const Constraints& constraints)
 {
   auto result =
@@ -239,14 +237,9 @@ void develop_if_large(View_page& page, Command_run& run, const Triangulation& tr
   const bool is_large = subdivision.mesh().number_of_faces() > most_polygons;
   if(run.options().mollification > 0 || !(is_large || run.options().is_direct))
     return;
-  if(auto faces = develop_faces(triangulation, run.input().mesh)) {
-    faces->input.point_data.push_back({"curvature", curvatures(run)});
-    for(const Attribute& a : vertex_data) {
-      faces->input.point_data.push_back(a);
-      resize(faces->input.point_data.back(), faces->input.points.size());
-    }
+  if(auto faces = develop_faces(triangulation, run.input().mesh, {{"curvature", curvatures(run)}},
+                                std::move(vertex_data))) {
     add_input_data(run.input(), faces->input);
-    faces->vertex_data = std::move(vertex_data);
     page.set_developed(std::move(*faces));
   }
 }

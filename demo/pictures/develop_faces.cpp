@@ -162,7 +162,19 @@ private:
 
 } // namespace
 
-std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input)
+std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input,
+                                             const std::vector<Attribute>& input_data,
+                                             std::vector<Attribute> vertex_data)
 {
-  return Developer(triangulation)(input);
+  std::optional<Developed_faces> result = Developer(triangulation)(input);
+  if(!result)
+    return result;
+  std::vector<Attribute>& on_points = result->input.point_data;
+  on_points.insert(on_points.end(), input_data.begin(), input_data.end());
+  for(const Attribute& a : vertex_data) {
+    on_points.push_back(a);
+    resize(on_points.back(), result->input.points.size());
+  }
+  result->vertex_data = std::move(vertex_data);
+  return result;
 }

@@ -5,13 +5,25 @@
 #ifndef INTRINSIC_DEVELOP_FACES_H
 #define INTRINSIC_DEVELOP_FACES_H
 
-#include "commands/triangulation_stages.h"
 #include "pictures/Developed_faces.h"
 
-#include <optional>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
-// Returns the developed faces. Returns nothing if a face of the input has so many crossings that
-// single precision is insufficient.
-std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input);
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
+
+// The greatest number of polygons of a common subdivision in a page. The page develops the faces of
+// larger triangulations.
+constexpr std::size_t most_polygons = 200000;
+
+// Returns the developed faces, with functions on the input and on the triangulation. Returns
+// nothing if a face of the input has so many crossings that single precision is insufficient.
+// Precondition: lengths of the input are distances of its points.
+std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input,
+                                             const std::vector<Attribute>& input_data,
+                                             std::vector<Attribute> vertex_data);
 
 #endif // INTRINSIC_DEVELOP_FACES_H

@@ -138,7 +138,7 @@ has_pages: bool
 
 def page(points: Floats, faces: Integers, functions: list[tuple[str, Floats]]) -> str: ...
 def page_of_triangulation(
-    triangulation: Triangulation, functions: list[tuple[str, Floats]]
+    triangulation: Triangulation, functions: list[tuple[str, Floats]], is_direct: bool
 ) -> str: ...
 def page_of_map(
     points: Floats, starts: Integers, corners: Integers, corner_image: Integers, image: Floats,

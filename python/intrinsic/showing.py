@@ -67,7 +67,7 @@ def _page_of_map(shown: ConformalMap, functions: dict[str, ArrayLike]) -> str:
 
 def show(
     V: Any, F: ArrayLike | None = None, *, open: bool = True, height: int = 600,
-    **functions: ArrayLike,
+    direct: bool = False, **functions: ArrayLike,
 ) -> Page:
     """Show a mesh, an intrinsic triangulation or a map, and functions at vertices, in a browser.
 
@@ -82,6 +82,9 @@ def show(
         Whether a browser is opened. A notebook shows the result without.
     height : int
         The height of the frame in a notebook, in pixels.
+    direct : bool
+        Whether the page finds the intrinsic edges of a Triangulation while it draws, without the
+        common subdivision. It does this beyond 200,000 polygons, but not for mollified lengths.
     **functions : (n,) arrays of floats
         Values at vertices, by name, among which the page lets you choose. Functions on a
         Triangulation may have values at its inserted vertices too.
@@ -102,7 +105,7 @@ def show(
         raise MissingPartError("pages need nlohmann_json and three.js, which were not there when "
                                "this package was built")
     if isinstance(V, Triangulation):
-        text = V._page(functions)
+        text = V._page(functions, bool(direct))
     elif isinstance(V, ConformalMap):
         text = _page_of_map(V, functions)
     else:

@@ -486,14 +486,14 @@ class Triangulation:
         return Curves(starts, faces, coordinates, along, points)
 
     @_locked
-    def _page(self, functions: dict[str, ArrayLike]) -> str:
+    def _page(self, functions: dict[str, ArrayLike], direct: bool) -> str:
         """Return a page that shows the surface with both triangulations, and functions at the
         vertices of the input or at all vertices."""
         self._positions()
         n, n2 = self._core.number_of_input_vertices(), self._core.number_of_vertices()
         return _core.page_of_triangulation(self._core, [
             (name, floats(f, (n2 if np.shape(f) == (n2,) else n,), name))
-            for name, f in functions.items()])
+            for name, f in functions.items()], direct)
 
     @_locked
     def common_subdivision(self) -> CommonSubdivision:

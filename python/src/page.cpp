@@ -7,13 +7,16 @@
 #include "bindings.h"
 #include "page/View_page.h"
 #include "page/show_angles.h"
+#include "pictures/develop_faces.h"
 #include "writing/subdivision_mesh.h"
 
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -46,9 +49,24 @@ std::string page_of(const Number_array& points, const Index_array& faces,
   });
 }
 
+// Returns whether the lengths of the input are distances of its points, up to rounding.
+bool has_lengths_of_points(const Bound_triangulation& self)
+{
+  const Mesh& mesh = self.surface()->mesh;
+  const auto edges = mesh.edges();
+  return std::all_of(edges.begin(), edges.end(), [&](Mesh::Edge_index e) {
+    const double distance = std::sqrt(
+      CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    const double length = self.triangulation().input_length(e);
+    return std::abs(length - distance) <= 1e-12 * distance;
+  });
+}
+
 // Returns the page of the common subdivision, with functions at the vertices of the input or of the
 // triangulation.
-std::string page_of_triangulation(const Bound_triangulation& self, const Functions& functions)
+// The page develops the intrinsic faces instead if the subdivision is large or `is_direct`.
+std::string page_of_triangulation(const Bound_triangulation& self, const Functions& functions,
+                                  bool is_direct)
 {
   return released([&] {
     const Triangulation& triangulation = self.triangulation();
@@ -56,15 +74,22 @@ std::string page_of_triangulation(const Bound_triangulation& self, const Functio
     IT::interpolate(IT::Side::input, subdivision, self.surface()->mesh.points(),
                     subdivision.mesh().points());
     Output_mesh mesh = subdivision_mesh(subdivision);
+    std::vector<Attribute> input_data, vertex_data;
     for(const auto& [name, values] : functions) {
       const bool is_on_input =
         std::size_t(values.size()) == triangulation.input_mesh().number_of_vertices();
+      (is_on_input ? input_data : vertex_data).push_back({name, vector_of(values)});
       mesh.point_data.push_back(
         {name, interpolated(is_on_input ? IT::Side::input : IT::Side::intrinsic, vector_of(values),
                             subdivision)});
     }
     View_page page;
     page.add_surface("surface", mesh);
+    if((is_direct || subdivision.mesh().number_of_faces() > most_polygons) &&
+       has_lengths_of_points(self))
+      if(auto faces =
+           develop_faces(triangulation, self.surface()->mesh, input_data, std::move(vertex_data)))
+        page.set_developed(std::move(*faces));
     show_angles(page, "input", triangulation.input_mesh(), triangulation.input_length_map());
     show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
     return text_of(page, triangulation.mesh().number_of_vertices(),

@@ -14,9 +14,9 @@ import intrinsic
 import support
 
 
-def shown(*arguments, **functions):
+def shown(*arguments, **options):
     """Return the description of the page, and of its only surface."""
-    page = intrinsic.show(*arguments, open=False, **functions).html
+    page = intrinsic.show(*arguments, open=False, **options).html
     description = json.loads(re.search(r'id="page">([^<]+)<', page)[1])
     surface, = description["surfaces"]
     return description, surface
@@ -51,6 +51,18 @@ class ShowingTest(unittest.TestCase):
         self.assertLessEqual({"input_edge", "intrinsic_edge"}, set(surface["edge_data"]))
         angles = {histogram["name"]: histogram["counts"] for histogram in description["angles"]}
         np.testing.assert_array_equal(angles["intrinsic"], counts_of_angles(T.face_lengths))
+
+    def test_direct(self):
+        T = intrinsic.Triangulation(self.V, self.F)
+        T.delaunay()
+        T.refine(25)
+        _, surface = shown(T, direct=True, on_input=self.V[:, 0], on_all=T.V[:, 1])
+        self.assertEqual(surface["points"]["size"], self.V.size)
+        self.assertEqual(surface["developed"]["edges"],
+                         {"input": len(T.input_E), "intrinsic": len(T.E)})
+        self.assertLessEqual({"on_input", "on_all"}, set(surface["point_data"]))
+        mollified = intrinsic.Triangulation(self.V, self.F, mollify=0.1)
+        self.assertNotIn("developed", shown(mollified, direct=True)[1])
 
     def test_maps(self):
         flat = intrinsic.flatten(self.V, self.F)
