@@ -135,7 +135,7 @@ private:
 
   typedef std::vector<std::size_t> Cycle;
 
-  // Returns the points of a polygon, from the least one on, in the direction of its lesser neighbor.
+  // Returns the points of a polygon, from the least one on, toward its lesser neighbor.
   static Cycle undirected_cycle(const std::vector<Corner>& polygon)
   {
     Cycle result(polygon.begin(), polygon.end());

@@ -46,8 +46,8 @@ public:
     return *m_correspondence;
   }
 
-  // Returns `use(triangulation, paths)` of a triangulation that is the input, and paths on it. Takes
-  // all flips of the paths back.
+  // Returns `use(triangulation, paths)` of a triangulation that is the input, and paths on it.
+  // Takes all flips of the paths back.
   template <class Use>
   auto with_paths(const Use& use) const
   {
