@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A sum of angles that is known with twice the digits of `double`. The difference to a full turn
-// has a small relative error, however little it is. Angles are multiplied as complex numbers.
+// A sum of angles that is known with twice the digits of `double`. A small sum, and a small
+// difference to a full turn, have small relative errors. Angles are multiplied as complex numbers.
 class Angle_sum
 {
 public:
@@ -27,6 +27,12 @@ public:
     m_y = m_x * s + m_y * c;
     m_x = real;
     m_sum += std::atan2(s.high(), c.high());
+  }
+
+  double value() const
+  {
+    const double turn = 2 * pi<double>(), rest = std::atan2(m_y.high(), m_x.high());
+    return rest + turn * std::round((m_sum - rest) / turn);
   }
 
   // Returns a whole turn less the sum.

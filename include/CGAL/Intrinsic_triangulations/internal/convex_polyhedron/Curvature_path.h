@@ -41,18 +41,19 @@ public:
 
   const Metric_surface& surface() const { return m_surface; }
   const Radii& radii() const { return m_radii; }
-  double t() const { return m_t; }
+  double t() const { return at(m_place).t; }
   std::size_t newton_steps() const { return m_newton_steps; }
 
   // Goes on to `t`, as far as that is possible.
   void follow_to(double t)
   {
-    for(double step = 1; m_t > t && step > least_step && m_newton_steps < most_steps;)
-      step *= reach((std::max)(t, at(place_of(m_t) - step))) ? 2 : 0.5;
+    const double end = std::log(t / (1 + m_rest_at_start - t));
+    for(double step = 1; m_place > end && step > least_step && m_newton_steps < most_steps;)
+      step *= reach((std::max)(end, m_place - step)) ? 2 : 0.5;
   }
 
 private:
-  static constexpr double least_step = 1e-6, greatest_start = 1e20;
+  static constexpr double least_step = 1e-6, greatest_start = 1e20, least_rest = 1e-30;
   static constexpr int steps_of_Newton = 12;
   static constexpr std::size_t most_steps = 20000; // in all
   // This is the greatest error of curvatures, relative to their distance from the ends of their
@@ -72,7 +73,7 @@ private:
     if(!make_convex(m_surface, Radii(n, 1), flip_limit()))
       throw Numerical_error("rounding keeps the surface from becoming Delaunay");
     const double circumradius = greatest_circumradius();
-    Apex_curvatures first{false, {}, {}};
+    Apex_curvatures first{false, {}, {}, {}};
     const auto is_start = [&] {
       return first.exist && (first.curvature.array() / m_metric_curvature.array()).minCoeff() > 0.5;
     };
@@ -83,9 +84,11 @@ private:
     if(!is_start())
       throw Numerical_error("the vertices have no distances from an apex far away");
     m_first_curvature = first.curvature;
-    m_history = {{1., m_radii}};
+    m_first_excess = first.excess;
     m_rest_at_start =
-      (std::max)(1e-14, (1 - m_first_curvature.array() / m_metric_curvature.array()).minCoeff());
+      (std::max)(least_rest, (first.excess.array() / m_metric_curvature.array()).minCoeff());
+    m_place = -std::log(m_rest_at_start);
+    m_history = {{m_place, m_radii}};
   }
 
   double greatest_circumradius() const
@@ -100,45 +103,52 @@ private:
     return result;
   }
 
-  // Steps are measured in a function of t that is logarithmic at both ends: at the beginning
-  // 1 - t is the inverse square of radii.
-  double place_of(double t) const { return std::log(t / (1 + m_rest_at_start - t)); }
-  double at(double place) const
+  struct Fraction
   {
-    const double x = std::exp(place);
-    return (1 + m_rest_at_start) * x / (1 + x);
+    double t, rest; // and 1 - t
+  };
+
+  // Places on the path are a function of t that is logarithmic at both ends: at the beginning
+  // 1 - t is the inverse square of radii.
+  Fraction at(double place) const
+  {
+    const double x = std::exp(place), all = 1 + m_rest_at_start;
+    return {all * x / (1 + x), all / (1 + x) - m_rest_at_start};
   }
 
-  // Returns the radii for `t` on a polynomial through the last ones.
-  Radii prediction(double t) const
+  // Returns the radii for a place on a polynomial through the last ones.
+  Radii prediction(double place) const
   {
-    const bool are_large = t > 0.5;
-    const auto place = [&](double s) { return are_large ? place_of(s) : s; };
+    const bool are_large = at(place).t > 0.5;
+    const auto variable = [&](double p) { return are_large ? p : at(p).t; };
     std::vector<const Radii*> radii;
     std::vector<double> factors;
-    for(const auto& [s, at_s] : m_history) {
-      radii.push_back(&at_s);
+    for(const auto& [p, at_p] : m_history) {
+      radii.push_back(&at_p);
       factors.push_back(1);
       for(const auto& other : m_history)
-        if(other.first != s)
-          factors.back() *= (place(t) - place(other.first)) / (place(s) - place(other.first));
+        if(other.first != p)
+          factors.back() *= (variable(place) - variable(other.first)) /
+                            (variable(p) - variable(other.first));
     }
     return Radii::mean_of(radii, factors, are_large);
   }
 
-  // Returns whether it has reached the pyramids for `t`.
-  bool reach(double t)
+  // Returns whether it has reached the pyramids for a place.
+  bool reach(double place)
   {
-    return (m_history.size() > 1 && reach(t, prediction(t))) || reach(t, m_radii);
+    return (m_history.size() > 1 && reach(place, prediction(place))) || reach(place, m_radii);
   }
 
   // Newton's method, with the logarithms of radii as variables.
-  bool reach(double t, Radii radii)
+  bool reach(double place, Radii radii)
   {
     Metric_surface surface = m_surface;
     double before = std::numeric_limits<double>::infinity();
-    const Vector target = t * m_first_curvature;
-    const Vector range = target.array().min(m_metric_curvature.array() - target.array()).max(1e-18);
+    const Fraction fraction = at(place);
+    const Vector target = fraction.t * m_first_curvature,
+                 target_excess = m_first_excess + fraction.rest * m_first_curvature,
+                 range = target.array().min(target_excess.array());
     for(int step = 0; step < steps_of_Newton; ++step) {
       if(!radii.are_positive() || !make_convex(surface, radii, flip_limit()))
         return false;
@@ -146,10 +156,11 @@ private:
       ++m_newton_steps;
       if(!current.exist)
         return false;
-      const Vector rest = target - current.curvature;
+      const Vector rest = fraction.t > 0.5 ? Vector(current.excess - target_excess)
+                                           : Vector(target - current.curvature);
       const double error = (rest.array().abs() / range.array()).maxCoeff();
       if(error < curvature_error)
-        return keep(t, surface, radii);
+        return keep(place, surface, radii);
       if(!(error < before) && step > 2)
         return false;
       before = error;
@@ -163,12 +174,12 @@ private:
 
   std::size_t flip_limit() const { return 100 * std::size_t(m_surface.mesh().num_edges()); }
 
-  bool keep(double t, const Metric_surface& surface, const Radii& radii)
+  bool keep(double place, const Metric_surface& surface, const Radii& radii)
   {
     m_surface = surface;
     m_radii = radii;
-    m_t = t;
-    m_history.emplace_back(t, radii);
+    m_place = place;
+    m_history.emplace_back(place, radii);
     if(m_history.size() > 3)
       m_history.erase(m_history.begin());
     return true;
@@ -189,10 +200,10 @@ private:
   }
 
   Metric_surface m_surface;
-  Vector m_metric_curvature, m_first_curvature;
+  Vector m_metric_curvature, m_first_curvature, m_first_excess;
   Radii m_radii;
-  double m_t = 1, m_rest_at_start = 1;
-  std::vector<std::pair<double, Radii>> m_history; // the last values of t, with their radii
+  double m_place = 0, m_rest_at_start = 1;
+  std::vector<std::pair<double, Radii>> m_history; // the last places, with their radii
   std::size_t m_newton_steps = 0;
 };
 

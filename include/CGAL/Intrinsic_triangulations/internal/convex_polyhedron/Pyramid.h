@@ -46,14 +46,18 @@ public:
   // Returns the height of the foot over side s, negative if the base is on its other side.
   const Number& foot_height(std::size_t s) const { return m_foot_height[s]; }
 
-  // Adds the angle between the two lateral faces at corner c.
-  void add_lateral_angle(std::size_t c, Angle_sum& sum) const
+  // Adds the angle between the two lateral faces at corner c to `sum`, and its excess over the
+  // angle of the base to `excess`.
+  void add_lateral_angle(std::size_t c, Angle_sum& sum, Angle_sum& excess) const
   {
     const std::size_t p = (c + 2) % 3; // the side that ends there
     const Number r = m_radius[c], along = product_with_side(c),
                  back = (m_weight[c] - m_weight[p] + m_side[p] * m_side[p]) / 2,
-                 sides = doubled_corner_product(m_side[(c + 1) % 3], m_side[c], m_side[p]) / 2;
-    sum.add(r * r * sides - along * back, r * m_height * m_quadrupled_area / 2);
+                 sides = doubled_corner_product(m_side[(c + 1) % 3], m_side[c], m_side[p]) / 2,
+                 area = m_quadrupled_area / 2, x = r * r * sides - along * back,
+                 y = r * m_height * area;
+    sum.add(x, y);
+    excess.add(x * sides + y * area, y * sides - x * area);
   }
 
   // Returns by how much the curvature at the source of side s grows with the radius of its target,

@@ -28,11 +28,12 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The curvatures at the edges from the apex of pyramids over the faces of a surface. A curvature
-// is a full turn less the angles between lateral faces.
+// is a full turn less the angles between lateral faces. These angles exceed the angles of the
+// surface by the curvature of the surface less the curvature at the apex.
 struct Apex_curvatures
 {
   bool exist = true; // whether all pyramids do
-  Eigen::VectorXd curvature;
+  Eigen::VectorXd curvature, excess; // each with small relative errors
   Eigen::SparseMatrix<double> derivative; // by the radii, row by row
 };
 
@@ -107,16 +108,16 @@ inline Apex_curvatures apex_curvatures(const Metric_surface& surface, const Radi
   const Delta_complex& mesh = surface.mesh();
   const auto n = static_cast<Eigen::Index>(mesh.number_of_vertices());
   const auto index = [](Vertex_index v) { return static_cast<int>(v.idx()); };
-  std::vector<Angle_sum> angles(mesh.number_of_vertices());
+  std::vector<Angle_sum> angles(mesh.number_of_vertices()), excess(mesh.number_of_vertices());
   std::vector<Eigen::Triplet<double>> entries;
   for(Face_index f : mesh.faces()) {
     const Pyramid p = pyramid(f, surface, radii);
     if(!p.exists())
-      return {false, {}, {}};
+      return {false, {}, {}, {}};
     for(std::size_t s = 0; s < 3; ++s) {
       const Halfedge_index h = sides(f, mesh)[s];
       const int i = index(mesh.source(h)), j = index(mesh.target(h));
-      p.add_lateral_angle(s, angles[mesh.source(h).idx()]);
+      p.add_lateral_angle(s, angles[mesh.source(h).idx()], excess[mesh.source(h).idx()]);
       const double w = p.derivative(s), cosine = p.cosine_at_apex(s);
       entries.emplace_back(i, j, w);
       entries.emplace_back(j, i, w);
@@ -124,9 +125,11 @@ inline Apex_curvatures apex_curvatures(const Metric_surface& surface, const Radi
       entries.emplace_back(j, j, -cosine * w);
     }
   }
-  Apex_curvatures result{true, Eigen::VectorXd(n), {}};
-  for(Vertex_index v : mesh.vertices())
+  Apex_curvatures result{true, Eigen::VectorXd(n), Eigen::VectorXd(n), {}};
+  for(Vertex_index v : mesh.vertices()) {
     result.curvature[index(v)] = angles[v.idx()].rest_of_turn();
+    result.excess[index(v)] = excess[v.idx()].value();
+  }
   result.derivative.resize(n, n);
   result.derivative.setFromTriplets(entries.begin(), entries.end());
   return result;
