@@ -13,6 +13,18 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// what has been decided about a result of `convex_polyhedron()`.
+enum class Polyhedron_kind
+{
+  convex, ///< the polyhedron is convex, by exact predicates on its positions of type `double`
+  /// the polyhedron is convex with coordinates of twice as many digits, up to relative errors of
+  /// \f$2^{-95}\f$. Rounding them to `double` makes edges concave, whose angles are nearly flat.
+  convex_before_rounding,
+  /// a polygon with two sides, convex by exact predicates on its positions of type `double`.
+  polygon
+};
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
 /// what exact predicates have found about a polyhedron with positions of type `double`, without a
 /// tolerance. Vertices that are flat do not count: rounding moves them out of their faces.
 struct Polyhedron_certificate

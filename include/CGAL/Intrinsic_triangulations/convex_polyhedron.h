@@ -45,6 +45,7 @@ public:
     internal::Polyhedron_builder<Triangulation::Traits> built(m_triangulation, tolerance);
     m_points = built.points();
     m_flat_vertices = built.flat_vertices();
+    m_kind = built.kind();
     m_certificate = built.certificate();
     m_max_edge_error = built.max_edge_error();
     m_last_curvature = built.last_curvature();
@@ -65,8 +66,11 @@ public:
   /// returns the vertices without curvature, which lie on faces and edges of the polyhedron.
   const std::vector<Vertex_index>& flat_vertices() const { return m_flat_vertices; }
 
+  /// returns how convexity has been decided, and whether the polyhedron is a polygon.
+  Polyhedron_kind kind() const { return m_kind; }
+
   /// returns whether the polyhedron is a polygon with two sides, in the plane \f$z = 0\f$.
-  bool is_flat() const { return m_certificate.is_flat; }
+  bool is_flat() const { return m_kind == Polyhedron_kind::polygon; }
 
   /// returns what exact predicates have found about the positions of vertices with curvature.
   const Polyhedron_certificate& certificate() const { return m_certificate; }
@@ -95,6 +99,7 @@ private:
   Triangulation m_triangulation;
   std::vector<Point> m_points;
   std::vector<Vertex_index> m_flat_vertices;
+  Polyhedron_kind m_kind = Polyhedron_kind::convex;
   Polyhedron_certificate m_certificate;
   double m_max_edge_error = 0, m_last_curvature = 1;
   std::size_t m_newton_steps = 0;

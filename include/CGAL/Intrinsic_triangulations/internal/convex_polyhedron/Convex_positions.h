@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Polyhedron_certificate.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Precise_vector.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/enum.h>
@@ -26,33 +27,62 @@ namespace CGAL::Intrinsic_triangulations::internal {
 typedef Exact_predicates_inexact_constructions_kernel Polyhedron_kernel;
 typedef std::vector<Polyhedron_kernel::Point_3> Polyhedron_points;
 
+// Decides about positions of type `double`, exactly.
+struct Rounded_orientation
+{
+  typedef Polyhedron_points Points;
+
+  Orientation operator()(const Points& points, const std::array<Vertex_index, 4>& v) const
+  {
+    return CGAL::orientation(points[v[0].idx()], points[v[1].idx()], points[v[2].idx()],
+                             points[v[3].idx()]);
+  }
+};
+
+// Decides about positions before they are rounded.
+struct Precise_orientation
+{
+  typedef std::vector<Precise_vector> Points;
+
+  double error = 0x1p-95; // of products, relative
+
+  Orientation operator()(const Points& points, const std::array<Vertex_index, 4>& v) const
+  {
+    return orientation(points[v[0].idx()], points[v[1].idx()], points[v[2].idx()],
+                       points[v[3].idx()], error);
+  }
+};
+
 // Returns the side of the plane of the face of `h` on which the other face at `h` has its third
 // corner: POSITIVE is outside.
-inline Orientation side_of_neighbor(Halfedge_index h, const Delta_complex& mesh,
-                                    const Polyhedron_points& points)
+template <typename Orientation_of>
+Orientation side_of_neighbor(Halfedge_index h, const Delta_complex& mesh,
+                             const typename Orientation_of::Points& points,
+                             const Orientation_of& orientation)
 {
-  const auto point = [&](Vertex_index v) { return points[v.idx()]; };
-  return CGAL::orientation(point(mesh.source(h)), point(mesh.target(h)),
-                           point(mesh.target(mesh.next(h))),
-                           point(mesh.target(mesh.next(opposite(h)))));
+  return orientation(points, {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)),
+                              mesh.target(mesh.next(opposite(h)))});
 }
 
-// Flips edges that are concave for rounded positions, in faces of more than three vertices as a
-// rule. Each flip makes the polyhedron larger.
-template <typename Is_flippable, typename Flip>
-void flip_concave_edges(const Delta_complex& mesh, const Polyhedron_points& points,
-                        const Is_flippable& is_flippable, const Flip& flip)
+// Flips edges that are concave, in faces of more than three vertices as a rule. Each flip makes the
+// polyhedron larger. Returns the number of flips.
+template <typename Orientation_of, typename Is_flippable, typename Flip>
+std::size_t flip_concave_edges(const Delta_complex& mesh,
+                               const typename Orientation_of::Points& points,
+                               const Orientation_of& orientation, const Is_flippable& is_flippable,
+                               const Flip& flip)
 {
   const auto is_good = [&](Edge_index e) {
     const Halfedge_index h = mesh.halfedge(e);
-    return side_of_neighbor(h, mesh, points) != POSITIVE || !is_flippable(h);
+    return side_of_neighbor(h, mesh, points, orientation) != POSITIVE || !is_flippable(h);
   };
   Edge_stack stack(mesh.num_edges());
   for(Edge_index e : mesh.edges())
     stack.push_if(!is_good(e), e);
-  flip_within_limit(
-    mesh, stack, 10 * std::size_t(mesh.num_edges()), [](Edge_index) { return false; }, is_good,
-    [&](Halfedge_index h) { return flip(h), true; });
+  return flip_within_limit(
+           mesh, stack, 10 * std::size_t(mesh.num_edges()), [](Edge_index) { return false; },
+           is_good, [&](Halfedge_index h) { return flip(h), true; })
+    .flips;
 }
 
 // Returns the corners of the face of `h`, that at the source of `h` first.
@@ -75,24 +105,30 @@ inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corne
                         la * lb * lc + (a * b) * lc + (b * c) * la + (c * a) * lb);
 }
 
-// If all faces of a surface are seen from the center, each from inside, it covers the sphere of
-// directions. If it covers it once and no edge is concave, it is convex.
-inline Polyhedron_certificate certified_polyhedron(const Delta_complex& mesh,
-                                                   const Polyhedron_points& points,
-                                                   const Polyhedron_kernel::Point_3& center)
+// If all faces of a surface are seen from the origin, each from inside, it covers the sphere of
+// directions. If it covers it once and no edge is concave, it is convex. Signs are decided with
+// `points`, whose rounded positions are `rounded`.
+template <typename Orientation_of>
+Polyhedron_certificate certified_polyhedron(const Delta_complex& mesh,
+                                            typename Orientation_of::Points points,
+                                            const Polyhedron_points& rounded,
+                                            const Orientation_of& orientation)
 {
   Polyhedron_certificate result;
   double angle = 0;
   for(Edge_index e : mesh.edges()) {
-    const Orientation side = side_of_neighbor(mesh.halfedge(e), mesh, points);
+    const Orientation side = side_of_neighbor(mesh.halfedge(e), mesh, points, orientation);
     ++(side == NEGATIVE   ? result.convex_edges
        : side == POSITIVE ? result.concave_edges
                           : result.flat_edges);
   }
+  const Vertex_index center(static_cast<unsigned>(points.size()));
+  points.push_back({0, 0, 0});
   for(Face_index f : mesh.faces()) {
-    const auto corner = corners_in_space(mesh.halfedge(f), mesh, points);
-    result.hidden_faces += CGAL::orientation(corner[0], corner[1], corner[2], center) != NEGATIVE;
-    angle += solid_angle(corner, center);
+    const Halfedge_index h = mesh.halfedge(f);
+    result.hidden_faces += orientation(points, {mesh.source(h), mesh.target(h),
+                                                mesh.target(mesh.next(h)), center}) != NEGATIVE;
+    angle += solid_angle(corners_in_space(h, mesh, rounded), CGAL::ORIGIN);
   }
   result.degree = static_cast<int>(std::lround(angle / (4 * pi<double>())));
   return result;

@@ -9,10 +9,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Polyhedron_certificate.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Convex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Curvature_path.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Curved_vertices.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Edge_fitting.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/lay_out_pyramids.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
@@ -23,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,19 +49,15 @@ public:
     m_flat_vertices = std::move(curved.flat_vertices);
     Curvature_path path(curved.surface);
     path.follow_to(t_at_end);
-    if(!(path.t() <= greatest_t_at_end))
-      throw Numerical_error("the curvature inside of the polyhedron stays at " +
-                            std::to_string(path.t()) + " of its first value");
     m_last_t = path.t();
     m_newton_steps = path.newton_steps();
-    build(path, curved.vertices, is_flat(path.surface(), path.radii(), m_last_t));
-    if(!m_is_flat && !is_accurate())
-      try_polygon(path, curved.vertices);
+    find(path, curved.vertices);
   }
 
   const std::vector<Point>& points() const { return m_points; }
   const std::vector<Vertex_index>& flat_vertices() const { return m_flat_vertices; }
   const Polyhedron_certificate& certificate() const { return m_certificate; }
+  Polyhedron_kind kind() const { return m_kind; }
   double last_curvature() const { return m_last_t; }
   std::size_t newton_steps() const { return m_newton_steps; }
 
@@ -66,62 +65,131 @@ public:
   double max_edge_error() const
   {
     double result = 0;
-    for(Edge_index e : m_tri.mesh().edges()) {
-      const Point &p = m_points[m_tri.mesh().vertex(e, 0).idx()],
-                  &q = m_points[m_tri.mesh().vertex(e, 1).idx()];
-      const double length = m_tri.length(e);
-      result = (std::max)(result, std::abs(distance<double>(p, q) - length) / length);
-    }
+    for(Edge_index e : m_tri.mesh().edges())
+      result = (std::max)(result, edge_error(e) / m_tri.length(e));
     return result;
   }
 
 private:
-  // The end of the path, and the greatest t of an acceptable result.
-  static constexpr double t_at_end = 1e-14, greatest_t_at_end = 1e-6;
-  // A polyhedron is flat if its pyramids are no higher, relative to its size and to t.
-  static constexpr double flat_height = 1e3;
-  // The greatest error of an edge. Greater errors show that heights are lost in rounding.
-  static constexpr double greatest_edge_error = 1e-9;
+  static constexpr double t_at_end = 1e-14; // of the path
+  // Lengths determine heights to half of the digits only. If heights are less, relative to the
+  // size, a polygon with two sides is tried first.
+  static constexpr double flat_height = 1e-7;
+  // Errors of an edge, relative to its length, and of positions, relative to the largest.
+  static constexpr double greatest_edge_error = 1e-9, position_error = 0x1p-50;
+  static constexpr int most_fittings = 20;
 
-  void build(const Curvature_path& path, const std::vector<Vertex_index>& vertices, bool is_flat)
+  // Takes a polyhedron or a polygon, whichever measurements confirm.
+  void find(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
   {
-    m_is_flat = is_flat;
-    Metric_surface surface = path.surface();
-    place(surface, path.radii(), vertices);
-    triangulate();
-    certify(surface);
+    const bool is_flat = has_no_heights(path.surface(), path.radii());
+    const std::string first = failure_of(is_flat, path, vertices);
+    const std::string second = first.empty() ? first : failure_of(!is_flat, path, vertices);
+    if(second.empty())
+      return;
+    std::ostringstream text;
+    text << "no convex polyhedron is found: " << (is_flat ? second : first)
+         << "; the curvature inside of it is " << m_last_t << " of its first value";
+    throw Numerical_error(text.str());
   }
 
-  bool is_accurate() const
-  {
-    return m_certificate.is_convex() && max_edge_error() <= greatest_edge_error;
-  }
-
-  // Lengths determine heights to half of the digits only. So a polygon with two sides can have
-  // heights of rounding errors. Builds the polygon, unless it has other edge lengths.
-  void try_polygon(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
+  // Builds a polygon or a polyhedron. Returns why it is no result, or nothing.
+  std::string failure_of(bool is_polygon, const Curvature_path& path,
+                         const std::vector<Vertex_index>& vertices)
   {
     try {
-      build(path, vertices, true);
-      if(is_accurate())
-        return;
-    } catch(const Numerical_error&) { // the polyhedron is no polygon
+      is_polygon ? build_polygon(path, vertices) : build_polyhedron(path, vertices);
+    } catch(const Numerical_error& error) {
+      return error.what();
     }
-    build(path, vertices, false);
+    if(m_kind != Polyhedron_kind::convex_before_rounding && !m_certificate.is_convex())
+      return std::to_string(m_certificate.concave_edges) + " edges are not convex";
+    return are_edges_accurate() ? "" : "edges have other lengths than on the surface";
   }
 
-  // Places the vertices, the flat ones in the faces in which they rest.
-  void place(Metric_surface& surface, const Radii& radii, const std::vector<Vertex_index>& vertices)
+  bool are_edges_accurate() const
   {
-    std::vector<Precise_vector> positions = Pyramid_layout(surface, radii).positions();
+    double size = 0;
+    for(const Point& p : m_points)
+      for(int i = 0; i < 3; ++i)
+        size = (std::max)(size, std::abs(p[i]));
+    const auto edges = m_tri.mesh().edges();
+    return std::all_of(edges.begin(), edges.end(), [&](Edge_index e) {
+      return edge_error(e) <= greatest_edge_error * m_tri.length(e) + position_error * size;
+    });
+  }
+
+  double edge_error(Edge_index e) const
+  {
+    const Point &p = m_points[m_tri.mesh().vertex(e, 0).idx()],
+                &q = m_points[m_tri.mesh().vertex(e, 1).idx()];
+    return std::abs(distance<double>(p, q) - m_tri.length(e));
+  }
+
+  // Projects pyramids to a plane.
+  void build_polygon(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
+  {
+    m_kind = Polyhedron_kind::polygon;
+    std::vector<Precise_vector> positions =
+      Pyramid_layout(path.surface(), path.radii()).positions();
+    for(Precise_vector& p : positions)
+      p.z = 0;
+    round(positions);
+    finish(path.surface(), vertices);
+  }
+
+  // Makes the edges of the last pyramids straight lines in space.
+  void build_polyhedron(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
+  {
+    m_kind = Polyhedron_kind::convex;
+    Metric_surface surface = path.surface();
+    std::vector<Precise_vector> positions = Pyramid_layout(surface, path.radii()).positions();
+    fit(surface, positions);
+    round(positions);
+    const bool is_convex =
+      certified_polyhedron(surface.mesh(), positions, m_corners, Precise_orientation())
+        .is_convex();
+    flip_concave(surface, m_corners, Rounded_orientation());
+    finish(surface, vertices);
+    if(!m_certificate.is_convex() && is_convex)
+      m_kind = Polyhedron_kind::convex_before_rounding;
+  }
+
+  template <typename Orientation_of>
+  static std::size_t flip_concave(Metric_surface& surface,
+                                  const typename Orientation_of::Points& positions,
+                                  const Orientation_of& orientation)
+  {
+    return flip_concave_edges(
+      surface.mesh(), positions, orientation,
+      [&](Halfedge_index h) { return surface.is_flippable(h); },
+      [&](Halfedge_index h) { surface.flip(h); });
+  }
+
+  // Gives edges their lengths until none is concave.
+  static void fit(Metric_surface& surface, std::vector<Precise_vector>& positions)
+  {
+    constexpr double error = 0x1p-80; // less is an effect of rounding in plane faces
+    for(int i = 0; i < most_fittings; ++i) {
+      Edge_fitting(surface, positions);
+      if(flip_concave(surface, positions, Precise_orientation{error}) == 0)
+        return;
+    }
+  }
+
+  // Centers and rounds positions.
+  void round(std::vector<Precise_vector>& positions)
+  {
     center(positions);
     m_corners.clear();
     for(const Precise_vector& p : positions)
-      m_corners.emplace_back(p.x.high(), p.y.high(), m_is_flat ? 0. : p.z.high());
-    if(!m_is_flat)
-      flip_concave_edges(
-        surface.mesh(), m_corners, [&](Halfedge_index h) { return surface.is_flippable(h); },
-        [&](Halfedge_index h) { surface.flip(h); });
+      m_corners.emplace_back(p.x.high(), p.y.high(), p.z.high());
+  }
+
+  // Places the vertices, the flat ones in the faces in which they rest. Flips T2 and decides
+  // whether the result is convex.
+  void finish(const Metric_surface& surface, const std::vector<Vertex_index>& vertices)
+  {
     m_points.resize(m_tri.mesh().num_vertices());
     for(std::size_t i = 0; i < vertices.size(); ++i)
       m_points[vertices[i].idx()] = m_corners[i];
@@ -132,6 +200,8 @@ private:
         m_points[p.number] = CGAL::barycenter(corner[0], p.coordinates[0], corner[1],
                                               p.coordinates[1], corner[2], p.coordinates[2]);
     }
+    triangulate();
+    certify(surface);
   }
 
   static void center(std::vector<Precise_vector>& positions)
@@ -144,15 +214,14 @@ private:
       p = p + shift;
   }
 
-  // The heights of the pyramids over a polygon with two sides shrink as the curvature does.
-  static bool is_flat(const Metric_surface& surface, const Radii& radii, double t)
+  static bool has_no_heights(const Metric_surface& surface, const Radii& radii)
   {
     double height = 0, size = 0;
     for(Face_index f : surface.mesh().faces())
       height = (std::max)(height, pyramid(f, surface, radii).height().high());
     for(Edge_index e : surface.mesh().edges())
       size = (std::max)(size, surface.length_map()[e].high());
-    return height <= flat_height * t * size;
+    return height <= flat_height * size;
   }
 
   // Flips T2 such that its edges are edges of the polyhedron, or lie in its faces.
@@ -162,7 +231,7 @@ private:
       return CGAL::squared_distance(m_points[v.idx()], Point(CGAL::ORIGIN));
     });
     make_weighted_Delaunay(m_tri, weight);
-    if(!m_is_flat)
+    if(m_kind != Polyhedron_kind::polygon)
       flip_concave_edges_of_T2();
     m_tri.recompute_lengths();
   }
@@ -180,7 +249,7 @@ private:
              is_flat[mesh.target(mesh.next(h)).idx()] || is_flat[mesh.target(mesh.next(o)).idx()];
     };
     flip_concave_edges(
-      mesh, m_points,
+      mesh, m_points, Rounded_orientation(),
       [&](Halfedge_index h) { return !has_flat_corner(h) && m_tri.is_flippable(h); },
       [&](Halfedge_index h) { m_tri.flip(h); });
   }
@@ -190,15 +259,16 @@ private:
     const bool has_flat_vertices = !m_flat_vertices.empty();
     const Delta_complex& mesh = has_flat_vertices ? surface.mesh() : m_tri.mesh();
     const Polyhedron_points& points = has_flat_vertices ? m_corners : m_points;
-    m_certificate = m_is_flat ? certified_polygon(mesh, points)
-                              : certified_polyhedron(mesh, points, CGAL::ORIGIN);
+    m_certificate = m_kind == Polyhedron_kind::polygon
+                      ? certified_polygon(mesh, points)
+                      : certified_polyhedron(mesh, points, points, Rounded_orientation());
   }
 
   Intrinsic_triangulation<Traits>& m_tri;
   Polyhedron_points m_corners, m_points; // the vertices with curvature, and all
   std::vector<Vertex_index> m_flat_vertices;
   Polyhedron_certificate m_certificate;
-  bool m_is_flat = false;
+  Polyhedron_kind m_kind = Polyhedron_kind::convex;
   double m_last_t = 1;
   std::size_t m_newton_steps = 0;
 };

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Precise_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Pyramid_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Radii.h>
@@ -22,25 +23,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// A vector in space with twice the digits of `double`.
-struct Precise_vector
-{
-  Double_double x, y, z;
-
-  friend Precise_vector operator+(const Precise_vector& a, const Precise_vector& b)
-  {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-  friend Precise_vector operator*(const Double_double& s, const Precise_vector& a)
-  {
-    return {s * a.x, s * a.y, s * a.z};
-  }
-  friend Precise_vector cross(const Precise_vector& a, const Precise_vector& b)
-  {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
-};
 
 // Lays out faces in space one after the other, breadth first, by the angles between the bases of
 // their pyramids.
@@ -57,7 +39,7 @@ public:
       m_is_reached(surface.mesh().num_faces(), false)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index first = mesh.halfedge(*mesh.faces().begin());
+    const Halfedge_index first = longest_side_of_largest_face();
     place(mesh.source(first), {});
     place(mesh.target(first), {surface.length(first), 0, 0});
     reach({first, {1, 0, 0}, {0, 1, 0}});
@@ -74,6 +56,25 @@ private:
     Halfedge_index h;
     Precise_vector along, across;
   };
+
+  // Coordinates along it, and over the face, are small if the polyhedron is thin.
+  Halfedge_index longest_side_of_largest_face() const
+  {
+    Halfedge_index result;
+    double greatest_area = -1;
+    for(Face_index f : m_surface.mesh().faces()) {
+      const auto side = sides(f, m_surface.mesh());
+      const auto length = [&](Halfedge_index h) { return m_surface.length(h); };
+      const double area = quadrupled_area(length(side[0]), length(side[1]), length(side[2])).high();
+      if(!(area > greatest_area))
+        continue;
+      greatest_area = area;
+      result = *std::max_element(side.begin(), side.end(), [&](Halfedge_index h, Halfedge_index o) {
+        return length(h) < length(o);
+      });
+    }
+    return result;
+  }
 
   void place(Vertex_index v, const Precise_vector& p)
   {
