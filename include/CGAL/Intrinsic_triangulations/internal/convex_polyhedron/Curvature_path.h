@@ -48,17 +48,22 @@ public:
   void follow_to(double t)
   {
     const double end = std::log(t / (1 + m_rest_at_start - t));
-    for(double step = 1; m_place > end && step > least_step && m_newton_steps < most_steps;)
+    const auto least = [&] { return at(m_place).t < late ? least_late_step : least_step; };
+    for(double step = 1; m_place > end && step > least() && m_newton_steps < most_steps;)
       step *= reach((std::max)(end, m_place - step)) ? 2 : 0.5;
   }
 
 private:
   static constexpr double least_step = 1e-6, greatest_start = 1e20, least_rest = 1e-30;
+  // Positions can be corrected afterwards if few digits are left for t.
+  static constexpr double late = 1e-2, least_late_step = 0.05;
+  // Predictions fail if derivatives jump; steps without them are short.
+  static constexpr double small_step = 0.01;
+  static constexpr std::size_t most_predicting = 5;
   static constexpr int steps_of_Newton = 12;
   static constexpr std::size_t most_steps = 20000; // in all
-  // This is the greatest error of curvatures, relative to their distance from the ends of their
-  // range.
-  static constexpr double curvature_error = 1e-5;
+  // the errors of curvatures, relative to their distance from the ends of their range
+  static constexpr double curvature_error = 1e-5, greatest_curvature_error = 0.03;
 
   static Vector vector_of(const std::vector<double>& x)
   {
@@ -137,7 +142,9 @@ private:
   // Returns whether it has reached the pyramids for a place.
   bool reach(double place)
   {
-    return (m_history.size() > 1 && reach(place, prediction(place))) || reach(place, m_radii);
+    const bool is_predicted = m_history.size() > 1 && reach(place, prediction(place));
+    return is_predicted || ((m_history.size() == 1 || m_place - place < small_step) &&
+                            reach(place, m_radii));
   }
 
   // Newton's method, with the logarithms of radii as variables.
@@ -159,9 +166,10 @@ private:
       const Vector rest = fraction.t > 0.5 ? Vector(current.excess - target_excess)
                                            : Vector(target - current.curvature);
       const double error = (rest.array().abs() / range.array()).maxCoeff();
-      if(error < curvature_error)
+      const bool is_best = !(error < before) && step > 2; // as rounding allows
+      if(error < (is_best && fraction.t < late ? greatest_curvature_error : curvature_error))
         return keep(place, surface, radii);
-      if(!(error < before) && step > 2)
+      if(is_best)
         return false;
       before = error;
       const Vector change = newton_step(current, radii, rest);
@@ -180,7 +188,7 @@ private:
     m_radii = radii;
     m_place = place;
     m_history.emplace_back(place, radii);
-    if(m_history.size() > 3)
+    if(m_history.size() > most_predicting)
       m_history.erase(m_history.begin());
     return true;
   }

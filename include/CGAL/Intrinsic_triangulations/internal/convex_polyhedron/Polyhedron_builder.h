@@ -41,7 +41,8 @@ public:
   typedef Polyhedron_kernel::Point_3 Point;
 
   Polyhedron_builder(Intrinsic_triangulation<Traits>& tri, std::optional<double> tolerance)
-    : m_tri(tri)
+    : m_tri(tri),
+      m_greatest_edge_error((std::max)(1e-9, tolerance.value_or(0)))
   {
     check_sphere(tri.input_mesh());
     make_Delaunay(tri);
@@ -75,8 +76,7 @@ private:
   // Lengths determine heights to half of the digits only. If heights are less, relative to the
   // size, a polygon with two sides is tried first.
   static constexpr double flat_height = 1e-7;
-  // Errors of an edge, relative to its length, and of positions, relative to the largest.
-  static constexpr double greatest_edge_error = 1e-9, position_error = 0x1p-50;
+  static constexpr double position_error = 0x1p-50; // relative to the largest coordinate
   static constexpr int most_fittings = 20;
 
   // Takes a polyhedron or a polygon, whichever measurements confirm.
@@ -115,7 +115,7 @@ private:
         size = (std::max)(size, std::abs(p[i]));
     const auto edges = m_tri.mesh().edges();
     return std::all_of(edges.begin(), edges.end(), [&](Edge_index e) {
-      return edge_error(e) <= greatest_edge_error * m_tri.length(e) + position_error * size;
+      return edge_error(e) <= m_greatest_edge_error * m_tri.length(e) + position_error * size;
     });
   }
 
@@ -265,6 +265,7 @@ private:
   }
 
   Intrinsic_triangulation<Traits>& m_tri;
+  double m_greatest_edge_error; // relative to the length
   Polyhedron_points m_corners, m_points; // the vertices with curvature, and all
   std::vector<Vertex_index> m_flat_vertices;
   Polyhedron_certificate m_certificate;
