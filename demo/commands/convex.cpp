@@ -38,9 +38,6 @@ struct Convex_options : Output_options
   std::optional<double> flatness; // the curvature up to which vertices are flat
 };
 
-// Errors of edges are relative to their lengths.
-constexpr double greatest_edge_error = 1e-9;
-
 constexpr const char* convex_help =
   R"(The mesh must be a sphere without vertices of negative curvature; it need not be convex.
 Exactly one convex polyhedron has its surface, which may be a polygon with two sides: "flat" in
@@ -48,9 +45,10 @@ the statistics.
 
 The output has the vertices of the mesh, in their order; those without curvature lie on faces and
 edges. Its triangles are those of the polyhedron. Whether it is convex is decided exactly for the
-positions that are written, flat vertices aside. --subdivision writes the common subdivision of the
-mesh and the polyhedron, on the polyhedron; .ply and .vtp have for each vertex its place on the mesh
-(input_x, input_y, input_z), and of edges and faces of which they are parts.
+positions that are written, flat vertices aside: "kind" in the statistics is "convex", "polygon", or
+"convex_before_rounding" if only rounding makes edges concave. --subdivision writes the common
+subdivision of the mesh and the polyhedron, on the polyhedron; .ply and .vtp have for each vertex
+its place on the mesh (input_x, input_y, input_z), and of edges and faces of which they are parts.
 
 With --glue, the mesh is a net: one or more polygons, the sides of which are glued. Each line of the
 file has four numbers of vertices, a b c d: the side from a to b is glued to that from c to d, a to
@@ -77,6 +75,7 @@ void describe(Statistics& statistics, const IT::Convex_polyhedron& polyhedron)
   statistics["polyhedron"] = {{"vertices", polyhedron.points().size()},
                               {"faces", polyhedron.triangulation().mesh().number_of_faces()}};
   statistics["flat_vertices"] = polyhedron.flat_vertices().size();
+  statistics["kind"] = IT::to_string(polyhedron.kind());
   statistics["flat"] = polyhedron.is_flat();
   statistics["convex"] = certificate.is_convex();
   statistics["convex_edges"] = certificate.convex_edges;
@@ -85,19 +84,6 @@ void describe(Statistics& statistics, const IT::Convex_polyhedron& polyhedron)
   statistics["max_edge_error"] = polyhedron.max_edge_error();
   statistics["last_curvature"] = polyhedron.last_curvature();
   statistics["iterations"] = polyhedron.newton_steps();
-}
-
-void check(const IT::Convex_polyhedron& polyhedron)
-{
-  std::ostringstream text;
-  if(!(polyhedron.max_edge_error() <= greatest_edge_error))
-    text << "an edge of the polyhedron has a relative error of " << polyhedron.max_edge_error();
-  else if(!polyhedron.certificate().is_convex())
-    text << "by rounding, the polyhedron is not convex; "
-         << IT::to_string(polyhedron.certificate());
-  else
-    return;
-  throw IT::Numerical_error(text.str());
 }
 
 std::string summary(const IT::Convex_polyhedron& polyhedron)
@@ -109,6 +95,9 @@ std::string summary(const IT::Convex_polyhedron& polyhedron)
   if(flat > 0)
     text << " and " << flat << " on faces and edges";
   text << ", edges equal to " << polyhedron.max_edge_error();
+  if(polyhedron.kind() == IT::Polyhedron_kind::convex_before_rounding)
+    text << ", convex before rounding, which makes " << polyhedron.certificate().concave_edges
+         << " edges concave";
   return text.str();
 }
 
@@ -185,7 +174,6 @@ int convex(const Common_options& common, const Convex_options& options)
                          options.flatness);
   });
   describe(run.statistics(), polyhedron);
-  check(polyhedron);
   if(subdivision_format) {
     const Subdivision subdivision = subdivide(run, polyhedron.triangulation());
     run.add_output(options.subdivision, subdivision_on(polyhedron, subdivision),

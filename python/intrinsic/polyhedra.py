@@ -14,10 +14,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import Floats, Integers, number
 from ._meshes import surface
-from .errors import NumericalError
 from .triangulation import Triangulation
-
-_GREATEST_EDGE_ERROR = 1e-9  # relative to its length
 
 
 @dataclass(frozen=True)
@@ -32,8 +29,9 @@ class ConvexPolyhedron:
         The triangles of the polyhedron.
     flat_vertices : (k,) int array
         Vertices without curvature, which are on faces and edges.
-    is_flat : bool
-        Whether it is a polygon with two sides.
+    kind : str
+        "convex" or "polygon", a polygon with two sides, if exact predicates have confirmed it for
+        `V`; "convex_before_rounding" if only rounding to `V` makes some edges concave.
     max_edge_error : float
         The greatest difference of the length of an edge on the surface and in space, relative to
         it.
@@ -44,9 +42,14 @@ class ConvexPolyhedron:
     V: Floats
     F: Integers
     flat_vertices: Integers
-    is_flat: bool
+    kind: str
     max_edge_error: float
     triangulation: Triangulation
+
+    @property
+    def is_flat(self) -> bool:
+        """Whether it is a polygon with two sides."""
+        return self.kind == "polygon"
 
     @property
     def vertices(self) -> Floats:
@@ -84,6 +87,8 @@ def convex_polyhedron(
     ------
     NegativeCurvatureError
         If a vertex has more than 360 degrees; the error has the `vertex`.
+    NumericalError
+        If no polyhedron is found whose convexity and edge lengths measurements confirm.
 
     Examples
     --------
@@ -99,10 +104,5 @@ def convex_polyhedron(
     tolerance = None if flatness is None else number(flatness, "flatness", 0)
     on = surface(V, F, lengths)
     d = _core.convex_polyhedron(on, tolerance)
-    if not d["max_edge_error"] <= _GREATEST_EDGE_ERROR:
-        raise NumericalError(
-            f"an edge of the polyhedron has a relative error of {d['max_edge_error']:g}")
-    if not d["is_convex"]:
-        raise NumericalError(f"by rounding, the polyhedron is not convex; {d['certificate']}")
-    return ConvexPolyhedron(d["points"], d["faces"], d["flat_vertices"], d["is_flat"],
+    return ConvexPolyhedron(d["points"], d["faces"], d["flat_vertices"], d["kind"],
                             d["max_edge_error"], Triangulation._of_core(on, d["triangulation"]))

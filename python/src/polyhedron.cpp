@@ -35,9 +35,7 @@ py::dict convex_polyhedron(const std::shared_ptr<Surface>& surface, std::optiona
   result["points"] = array_of(std::move(points));
   result["faces"] = array_of(corners_of(polyhedron.triangulation().mesh()));
   result["flat_vertices"] = array_of(std::move(flat));
-  result["is_flat"] = polyhedron.is_flat();
-  result["is_convex"] = polyhedron.certificate().is_convex();
-  result["certificate"] = IT::to_string(polyhedron.certificate());
+  result["kind"] = IT::to_string(polyhedron.kind());
   result["max_edge_error"] = polyhedron.max_edge_error();
   result["triangulation"] =
     py::cast(std::make_unique<Bound_triangulation>(surface, polyhedron.triangulation()));

@@ -101,11 +101,13 @@ class Polyhedron(unittest.TestCase):
         np.testing.assert_allclose(np.linalg.norm(p.V[ends[:, 0]] - p.V[ends[:, 1]], axis=1),
                                    np.linalg.norm(V[ends[:, 0]] - V[ends[:, 1]], axis=1), rtol=1e-9)
         self.assertEqual(p.triangulation.n_vertices, 8)
+        self.assertEqual(p.kind, "convex")
 
     def test_flat(self):
         V = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
         p = intrinsic.convex_polyhedron(V, [[0, 1, 2], [0, 2, 1]])
         self.assertTrue(p.is_flat)
+        self.assertEqual(p.kind, "polygon")
 
     def test_thin(self):
         # A failure names what is not convex.

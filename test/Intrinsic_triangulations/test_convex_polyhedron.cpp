@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/glue_boundary.h>
 
+#include <CGAL/Gmpq.h>
+
 using namespace Test_surfaces;
 
 namespace {
@@ -135,6 +137,79 @@ TEST(Convex_polyhedron, recovers_hulls_from_their_metrics)
       }
 }
 
+// Curvatures are near 2 pi at the ends, and 1e-9 between them.
+TEST(Convex_polyhedron, recovers_needles)
+{
+  for(std::size_t n : {7, 12})
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      const Mesh mesh = stretched(random_sphere(n, seed), 1, 1e-3, 3e-7);
+      const Triangulation t(mesh);
+      const Polyhedron p = polyhedron_of_lengths(t);
+      EXPECT_EQ(p.kind(), IT::Polyhedron_kind::convex);
+      EXPECT_TRUE(p.certificate().is_convex());
+      EXPECT_EQ(faces_of(p.triangulation().mesh()), faces_of(t.mesh()));
+      for(Edge_index e : t.mesh().edges()) {
+        const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+        EXPECT_NEAR(distance(p, v, w) / distance(mesh.point(v), mesh.point(w)), 1, 1e-9);
+      }
+    }
+}
+
+// Curvatures at the apex differ from the curvatures of the surface by 1e-15 if the apex is so far
+// away that the least curvature, at the top of the roof, remains.
+TEST(Convex_polyhedron, recovers_a_plate_with_a_shallow_roof)
+{
+  const std::size_t n = 12, top = 2 * n;
+  std::vector<Point> corner;
+  for(double z : {0., 1e-4})
+    for(std::size_t i = 0; i < n; ++i)
+      corner.emplace_back(std::cos(2 * pi * double(i) / n), std::sin(2 * pi * double(i) / n), z);
+  corner.emplace_back(0, 0, 1.03e-4);
+  Triangles triangles;
+  for(std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    triangles.push_back({i, j, n + j});
+    triangles.push_back({i, n + j, n + i});
+    triangles.push_back({n + i, n + j, top});
+    if(i > 0 && j > 0)
+      triangles.push_back({0, j, i});
+  }
+  const Mesh mesh = make_mesh(corner, triangles);
+  const Polyhedron p = polyhedron_of_lengths(Triangulation(mesh));
+  EXPECT_EQ(p.kind(), IT::Polyhedron_kind::convex);
+  expect_congruent(p, mesh, 1e-9);
+}
+
+// Exact arithmetic with integers decides the same.
+TEST(Convex_polyhedron, positions_of_more_digits_have_exact_orientations)
+{
+  CGAL::Random random(6);
+  const auto coordinate = [&] {
+    return IT::Double_double(random.get_int(-3, 4)) + random.get_int(-3, 4) * 0x1p-90;
+  };
+  const auto exact = [](const IT::Double_double& x) {
+    return CGAL::Gmpq(x.high()) + CGAL::Gmpq(x.low());
+  };
+  typedef IT::internal::Precise_vector Vector;
+  for(int i = 0; i < 500; ++i) {
+    std::array<Vector, 4> p;
+    for(Vector& v : p)
+      v = {coordinate(), coordinate(), coordinate()};
+    std::array<std::array<CGAL::Gmpq, 3>, 3> m;
+    for(std::size_t k = 0; k < 3; ++k)
+      m[k] = {exact(p[k + 1].x) - exact(p[0].x), exact(p[k + 1].y) - exact(p[0].y),
+              exact(p[k + 1].z) - exact(p[0].z)};
+    const CGAL::Gmpq determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                                   m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                                   m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    const auto orientation = IT::internal::orientation(p[0], p[1], p[2], p[3], 0x1p-95);
+    if(orientation != CGAL::COPLANAR)
+      EXPECT_EQ(orientation, CGAL::sign(determinant));
+    else
+      EXPECT_LE(CGAL::abs(determinant), CGAL::Gmpq(0x1p-85));
+  }
+}
+
 TEST(Convex_polyhedron, keeps_convex_meshes)
 {
   for(const Mesh& mesh : {tetrahedron(), octahedron(), cube(), rotated(cube())})
@@ -184,6 +259,7 @@ TEST(Convex_polyhedron, recognizes_polygons_with_two_sides)
     const Mesh mesh = double_polygon(corner, 1);
     const Polyhedron p = IT::convex_polyhedron(mesh);
     EXPECT_TRUE(p.is_flat()) << n;
+    EXPECT_EQ(p.kind(), IT::Polyhedron_kind::polygon);
     EXPECT_EQ(p.certificate().convex_edges, n);
     expect_congruent(p, mesh, 1e-10);
   }

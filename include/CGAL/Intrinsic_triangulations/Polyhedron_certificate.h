@@ -25,6 +25,14 @@ enum class Polyhedron_kind
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// returns the name of the enumerator.
+inline const char* to_string(Polyhedron_kind kind)
+{
+  constexpr const char* names[] = {"convex", "convex_before_rounding", "polygon"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
 /// what exact predicates have found about a polyhedron with positions of type `double`, without a
 /// tolerance. Vertices that are flat do not count: rounding moves them out of their faces.
 struct Polyhedron_certificate

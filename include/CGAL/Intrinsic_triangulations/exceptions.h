@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <cstddef>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,11 +37,18 @@ class Negative_curvature : public Invalid_input
 {
   std::vector<std::size_t> m_vertices;
 
+  static std::string scientific(double x)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.3g", x);
+    return text;
+  }
+
 public:
   /// makes an error of these vertices, at least one. The first of them has this curvature.
   Negative_curvature(const std::vector<std::size_t>& vertices, double curvature)
     : Invalid_input("vertex " + std::to_string(vertices.front()) + " has negative curvature, " +
-                    std::to_string(curvature) + " radians" +
+                    scientific(curvature) + " radians" +
                     (vertices.size() == 1
                        ? std::string()
                        : ", and so have " + std::to_string(vertices.size() - 1) + " others")),

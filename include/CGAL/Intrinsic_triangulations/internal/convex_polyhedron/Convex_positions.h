@@ -109,10 +109,9 @@ inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corne
 // directions. If it covers it once and no edge is concave, it is convex. Signs are decided with
 // `points`, whose rounded positions are `rounded`.
 template <typename Orientation_of>
-Polyhedron_certificate certified_polyhedron(const Delta_complex& mesh,
-                                            typename Orientation_of::Points points,
-                                            const Polyhedron_points& rounded,
-                                            const Orientation_of& orientation)
+Polyhedron_certificate
+certified_polyhedron(const Delta_complex& mesh, typename Orientation_of::Points points,
+                     const Polyhedron_points& rounded, const Orientation_of& orientation)
 {
   Polyhedron_certificate result;
   double angle = 0;

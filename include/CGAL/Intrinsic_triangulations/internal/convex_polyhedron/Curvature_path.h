@@ -113,7 +113,7 @@ private:
     double t, rest; // and 1 - t
   };
 
-  // Places on the path are a function of t that is logarithmic at both ends: at the beginning
+  // A position on the path is a function of t that is logarithmic at both ends. At the beginning
   // 1 - t is the inverse square of radii.
   Fraction at(double place) const
   {
@@ -121,7 +121,7 @@ private:
     return {all * x / (1 + x), all / (1 + x) - m_rest_at_start};
   }
 
-  // Returns the radii for a place on a polynomial through the last ones.
+  // Returns the radii at a position, on a polynomial through the last ones.
   Radii prediction(double place) const
   {
     const bool are_large = at(place).t > 0.5;
@@ -133,18 +133,18 @@ private:
       factors.push_back(1);
       for(const auto& other : m_history)
         if(other.first != p)
-          factors.back() *= (variable(place) - variable(other.first)) /
-                            (variable(p) - variable(other.first));
+          factors.back() *=
+            (variable(place) - variable(other.first)) / (variable(p) - variable(other.first));
     }
     return Radii::mean_of(radii, factors, are_large);
   }
 
-  // Returns whether it has reached the pyramids for a place.
+  // Returns whether it has reached the pyramids for a position.
   bool reach(double place)
   {
     const bool is_predicted = m_history.size() > 1 && reach(place, prediction(place));
-    return is_predicted || ((m_history.size() == 1 || m_place - place < small_step) &&
-                            reach(place, m_radii));
+    return is_predicted ||
+           ((m_history.size() == 1 || m_place - place < small_step) && reach(place, m_radii));
   }
 
   // Newton's method, with the logarithms of radii as variables.
@@ -211,7 +211,7 @@ private:
   Vector m_metric_curvature, m_first_curvature, m_first_excess;
   Radii m_radii;
   double m_place = 0, m_rest_at_start = 1;
-  std::vector<std::pair<double, Radii>> m_history; // the last places, with their radii
+  std::vector<std::pair<double, Radii>> m_history; // the last positions, with their radii
   std::size_t m_newton_steps = 0;
 };
 

@@ -41,8 +41,7 @@ public:
   typedef Polyhedron_kernel::Point_3 Point;
 
   Polyhedron_builder(Intrinsic_triangulation<Traits>& tri, std::optional<double> tolerance)
-    : m_tri(tri),
-      m_greatest_edge_error((std::max)(1e-9, tolerance.value_or(0)))
+    : m_tri(tri), m_greatest_edge_error((std::max)(1e-9, tolerance.value_or(0)))
   {
     check_sphere(tri.input_mesh());
     make_Delaunay(tri);
@@ -147,8 +146,7 @@ private:
     fit(surface, positions);
     round(positions);
     const bool is_convex =
-      certified_polyhedron(surface.mesh(), positions, m_corners, Precise_orientation())
-        .is_convex();
+      certified_polyhedron(surface.mesh(), positions, m_corners, Precise_orientation()).is_convex();
     flip_concave(surface, m_corners, Rounded_orientation());
     finish(surface, vertices);
     if(!m_certificate.is_convex() && is_convex)
@@ -265,7 +263,7 @@ private:
   }
 
   Intrinsic_triangulation<Traits>& m_tri;
-  double m_greatest_edge_error; // relative to the length
+  double m_greatest_edge_error;          // relative to the length
   Polyhedron_points m_corners, m_points; // the vertices with curvature, and all
   std::vector<Vertex_index> m_flat_vertices;
   Polyhedron_certificate m_certificate;

@@ -32,8 +32,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // surface by the curvature of the surface less the curvature at the apex.
 struct Apex_curvatures
 {
-  bool exist = true; // whether all pyramids do
-  Eigen::VectorXd curvature, excess; // each with small relative errors
+  bool exist = true;                      // whether all pyramids do
+  Eigen::VectorXd curvature, excess;      // each with small relative errors
   Eigen::SparseMatrix<double> derivative; // by the radii, row by row
 };
 
