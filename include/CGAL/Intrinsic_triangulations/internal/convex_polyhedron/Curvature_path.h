@@ -56,7 +56,7 @@ public:
 private:
   static constexpr double least_step = 1e-6, greatest_start = 1e20, least_rest = 1e-30;
   // Positions can be corrected afterwards if few digits are left for t.
-  static constexpr double late = 1e-2, least_late_step = 0.05;
+  static constexpr double late = 1e-3, least_late_step = 0.01;
   // Predictions fail if derivatives jump; steps without them are short.
   static constexpr double small_step = 0.01;
   static constexpr std::size_t most_predicting = 5;
