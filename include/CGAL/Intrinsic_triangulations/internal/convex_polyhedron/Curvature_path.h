@@ -62,7 +62,7 @@ private:
   static constexpr std::size_t most_predicting = 5;
   static constexpr int steps_of_Newton = 12;
   static constexpr std::size_t most_steps = 20000; // in all
-  // the errors of curvatures, relative to their distance from the ends of their range
+  // The errors of curvatures, relative to their distance from the ends of their range.
   static constexpr double curvature_error = 1e-5, greatest_curvature_error = 0.03;
 
   static Vector vector_of(const std::vector<double>& x)
