@@ -87,7 +87,7 @@ private:
     if(second.empty())
       return;
     std::ostringstream text;
-    text << "no convex polyhedron is found: " << (is_flat ? second : first)
+    text << "no convex polyhedron is found; " << (is_flat ? second : first)
          << "; the curvature inside of it is " << m_last_t << " of its first value";
     throw Numerical_error(text.str());
   }
@@ -102,7 +102,7 @@ private:
       return error.what();
     }
     if(m_kind != Polyhedron_kind::convex_before_rounding && !m_certificate.is_convex())
-      return std::to_string(m_certificate.concave_edges) + " edges are not convex";
+      return to_string(m_certificate);
     return are_edges_accurate() ? "" : "edges have other lengths than on the surface";
   }
 
