@@ -133,7 +133,7 @@ constexpr std::size_t steps_with_more_digits = 300, moves_with_more_digits = 100
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after so many steps, or evaluations of faces.
 constexpr std::size_t steps_with_bounded_differences = 1000,
-                      work_with_bounded_differences = 1000000;
+                      work_with_bounded_differences = 2000000;
 // Errors of curvatures beyond this are no rounding errors.
 constexpr double lost_curvature = 1e-3;
 // A start needs few digits, and few steps.

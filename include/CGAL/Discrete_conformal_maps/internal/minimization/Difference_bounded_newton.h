@@ -20,18 +20,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Newton's method for a convex energy whose Hessian is a Laplacian, with steps that bound the
-// differences of neighbors. All variables together can move far in one step.
+// differences of neighbors, and that remember the steps before.
 //
-// If the step would change a difference by more than the bound, the weight between both neighbors
-// is raised. The same flow then changes the difference by the bound. Some factorizations find such
-// weights. The matrix is the Hessian plus a Laplacian. So the energy falls in the direction of
-// the step. A step is shortened until its slope shows that it does not go far beyond the minimum on
-// its line. Steps have the digits of the energy.
+// Angles of needles jump by pi within distances that are far shorter than a step. The Hessian on
+// one side of such a jump says nothing about it. So steps correct the Hessian by the changes of the
+// gradient along the last steps, as the method of Broyden, Fletcher, Goldfarb and Shanno does. The
+// matrix of that method is the Hessian here, see Nocedal (1980). With such a correction, a step
+// follows the edge of a jump. Lewis and Overton (2013) show that for functions that are not smooth.
+//
+// A step ends where its slope has risen by half, or where slopes prove that the energy is less.
+// After a step that would go too far, the bound is smaller. Steps have the digits of the energy.
 template <typename Energy>
 class Difference_bounded_newton
 {
@@ -48,7 +53,7 @@ public:
   {}
 
   // Takes steps from the origin of the energy until no entry of the gradient is above `tolerance`.
-  // Twice its rounding error is enough, if a map may have that. Flips count as steps.
+  // Twice its rounding error is enough, if a map may have that. Flips count as work.
   template <typename Visitor>
   Minimization_result run(double tolerance, std::size_t maximum_number_of_steps, Visitor& visitor)
   {
@@ -69,10 +74,18 @@ public:
   }
 
 private:
-  static constexpr double bound = 0.5; // of differences of neighbors
-  static constexpr int number_of_raises = 5, number_of_trials = 12;
-  // Where weights vanish, rounding alone determines differences.
-  static constexpr double least_weight = 1e-17;
+  // of differences of neighbors
+  static constexpr double least_bound = 0.08, greatest_bound = 2;
+  static constexpr std::size_t number_of_secants = 100;
+  static constexpr int number_of_trials = 40;
+
+  // a step, the change of the gradient along it, and 1 / (their product)
+  struct Secant
+  {
+    Values step;
+    Vector change;
+    FT inverse;
+  };
 
   // Returns whether the gradient is known at `u`.
   bool move_to(const Values& u)
@@ -96,10 +109,11 @@ private:
                                                                     2 * m_energy.gradient_error()));
   }
 
+  // A flip takes a third of the time of a face.
   bool has_worked_enough() const
   {
     const auto& surface = m_energy.energy().surface();
-    return m_result.evaluations * surface.mesh().num_faces() + surface.number_of_flips() / 10 >
+    return m_result.evaluations * surface.mesh().num_faces() + surface.number_of_flips() / 3 >
            tolerance::work_with_bounded_differences;
   }
 
@@ -109,21 +123,52 @@ private:
     if(!find(direction))
       return Minimization_status::not_finite;
     const Values base = m_energy.scale_factors();
-    Vector rounded(m_gradient.size());
-    for(std::size_t v = 0; v < base.size(); ++v)
-      rounded[Eigen::Index(v)] = static_cast<double>(direction[v]);
-    const double slope = m_gradient.dot(rounded);
-    double part = 1;
-    bool is_known = false;
-    for(int trial = 0; trial < number_of_trials; ++trial) {
-      is_known = move(base, direction, part);
-      const double beyond = is_known ? m_gradient.dot(rounded) : 0;
-      m_length = part * max_norm(rounded);
-      if(is_known && beyond <= -slope / 2)
-        break;
-      part *= is_known ? std::clamp(slope / (slope - beyond), 0.1, 0.9) : 0.1;
+    const Vector gradient = m_gradient;
+    const double slope = product(gradient, direction);
+    if(!(slope < 0) && !m_secants.empty()) { // by rounding
+      m_secants.clear();
+      return step();
     }
-    return is_known ? Minimization_status::converged : Minimization_status::rounding_limit;
+    const double part = slope < 0 ? search_line(base, direction, slope) : 0;
+    if(part == 0)
+      return Minimization_status::rounding_limit;
+    for(FT& x : direction)
+      x *= FT(part);
+    remember(direction, m_gradient - gradient);
+    return Minimization_status::converged;
+  }
+
+  // Moves along a direction, and returns how far; zero if no gradient is known there. In a convex
+  // function, slopes at both ends bound the change between.
+  double search_line(const Values& base, const Values& direction, double slope)
+  {
+    double low = 0, low_slope = slope, high = 1, high_slope = 0;
+    double part = 1;
+    bool is_known = false, goes_on = true;
+    for(int trial = 0; goes_on && trial < number_of_trials; ++trial) {
+      if(trial > 0)
+        part = next_part(trial, low, low_slope, high, high_slope);
+      is_known = move(base, direction, part);
+      const double now =
+        is_known ? product(m_gradient, direction) : std::numeric_limits<double>::infinity();
+      (now < 0 ? low : high) = part;
+      (now < 0 ? low_slope : high_slope) = now;
+      goes_on = now < 0 ? part < 1 && now < slope / 2
+                        : now > -slope / 2 && low * low_slope + (high - low) * now > 0;
+    }
+    m_length *= part;
+    m_bound = part == 1 ? (std::min)(greatest_bound, 2 * m_bound)
+                        : std::clamp(8 * m_length, least_bound, greatest_bound);
+    return is_known ? part : 0;
+  }
+
+  // between two points, by turns from their slopes and in the middle
+  static double next_part(int trial, double low, double low_slope, double high, double high_slope)
+  {
+    if(trial % 2 == 0)
+      return (low + high) / 2;
+    const double zero = low_slope / (low_slope - high_slope);
+    return low + (high - low) * std::clamp(zero, 0.05, 0.95);
   }
 
   bool move(Values u, const Values& direction, double part)
@@ -133,50 +178,84 @@ private:
     return move_to(u);
   }
 
+  // Notes a step, unless rounding hides the convexity along it.
+  void remember(const Values& step, const Vector& change)
+  {
+    const FT curvature = precise_product(change, step);
+    if(curvature > 0)
+      m_secants.push_back({step, change, FT(1) / curvature});
+    if(m_secants.size() > number_of_secants)
+      m_secants.pop_front();
+  }
+
   // Returns whether there is a direction.
   bool find(Values& direction)
   {
-    Matrix matrix = m_energy.Hessian();
-    if(!matrix.coeffs().allFinite())
+    const Matrix& matrix = m_energy.Hessian();
+    ++m_result.factorizations;
+    if(!matrix.coeffs().allFinite() ||
+       !m_elimination.factorize(matrix, grounding(matrix, m_variables), m_solver.order(matrix)))
       return false;
-    const Vector ground = grounding(matrix, m_variables);
-    double greatest = 0;
-    for(int i = 0; i <= number_of_raises; ++i) {
-      ++m_result.factorizations;
-      if(!m_elimination.factorize(matrix, ground, m_solver.order(matrix)))
-        return false;
-      direction = m_elimination.solve(-m_gradient);
-      greatest = raise_weights(matrix, direction);
-      if(greatest <= 1.5 * bound)
-        return true;
+    direction = solve(-m_gradient);
+    m_length = greatest_difference(matrix, direction);
+    if(m_length > m_bound) {
+      for(FT& x : direction)
+        x *= FT(m_bound / m_length);
+      m_length = m_bound;
     }
-    for(FT& x : direction)
-      x *= FT((std::min)(1., 4 * bound / greatest));
     return true;
   }
 
-  // Raises weights between neighbors whose difference is beyond the bound. Returns the greatest
-  // difference.
-  static double raise_weights(Matrix& matrix, const Values& direction)
+  // Solves with the corrected Hessian, by the recursion of Nocedal (1980).
+  Values solve(Vector right_side) const
   {
-    double greatest = 0;
+    std::vector<FT> part(m_secants.size());
+    for(std::size_t k = m_secants.size(); k-- > 0;) {
+      part[k] = precise_product(right_side, m_secants[k].step) * m_secants[k].inverse;
+      right_side -= static_cast<double>(part[k]) * m_secants[k].change;
+    }
+    Values result = m_elimination.solve(right_side);
+    for(std::size_t k = 0; k < m_secants.size(); ++k) {
+      const Secant& secant = m_secants[k];
+      const FT x = part[k] - precise_product(secant.change, result) * secant.inverse;
+      for(std::size_t v = 0; v < result.size(); ++v)
+        result[v] += x * secant.step[v];
+    }
+    return result;
+  }
+
+  static FT precise_product(const Vector& x, const Values& y)
+  {
+    FT result(0);
+    for(std::size_t v = 0; v < y.size(); ++v)
+      if(const double factor = x[Eigen::Index(v)]; factor != 0)
+        result += FT(factor) * y[v];
+    return result;
+  }
+  static double product(const Vector& x, const Values& y)
+  {
+    return static_cast<double>(precise_product(x, y));
+  }
+
+  static double greatest_difference(const Matrix& matrix, const Values& direction)
+  {
+    double result = 0;
     for(Eigen::Index column = 0; column < matrix.outerSize(); ++column)
-      for(Matrix::InnerIterator i(matrix, column); i; ++i) {
-        const double difference = std::abs(static_cast<double>(
-          FT(direction[std::size_t(i.row())] - direction[std::size_t(column)])));
-        greatest = (std::max)(greatest, difference);
-        if(difference > 1.5 * bound)
-          i.valueRef() = (std::min)(i.value(), -least_weight) * (difference / bound);
-      }
-    return greatest;
+      for(Matrix::InnerIterator i(matrix, column); i; ++i)
+        result =
+          (std::max)(result, std::abs(static_cast<double>(FT(direction[std::size_t(i.row())] -
+                                                             direction[std::size_t(column)]))));
+    return result;
   }
 
   Energy& m_energy;
   Free_variables m_variables;
   Newton_direction::Solver m_solver; // only its order is used
   Laplacian_elimination<FT> m_elimination;
+  std::deque<Secant> m_secants; // of the last steps
   Vector m_gradient;
-  double m_length = 0; // of a step
+  double m_bound = greatest_bound;
+  double m_length = 0; // of a step: its greatest difference
   Minimization_result m_result;
 };
 

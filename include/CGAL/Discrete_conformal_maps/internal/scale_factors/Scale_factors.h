@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/Factorization_counts.h>
 #include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -73,7 +75,9 @@ public:
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     m_start = precise_values<Extended>();
-    if(!(m_bounds_differences && bound_differences(visitor)))
+    if(m_bounds_differences)
+      bound_differences(minimizer, tolerance, visitor);
+    if(!m_bounds_differences)
       minimize_from_start(minimizer, tolerance, visitor);
     m_start.clear();
     if(m_status == Map_status::not_converged && is_within(tolerance))
@@ -120,32 +124,45 @@ protected:
   }
 
 private:
+  // A way to scale factors, and whether it is needed after the ways before it.
+  struct Search
+  {
+    bool (Scale_factors::*is_needed)(double tolerance) const;
+    void (Scale_factors::*run)(const Any_minimizer&, double tolerance, Any_visitor&);
+    bool bends_boundaries = false;
+  };
+
   void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
+    static constexpr Search searches[] = {
+      // in the order in which they are tried
+      {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
+      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
+      {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},
+      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
+      {&Scale_factors::needs_most_digits, &Scale_factors::minimize_in<More_extended>},
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, true},
+      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range},
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true},
+      {&Scale_factors::is_lost, &Scale_factors::bound_differences}};
+    constexpr std::size_t first_beyond_range = 6;
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
-    if(Triangle<double>::has_similar_ones && !m_problem.has_precise_lengths() && is_beyond_range())
-      m_max_curvature_error = std::numeric_limits<double>::infinity();
-    else
-      minimize_in_range(minimizer, tolerance, visitor);
-    if constexpr(Triangle<double>::has_similar_ones)
-      minimize_with_bends_or_beyond_range(minimizer, tolerance, visitor);
-    if(is_lost(tolerance))
-      bound_differences(visitor);
-  }
-
-  void minimize_in_range(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
-  {
-    minimize_rounded(minimizer, tolerance, visitor);
-    if(is_far_off(tolerance) && bound_differences(visitor))
-      return; // more digits alone are slower
-    if(is_rounded(tolerance) && !has_no_solution())
-      minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(is_far_off(tolerance) && bound_differences(visitor))
-      return;
-    if(m_problem.has_precise_lengths() && is_rounded(tolerance) && !has_no_solution())
-      minimize_in<More_extended>(minimizer, tolerance, visitor);
+    m_max_curvature_error = std::numeric_limits<double>::infinity();
+    const bool is_in_range =
+      !Triangle<double>::has_similar_ones || m_problem.has_precise_lengths() || !is_beyond_range();
+    for(std::size_t i = is_in_range ? 0 : first_beyond_range; i < std::size(searches); ++i) {
+      if((this->*searches[i].is_needed)(tolerance)) {
+        if(searches[i].bends_boundaries) {
+          m_problem.bend_straight_boundaries();
+          tolerance = tolerance::promised_angle;
+        }
+        (this->*searches[i].run)(minimizer, tolerance, visitor);
+      }
+      if(is_within(tolerance) || m_bounds_differences)
+        return;
+    }
   }
 
   // Minimizes in `double`, if it resolves the minimum. The result is measured with all digits.
@@ -176,55 +193,42 @@ private:
     return true;
   }
 
-  void minimize_with_bends_or_beyond_range(const Any_minimizer& minimizer, double& tolerance,
-                                           Any_visitor& visitor)
-  {
-    if(std::isfinite(m_max_curvature_error) && bends(tolerance))
-      minimize_in<Extended>(minimizer, tolerance, visitor);
-    if(is_within(tolerance) || !is_beyond_range())
-      return;
-    minimize_beyond_range(minimizer, tolerance, visitor);
-    if(bends(tolerance))
-      minimize_beyond_range(minimizer, tolerance, visitor);
-  }
+  bool is_open(double) const { return true; }
+  bool needs_range(double) const { return Triangle<double>::has_similar_ones && is_beyond_range(); }
 
-  // Whether a solution exists that the minimizer has not found, unless it may not go on.
-  bool is_lost(double tolerance) const
+  // Whether straight boundaries may have too small sides for straight angles in extended precision.
+  bool may_be_bent(double) const
   {
-    return m_problem.flipping() == Flipping::to_Delaunay && !m_problem.has_radii() &&
-           !is_within(tolerance) && m_status == Map_status::not_converged &&
-           m_problem.is_balanced() &&
-           (m_result.status != Minimization_status::iteration_limit ||
-            m_result.iterations >= tolerance::steps_to_lose_the_way);
-  }
-
-  // Whether a search has ended far from a solution, whose angles are known.
-  bool is_far_off(double tolerance) const
-  {
-    return is_lost(tolerance) && m_max_curvature_error > tolerance::lost_curvature &&
-           std::isfinite(m_max_curvature_error);
+    return Triangle<double>::has_similar_ones && std::isfinite(m_max_curvature_error) &&
+           m_problem.flipping() == Flipping::to_Delaunay && m_problem.bend() == 0 &&
+           !m_problem.has_precise_lengths() && m_status == Map_status::not_converged &&
+           m_result.status != Minimization_status::unbounded &&
+           m_result.status != Minimization_status::iteration_limit;
   }
 
   // Searches from the start, on the exact surface, with bounded differences of neighbors; once in
-  // each minimization. Returns whether it has found scale factors. If it has not, nothing has
-  // changed. If it has, the next minimization begins with it.
-  bool bound_differences(Any_visitor& visitor)
+  // each minimization. If no scale factors are found, nothing has changed but the numbers of steps.
+  // If they are, the next minimization begins with this search.
+  void bound_differences(const Any_minimizer&, double, Any_visitor& visitor)
   {
     m_bounds_differences = false;
     if constexpr(Triangle<double>::has_similar_ones)
       if(!m_start.empty()) {
-        const Doubled_problem problem = m_problem;
+        Doubled_problem problem = m_problem;
         const auto values = std::tuple(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
                                        m_max_curvature_error, m_rounding_error);
         m_bounds_differences = is_found_with_bounds(visitor);
         m_start.clear();
         if(!m_bounds_differences) {
-          m_problem = problem;
+          m_problem = std::move(problem);
+          const Minimization_result last = m_result;
           std::tie(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
                    m_max_curvature_error, m_rounding_error) = values;
+          m_result.iterations = last.iterations;
+          m_result.evaluations = last.evaluations;
+          static_cast<Factorization_counts&>(m_result) = last;
         }
       }
-    return m_bounds_differences;
   }
   bool is_found_with_bounds(Any_visitor& visitor)
   {
@@ -335,28 +339,16 @@ private:
     store(energy.scale_factors());
   }
 
-  // Bends straight boundaries if they may have too small sides for straight angles in extended
-  // precision. Returns whether it has.
-  bool bends(double& tolerance)
-  {
-    if(m_problem.flipping() == Flipping::none || m_problem.bend() > 0 ||
-       m_problem.has_precise_lengths() || m_status != Map_status::not_converged ||
-       m_result.status == Minimization_status::unbounded ||
-       m_result.status == Minimization_status::iteration_limit || is_within(tolerance))
-      return false;
-    m_problem.bend_straight_boundaries();
-    tolerance = tolerance::promised_angle;
-    return true;
-  }
-
   void minimize_beyond_range(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
-    m_is_wide = true;
-    auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
-    run(energy, minimizer, visitor);
-    minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
-    if(const auto u = std::get_if<std::vector<Extended>>(&m_precise)) // null if needles failed
-      note_rounded(shift_to_zero(m_problem, *u));
+    if constexpr(Triangle<double>::has_similar_ones) {
+      m_is_wide = true;
+      auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
+      run(energy, minimizer, visitor);
+      minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
+      if(const auto u = std::get_if<std::vector<Extended>>(&m_precise)) // null if needles failed
+        note_rounded(shift_to_zero(m_problem, *u));
+    }
   }
 
   // Without enough digits, intermediate flips have turned needles over: the next search does not

@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -120,6 +121,29 @@ protected:
     return m_status == Map_status::no_minimum ||
            (m_status == Map_status::triangle_inequality &&
             m_result.status == Minimization_status::iteration_limit);
+  }
+
+  bool needs_digits(double tolerance) const { return is_rounded(tolerance) && !has_no_solution(); }
+  bool needs_most_digits(double tolerance) const
+  {
+    return m_problem.has_precise_lengths() && needs_digits(tolerance);
+  }
+
+  // Whether a solution exists that the minimizer has not found, unless it may not go on.
+  bool is_lost(double tolerance) const
+  {
+    return m_problem.flipping() == Flipping::to_Delaunay && !m_problem.has_radii() &&
+           !is_within(tolerance) && m_status == Map_status::not_converged &&
+           m_problem.is_balanced() &&
+           (m_result.status != Minimization_status::iteration_limit ||
+            m_result.iterations >= tolerance::steps_to_lose_the_way);
+  }
+
+  // Whether a search has ended far from a solution, whose angles are known.
+  bool is_far_off(double tolerance) const
+  {
+    return is_lost(tolerance) && m_max_curvature_error > tolerance::lost_curvature &&
+           std::isfinite(m_max_curvature_error);
   }
 
   Doubled_problem& m_problem;
