@@ -109,11 +109,10 @@ private:
                                                                     2 * m_energy.gradient_error()));
   }
 
-  // A flip takes a third of the time of a face.
   bool has_worked_enough() const
   {
     const auto& surface = m_energy.energy().surface();
-    return m_result.evaluations * surface.mesh().num_faces() + surface.number_of_flips() / 3 >
+    return m_result.evaluations * surface.mesh().num_faces() + surface.number_of_flips() / 10 >
            tolerance::work_with_bounded_differences;
   }
 
