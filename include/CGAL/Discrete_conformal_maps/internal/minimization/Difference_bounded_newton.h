@@ -137,7 +137,7 @@ private:
     return Minimization_status::converged;
   }
 
-  // Moves along a direction, and returns how far; zero if no gradient is known there. In a convex
+  // Moves along a direction, and returns how far; zero if no gradient is known on it. In a convex
   // function, slopes at both ends bound the change between.
   double search_line(const Values& base, const Values& direction, double slope)
   {
