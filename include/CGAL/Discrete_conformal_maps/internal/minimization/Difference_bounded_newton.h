@@ -74,12 +74,12 @@ public:
   }
 
 private:
-  // of differences of neighbors
+  // Bounds of differences of neighbors.
   static constexpr double least_bound = 0.08, greatest_bound = 2;
   static constexpr std::size_t number_of_secants = 100;
   static constexpr int number_of_trials = 40;
 
-  // a step, the change of the gradient along it, and 1 / (their product)
+  // A step, the change of the gradient along it, and 1 / (their product).
   struct Secant
   {
     Values step;
@@ -161,7 +161,7 @@ private:
     return is_known ? part : 0;
   }
 
-  // between two points, by turns from their slopes and in the middle
+  // Returns a point between two, by turns from their slopes and in the middle.
   static double next_part(int trial, double low, double low_slope, double high, double high_slope)
   {
     if(trial % 2 == 0)

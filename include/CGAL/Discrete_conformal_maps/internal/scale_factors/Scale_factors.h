@@ -135,7 +135,7 @@ private:
   void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
     static constexpr Search searches[] = {
-      // in the order in which they are tried
+      // Searches in their order.
       {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
       {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},
