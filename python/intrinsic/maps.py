@@ -219,7 +219,7 @@ def _bound(on: _core.Surface, core: Any) -> Any:
 def _checked(result: AnyMap) -> AnyMap:
     if result.status == "success":
         return result
-    missed = [f"{name} {error:g} (at most {bound:g})"
+    missed = [f"{name} {'unknown' if np.isnan(error) else f'{error:g}'} (at most {bound:g})"
               for name, (error, bound) in result.promises.items() if not error <= bound]
     text = result._core.message() + "".join(f"; {m}" for m in missed)
     error = MapError(f"{text}; {result._core.advice()}")

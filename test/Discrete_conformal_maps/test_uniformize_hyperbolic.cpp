@@ -344,6 +344,19 @@ TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
   EXPECT_LT(rounded_relation_error(map.group(0)), 1e-8);
 }
 
+// A point of the hyperboloid is inside the disk, however far it is from the origin.
+TEST(Uniformize_hyperbolic, images_are_inside_the_disk)
+{
+  for(double distance = 0; distance < 300; distance += 0.3)
+    for(double angle = 0; angle < 6.3; angle += 0.1) {
+      const double s = std::sinh(distance);
+      const std::complex<double> z = Hyperbolic_conformal_map::to_disk(
+        {s * std::cos(angle), s * std::sin(angle), std::cosh(distance)});
+      EXPECT_LT(std::abs(z), 1) << distance << ' ' << angle;
+      EXPECT_NEAR(std::abs(z), std::tanh(distance / 2), 1e-7) << distance << ' ' << angle;
+    }
+}
+
 // The surface has a closed and a bounded component, and the area is half of the area of the double.
 TEST(Uniformize_hyperbolic, areas_of_components_are_their_own)
 {

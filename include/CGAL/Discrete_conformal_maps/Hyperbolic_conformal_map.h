@@ -224,11 +224,14 @@ public:
   }
 
   /// returns the point of the Poincare disk that belongs to a vector in the cone over the
-  /// hyperboloid.
+  /// hyperboloid. Its absolute value is less than 1 also if rounding would make it 1.
   static std::complex<double> to_disk(const std::array<double, 3>& p)
   {
     const double square = p[2] * p[2] - p[0] * p[0] - p[1] * p[1];
-    return std::complex<double>(p[0], p[1]) / (p[2] + std::sqrt((std::max)(square, 0.)));
+    const std::complex<double> z =
+      std::complex<double>(p[0], p[1]) / (p[2] + std::sqrt((std::max)(square, 0.)));
+    constexpr double greatest = 1 - 0x1p-51;
+    return std::abs(z) > greatest ? z * (greatest / std::abs(z)) : z;
   }
 
   /// returns the image of a point of the input in the Poincare disk, by piecewise projective
