@@ -285,6 +285,22 @@ TEST(Convex_polyhedron, finds_polygons_from_lengths)
     }
 }
 
+// A flat apex of a bipyramid can have loops. It is removed by flips that lower its degree.
+TEST(Convex_polyhedron, removes_flat_vertices_with_loops)
+{
+  CGAL::Random random(7);
+  for(std::size_t n : {3, 4, 5, 6})
+    for(double height : {0., 3e-8})
+      for(int i = 0; i < 5; ++i) {
+        Triangulation t = with_random_flips(bipyramid(n, height), random);
+        if(i > 0)
+          IT::make_Delaunay(t);
+        const Polyhedron p = polyhedron_of_lengths(t);
+        EXPECT_EQ(p.kind(), IT::Polyhedron_kind::polygon) << n << ' ' << height;
+        EXPECT_EQ(p.flat_vertices().size(), 2u) << n << ' ' << height;
+      }
+}
+
 TEST(Convex_polyhedron, corresponds_to_the_input)
 {
   CGAL::Random random(3);

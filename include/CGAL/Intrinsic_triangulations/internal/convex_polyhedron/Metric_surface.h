@@ -126,13 +126,15 @@ private:
   // the triangles that a flip leaves at the vertex, and a removal deletes, may have no area.
   static constexpr double straight_tolerance = 1e-6;
 
-  // Returns the edge from `v` whose flip leaves the largest angles, or null if none can be flipped.
+  // Returns the edge from `v` whose flip leaves the largest angles. It is an edge whose flip lowers
+  // the degree of `v`; null if none of these can be flipped.
   Halfedge_index most_convex_at(Vertex_index v) const
   {
     Halfedge_index result;
     double greatest = -straight_tolerance;
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
-      if(flip_status(h, m_mesh) != Operation_status::possible || !(sine_at_source(opposite(h)) > 0))
+      if(flip_status(h, m_mesh) != Operation_status::possible || !lowers_degree(h) ||
+         !(sine_at_source(opposite(h)) > 0))
         return;
       if(const double sine = sine_at_source(h); sine > greatest) {
         greatest = sine;
@@ -140,6 +142,15 @@ private:
       }
     });
     return result;
+  }
+
+  // Returns whether a flip of the edge of `h` lowers the degree of its source.
+  bool lowers_degree(Halfedge_index h) const
+  {
+    const Vertex_index v = m_mesh.source(h);
+    const auto ends_at_v = [v](Vertex_index a, Vertex_index b) { return (a == v) + (b == v); };
+    return ends_at_v(m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(opposite(h)))) <
+           ends_at_v(v, m_mesh.target(h));
   }
 
   // Returns the sine of the angle of both faces of `h` at its source.
