@@ -75,7 +75,7 @@ public:
 
 private:
   // Bounds of differences of neighbors.
-  static constexpr double least_bound = 0.08, greatest_bound = 2;
+  static constexpr double least_bound = 0.02, greatest_bound = 0.75;
   static constexpr std::size_t number_of_secants = 100;
   static constexpr int number_of_trials = 40;
 
