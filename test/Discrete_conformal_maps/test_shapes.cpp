@@ -417,6 +417,38 @@ TEST(Flatten_to_disk, is_the_hemisphere_in_the_plane)
   EXPECT_GE(compared, 3u);
 }
 
+// Returns a strip or a fan of two to six triangles with random corners.
+Mesh few_triangles(CGAL::Random& random)
+{
+  const int n = random.get_int(2, 7);
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 0; i < n + 2; ++i) {
+    const double x = random.get_double(-1, 1), y = random.get_double(-1, 1);
+    v.push_back(mesh.add_vertex(Point(x, y, random.get_double(-1, 1))));
+  }
+  const bool is_fan = random.get_bool();
+  for(std::size_t i = 0; i + 2 < v.size(); ++i)
+    is_fan ? mesh.add_face(v[0], v[i + 1], v[i + 2])
+           : mesh.add_face(v[i + i % 2], v[i + 1 - i % 2], v[i + 2]);
+  return mesh;
+}
+
+// An edge of T3 on the boundary crosses edges of T2 where the boundary does, up to rounding. So no
+// piece of the surface lies beyond it, which would be cut off.
+TEST(Flatten_to_disk, does_not_cut_few_triangles)
+{
+  CGAL::Random random(3);
+  for(int i = 0; i < 400; ++i) {
+    const auto map = DCM::flatten_to_disk(few_triangles(random));
+    ASSERT_EQ(map.status(), DCM::Map_status::success) << i;
+    const auto& mesh = map.subdivision().mesh();
+    for(Halfedge_index h : mesh.halfedges())
+      if(const Halfedge_index o = IT::opposite(h); map.is_original(h) && map.is_original(o))
+        EXPECT_LE(std::abs(map.image(h) - map.image(mesh.prev(o))), 1e-9) << i << ' ' << h;
+  }
+}
+
 TEST(Flatten_to_disk, takes_components)
 {
   Mesh mesh = random_disk(1);

@@ -88,12 +88,16 @@ public:
   ///     \cgalParamDefault{`CGAL::Sequential_tag`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
+  /// \param number_of_original_faces if \f$T_1\f$ is a symmetric double, its faces with smaller
+  ///   indices are the original. Edges of \f$T_3\f$ on the line of symmetry then lie on the side of
+  ///   the copy, and never cut the original by rounding
   /// \throws Overflow_error if there are more edges than a `Surface_mesh` can number
   /// \pre \f$T_2\f$ is the same mesh in both; neither has inserted vertices
   template <typename Traits_AB, typename Traits_BC,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Triple_subdivision(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc,
-                     const NamedParameters& np = CGAL::parameters::default_values())
+                     const NamedParameters& np = CGAL::parameters::default_values(),
+                     std::size_t number_of_original_faces = 0)
     : Base({&ab.mesh(Side::input), &ab.mesh(Side::intrinsic), &bc.mesh(Side::intrinsic)}),
       m_first_crossing_of_bc(ab.mesh(Side::input).number_of_vertices() + ab.number_of_crossings()),
       m_first_crossing_of_ac(m_first_crossing_of_bc + bc.number_of_crossings())
@@ -103,7 +107,8 @@ public:
     CGAL_precondition(internal::is_same_complex(ab.mesh(Side::intrinsic), bc.mesh(Side::input)));
     check_number_of_edges(std::uint64_t(ab.mesh(Side::intrinsic).number_of_edges()) +
                           ab.number_of_crossings() + bc.number_of_crossings());
-    Builder(internal::Marked_edges<FT>(ab, bc), Intrinsic_triangulations::concurrency_of(np), *this)
+    Builder(internal::Marked_edges<FT>(ab, bc, number_of_original_faces),
+            Intrinsic_triangulations::concurrency_of(np), *this)
       .build();
   }
 

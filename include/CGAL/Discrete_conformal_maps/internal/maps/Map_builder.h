@@ -214,7 +214,8 @@ public:
       m_data.bc, concurrency());
     visitor.start(Flattening_stage::subdivide);
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
-      *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
+      *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency(),
+      m_data.number_of_original_faces);
   }
 
   // Returns T_3.

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -70,6 +71,11 @@ struct Mark
 // Stores the marks of both families on the edges of B, in one order. The order of each family is
 // exact. Positions decide between the two families. If they are equal, A comes first along the
 // first halfedge.
+//
+// A double has a symmetry. Its line consists of edges of A between original faces and copies. If an
+// edge of C crosses the same edges of B, it is on this line, too. The reason is that its mirror
+// image is in the same class, which has only one geodesic. So both have marks at equal positions,
+// up to rounding. The marks of C come on the side of the copies.
 template <typename FT>
 class Marked_edges
 {
@@ -77,9 +83,13 @@ public:
   typedef Delta_complex::size_type size_type;
 
   template <typename Traits_AB, typename Traits_BC>
-  Marked_edges(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
-    : m_mesh(ab.mesh(Side::intrinsic)), m_other{&ab.mesh(Side::input), &bc.mesh(Side::intrinsic)}
+  Marked_edges(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc,
+               std::size_t number_of_original_faces = 0)
+    : m_mesh(ab.mesh(Side::intrinsic)),
+      m_other{&ab.mesh(Side::input), &bc.mesh(Side::intrinsic)},
+      m_number_of_original_faces(number_of_original_faces)
   {
+    find_twins(ab, bc);
     set_outgoing_halfedges(0, Side::intrinsic, ab);
     set_outgoing_halfedges(1, Side::input, bc);
     m_marks.reserve(ab.number_of_crossings() + bc.number_of_crossings());
@@ -132,6 +142,8 @@ private:
     Face_location<FT> location;
   };
 
+  static constexpr size_type no_twin = static_cast<size_type>(-1);
+
   template <typename Traits>
   void set_outgoing_halfedges(std::size_t family, Side side,
                               const Correspondence<Traits>& correspondence)
@@ -141,6 +153,70 @@ private:
       m_outgoing[family].push_back(correspondence.outgoing_before(side, h));
   }
 
+  bool is_original(Face_index f_of_A) const { return f_of_A.idx() < m_number_of_original_faces; }
+
+  // Finds the crossings of edges of C that are the same line as edges of A between an original face
+  // and a copy.
+  template <typename Traits_AB, typename Traits_BC>
+  void find_twins(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
+  {
+    if(m_number_of_original_faces == 0)
+      return;
+    const Delta_complex& a = mesh(0);
+    for(Edge_index e : a.edges()) {
+      const Halfedge_index h = first_halfedge(e);
+      if(is_original(a.face(h)) == is_original(a.face(opposite(h))))
+        continue;
+      const Halfedge_index twin = halfedge_of_C_with_course_of(h, ab, bc);
+      const size_type n = twin.is_valid() ? ab.number_of_crossings(Side::input, e) : 0;
+      if(n > 0 && m_twin.empty())
+        m_twin.assign(ab.number_of_crossings(), no_twin);
+      for(size_type p = 0; p < n; ++p)
+        m_twin[ab.crossing(Side::input, h, p).id] = bc.crossing(Side::intrinsic, twin, p).id;
+    }
+  }
+
+  // Returns the halfedge of C that crosses the same edges of B as the halfedge `h` of A, or null.
+  template <typename Traits_AB, typename Traits_BC>
+  Halfedge_index halfedge_of_C_with_course_of(Halfedge_index h, const Correspondence<Traits_AB>& ab,
+                                              const Correspondence<Traits_BC>& bc) const
+  {
+    const size_type n = ab.number_of_crossings(Side::input, Edge_index(h));
+    const auto has_same_course = [&](Halfedge_index x) {
+      bool result = mesh(1).source(x) == mesh(0).source(h) &&
+                    bc.number_of_crossings(Side::intrinsic, Edge_index(x)) == n;
+      for(size_type p = 0; result && p < n; ++p)
+        result = bc.crossing(Side::intrinsic, x, p).across.halfedge ==
+                 ab.crossing(Side::input, h, p).across.halfedge;
+      return result;
+    };
+    if(n == 0)
+      return {};
+    const Halfedge_index crossed = ab.crossing(Side::input, h, 0).across.halfedge;
+    const size_type candidates = bc.number_of_crossings(Side::input, Edge_index(crossed));
+    for(size_type q = 0; q < candidates; ++q) {
+      const Halfedge_index x = bc.crossing(Side::input, crossed, q).across.halfedge;
+      for(Halfedge_index y : {x, opposite(x)})
+        if(has_same_course(y))
+          return y;
+    }
+    return {};
+  }
+
+  bool are_twins(size_type crossing_of_A, size_type crossing_of_C) const
+  {
+    return !m_twin.empty() && m_twin[crossing_of_A] == crossing_of_C;
+  }
+
+  // Returns whether `a` comes before `c` on a halfedge of B. This halfedge leads to the left of the
+  // halfedge of A.
+  template <typename Crossing_of_A, typename Crossing_of_C>
+  bool is_before(const Crossing_of_A& a, const Crossing_of_C& c) const
+  {
+    return are_twins(a.id, c.id) ? !is_original(mesh(0).face(a.across.halfedge))
+                                 : !(c.here.t < a.here.t);
+  }
+
   template <typename Traits_AB, typename Traits_BC>
   void merge(Edge_index e, const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
   {
@@ -148,8 +224,8 @@ private:
     const size_type n = ab.number_of_crossings(Side::intrinsic, e);
     const size_type m = bc.number_of_crossings(Side::input, e);
     for(size_type p = 0, q = 0; p < n || q < m;) {
-      const bool is_A = q == m || (p < n && !(bc.crossing(Side::input, h, q).here.t <
-                                              ab.crossing(Side::intrinsic, h, p).here.t));
+      const bool is_A = q == m || (p < n && is_before(ab.crossing(Side::intrinsic, h, p),
+                                                      bc.crossing(Side::input, h, q)));
       if(is_A)
         add(0, Side::intrinsic, h, p++, ab, m_mesh.num_vertices());
       else
@@ -199,8 +275,9 @@ private:
     const FT width = right.here - left.here;
     for(size_type i = first; i < last; ++i) {
       const FT t = width > 0 ? FT((m_marks[i].here - left.here) / width) : FT(0);
-      m_marks[i].other = Face_location<FT>(left.location.first,
-                                           between(left.location.second, right.location.second, t));
+      const FT inside = std::clamp(t, FT(0), FT(1)); // twins can be in the opposite order
+      m_marks[i].other = Face_location<FT>(
+        left.location.first, between(left.location.second, right.location.second, inside));
     }
   }
 
@@ -211,6 +288,8 @@ private:
 
   const Delta_complex& m_mesh;
   std::array<const Delta_complex*, 2> m_other;
+  std::size_t m_number_of_original_faces;
+  std::vector<size_type> m_twin; // crossings of C that are crossings of A, too, or `no_twin`
   std::array<std::vector<Halfedge_index>, 2> m_outgoing;
   Edge_marks m_numbers;                // of the marks of both families
   std::vector<size_type> m_count_of_A; // of each edge
