@@ -96,7 +96,7 @@ private:
       const double length = m_surface.length_map()[e].high();
       const std::array<double, 3> direction{v.x.high() / length, v.y.high() / length,
                                             v.z.high() / length};
-      for(int end : {0, 1})
+      for(unsigned int end : {0u, 1u})
         for(std::size_t x = 0; x < 3; ++x)
           if(const int i = m_index[mesh.vertex(e, end).idx()][x]; i != fixed)
             entries.emplace_back(static_cast<int>(e.idx()), i,
