@@ -443,9 +443,12 @@ TEST(Flatten_to_disk, does_not_cut_few_triangles)
     const auto map = DCM::flatten_to_disk(few_triangles(random));
     ASSERT_EQ(map.status(), DCM::Map_status::success) << i;
     const auto& mesh = map.subdivision().mesh();
-    for(Halfedge_index h : mesh.halfedges())
-      if(const Halfedge_index o = IT::opposite(h); map.is_original(h) && map.is_original(o))
+    for(Halfedge_index h : mesh.halfedges()) {
+      const Halfedge_index o = IT::opposite(h);
+      if(map.is_original(h) && map.is_original(o)) {
         EXPECT_LE(std::abs(map.image(h) - map.image(mesh.prev(o))), 1e-9) << i << ' ' << h;
+      }
+    }
   }
 }
 
