@@ -134,8 +134,8 @@ private:
 
   void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
+    // The searches are tried in this order. Some are skipped beyond the range of `double`.
     static constexpr Search searches[] = {
-      // Searches in their order.
       {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
       {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},

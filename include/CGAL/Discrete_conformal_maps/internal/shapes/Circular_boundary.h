@@ -102,7 +102,7 @@ public:
 
   // Finds scale factors until the angles are the angles of circles, or the number of rounds is
   // reached.
-  template <typename Flattening, typename Find>
+  template <typename Find>
   void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
     if(is_crowded_polygon(problem) && take_polygon(problem, flattening))
@@ -163,7 +163,6 @@ private:
   // Returns whether the first angles are far from the angles of the surface. Then the next ones are
   // far away, too. Searches with bounded differences take long, and searches for a hemisphere take
   // longer.
-  template <typename Flattening>
   static bool is_far_off(const Flattening& flattening)
   {
     return flattening.minimization().iterations > 16 && !flattening.has_bounded_differences();
@@ -216,7 +215,6 @@ private:
 
   // Uses the scale factors of an inscribed polygon. It must have its exterior angles with rounded
   // lengths, or else with the lengths of the exact surface.
-  template <typename Flattening>
   bool take_polygon(Doubled_problem& problem, Flattening& flattening)
   {
     const Vector angle_before = m_angle;
@@ -227,7 +225,6 @@ private:
     prescribe(problem);
     return false;
   }
-  template <typename Flattening>
   bool is_polygon_taken(Doubled_problem& problem, Flattening& flattening)
   {
     problem.straighten_boundaries();
@@ -239,7 +236,7 @@ private:
     if(!error || !(*error <= tolerance::promised_angle))
       return false;
     m_change = (angles([&](Edge_index e) { return polygon->side_length[e.idx()]; }) - m_angle)
-                 .template lpNorm<Eigen::Infinity>();
+                 .lpNorm<Eigen::Infinity>();
     flattening.take(polygon->log_scale, polygon->flips);
     return true;
   }
@@ -260,7 +257,7 @@ private:
     return true;
   }
 
-  template <typename Flattening, typename Find>
+  template <typename Find>
   void repeat(Doubled_problem& problem, Flattening& flattening, const Find& find)
   {
     bool has_started_again = false;
@@ -290,7 +287,6 @@ private:
   // the boundary, this map is its stereographic projection. Otherwise, the angles are close to the
   // projected ones. These are good enough if the search succeeds and scale factors differ by
   // little. Returns whether the angles are used.
-  template <typename Flattening>
   bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
   {
     if(!is_disk(problem) || !(flattening.has_succeeded() || is_flat(problem)))

@@ -9,11 +9,14 @@
 
 #include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+class Flattening;
 
 // Represents the boundary of a surface without prescribed shape.
 struct Free_shape
@@ -27,7 +30,7 @@ struct Free_shape
   void prescribe(std::vector<Vertex_condition>& /* conditions */) const {}
 
   // Calls `find()`, which finds the scale factors, until the conditions of the problem are final.
-  template <typename Flattening, typename Find>
+  template <typename Find>
   void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)
   {
     find();
