@@ -2,35 +2,36 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Writes the pages of examples of the manuals, with what the examples print: examples_page.py PROGRAMS,
-the directory of the compiled examples. With --check NAME, PROGRAMS is the one that runs this example,
-and what it prints is compared with its page, if it is there: integers up to 2 or 5 %, other numbers up
-to a relative difference of 0.001."""
+"""Writes the pages of examples of the manuals, and files examples/PACKAGE/printed.txt with what the
+examples print: examples_page.py PROGRAMS, the directory of the compiled examples. With --check NAME,
+PROGRAMS is the one that runs this example, and what it prints is compared with this file, if it is
+there: integers up to 2 or 5 %, other numbers up to a relative difference of 0.001."""
 
 import argparse
 import re
 import subprocess
 import sys
 import tempfile
-import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+EXAMPLES = HERE.parent / "examples"
 PACKAGES = ["Intrinsic_triangulations", "Discrete_conformal_maps", "Intrinsic_simplification"]
 MOST_LINES = 4
 
 INTRODUCTION = """/*!
-\\page Chapter_Examples_PACKAGE Examples and What They Print
+\\page Chapter_Examples_PACKAGE Examples
 
-[TOC]
+Without the name of a mesh, programs read CGAL's. `examples/PACKAGE/printed.txt` has what they
+print.
 
-The programs are in the directory `examples`. They take the name of a mesh; without one they read
-CGAL's meshes. Tests compare what they print with this page, which `doc/examples_page.py` writes.
+| program | what it does |
+| ------- | ------------ |
 """
 
 
-def page(package):
-    return HERE / package / "Examples.txt"
+def expectations(package):
+    return EXAMPLES / package / "printed.txt"
 
 
 def comment(source):
@@ -50,16 +51,14 @@ def printed(program, name):
     return lines if len(lines) <= MOST_LINES else lines[:MOST_LINES] + ["..."]
 
 
-def section(package, source, lines):
-    name = source.stem
-    return "\n".join([f"\\section ex_{name} {name.replace('_', ' ')}", "", textwrap.fill(comment(source), 100), "",
-                      f"File: \\ref {package}/{name}.cpp", "", "\\verbatim", *lines, "\\endverbatim", ""])
+def row(package, source):
+    return f"| \\ref {package}/{source.name} | {comment(source)} |\n"
 
 
 def blocks(text):
-    """What each example prints according to the page, by name."""
-    found = re.findall(r"\\section ex_(\w+) .*?\\verbatim\n(.*?)\\endverbatim", text, re.S)
-    return {name: block.split("\n")[:-1] for name, block in found}
+    """What each example prints according to a file, by name."""
+    found = re.findall(r"^(\w+)\n((?:    .*\n)*)", text, re.M)
+    return {name: [line[4:] for line in block.split("\n")[:-1]] for name, block in found}
 
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -80,17 +79,21 @@ def agree(a, b):
 def check(name, program):
     lines = printed(program, name)
     print(*lines, sep="\n")
-    expected = {k: v for package in PACKAGES for k, v in blocks(page(package).read_text()).items()}.get(name, lines)
+    expected = {k: v for package in PACKAGES for k, v in blocks(expectations(package).read_text()).items()}
+    expected = expected.get(name, lines)
     if len(expected) != len(lines) or not all(map(agree, expected, lines)):
-        sys.exit(f"{name} prints something else than its manual says")
+        sys.exit(f"{name} prints something else than printed.txt says")
 
 
 def write(package, programs):
-    text = INTRODUCTION.replace("PACKAGE", package) + "\n"
-    for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
+    page, prints = INTRODUCTION.replace("PACKAGE", package), []
+    for source in sorted((EXAMPLES / package).glob("*.cpp")):
+        page += row(package, source)
         if not source.stem.endswith("_with_Qt"): # they open windows
-            text += section(package, source, printed(programs / f"examples_{package}", source.stem)) + "\n"
-    page(package).write_text(text.rstrip("\n") + "\n*/\n")
+            lines = printed(programs / f"examples_{package}", source.stem)
+            prints.append("\n".join([source.stem] + ["    " + line for line in lines]) + "\n")
+    (HERE / package / "Examples.txt").write_text(page + "*/\n")
+    expectations(package).write_text("\n".join(prints))
 
 
 def main():
