@@ -9,7 +9,7 @@
 /// keep data up to date, or to stop by an exception.
 ///
 /// When a function is called, the triangulation is valid, but may have elements marked as removed;
-/// it must not be changed. An exception leaves `refine()`, and the triangulation is then valid and
+/// it must not be changed. After an exception, the triangulation is valid and
 /// without garbage.
 ///
 /// Every model is a model of `FlipVisitor`.
