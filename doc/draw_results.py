@@ -128,8 +128,8 @@ FIGURES["section"] = section
 @figure(TRIANGULATIONS, 350)
 def viewer_distance():
     page = run("distance", "elephant.off", "-o", "out.ply", "--source", 0)
-    return [Tile(page, 345, 350, "", "closer(1.03, 0, -.06); legend('distance', 'distance');"),
-            Tile(page, 345, 350, "", BACK + "show(); closer(1.03, 0, -.06);")]
+    return [Tile(page, 345, 350, "", "closer(.98, 0, -.05); legend('distance', 'distance');"),
+            Tile(page, 345, 350, "", BACK + "show(); closer(.98, 0, -.05);")]
 
 
 @figure(TRIANGULATIONS, 350)
@@ -160,7 +160,7 @@ def isolines():
     camera = "look([1, .2, .35], [0, 1, 0]);"
     leg = "viewer.set({color: 'plain'}); " + camera + "closer(9, .87, -.53);"
     whole = f"scaled('distance', 0, {max(exact)}); show(); " + camera
-    scale = "closer(.97, 0, -.04); legend('distance', 'distance', 2);"
+    scale = "closer(.9, 0, -.06); legend('distance', 'distance', 2);"
     page = view("plain.ply")
     return [Tile(page, 345, 280, "the mesh", leg + "show('edges'); style('edges', 1, '#14202c');"),
             Tile("heat.html", 345, 280, "its intrinsic Delaunay triangulation",
@@ -169,15 +169,15 @@ def isolines():
             Tile("heat.html", 345, 280, "on the intrinsic one: " + error(heat, exact), whole + scale)]
 
 
-@figure(TRIANGULATIONS, 197)
+@figure(TRIANGULATIONS, 172)
 def exact_heat():
     exact, heat, _ = distances(MESHES / "triceratops.off", 1)
-    scale = f"scaled('distance', 0, {max(exact)}); closer(1.06, 0, -.06);"
-    return [Tile("exact.html", 225, 170, "exact", scale),
-            Tile("heat.html", 225, 170, "by heat: " + error(heat, exact), scale),
-            Tile(view("error.ply"), 225, 170, "their difference",
+    scale = f"scaled('distance', 0, {max(exact)}); closer(1.06, 0, -.1);"
+    return [Tile("exact.html", 225, 145, "exact", scale),
+            Tile("heat.html", 225, 145, "by heat: " + error(heat, exact), scale),
+            Tile(view("error.ply"), 225, 145, "their difference",
                  "viewer.set({color: 'field error', isolines: false}); show(); "
-                 "closer(1.06, 0, -.06); legend('error', 'error in %', 2);")]
+                 "closer(1.06, 0, -.1); legend('error', 'error in %', 2);")]
 
 
 # ---- Convex polyhedra ----
@@ -287,7 +287,8 @@ def viewer_uniformize():
 @figure(MAPS, 350)
 def viewer_hyperbolic():
     page = run("hyperbolic", "eight.off", "-o", "out.obj", "--tiles", 2)
-    return both(page, "viewer.set({squares: 32, shown: {is_seam: true}}); style('is_seam', 2.2);")
+    return both(page, "viewer.set({squares: 32, shown: {is_seam: true}}); style('is_seam', 2.2); "
+                "style('outlines', 1.2, '#566473');")
 
 
 PLACES = 5531, 7866, 8290, 2738, 4542, 2568, 90  # of the bear: paws, ears, feet and belly
