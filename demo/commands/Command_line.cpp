@@ -131,9 +131,9 @@ void add_exact(CLI::App& command, Common_options& options, const char* what)
 
 void add_keep_going(CLI::App& command, Common_options& options)
 {
-  command.add_flag("--keep-going", options.is_failure_kept,
-                   "Write a map that lacks something it should have, too, and say what it lacks; "
-                   "the exit code is 3 then");
+  command.add_flag(
+    "--keep-going", options.is_failure_kept,
+    "Write the map even if it misses promises, and name them; the exit code is then 3");
 }
 
 void add_components(CLI::App& command, Common_options& options)

@@ -113,8 +113,9 @@ void Command_run::keep_chosen_component()
   const std::size_t chosen =
     m_options.component ? *m_options.component : index_of_largest(components, m_input.mesh);
   if(chosen >= components.size())
-    throw Program_error("--component " + std::to_string(chosen) + ": the mesh has " +
-                        std::to_string(components.size()) + ", counted from 0");
+    throw Program_error("--component " + std::to_string(chosen) +
+                        ": the components of the mesh are 0 to " +
+                        std::to_string(components.size() - 1));
   m_statistics["component"] = {{"index", chosen},
                                {"of", components.size()},
                                {"first_face", std::int64_t(components[chosen].front().idx())},

@@ -661,7 +661,7 @@ void add_distance_method(CLI::App& command, Distance_options& options)
       ->capture_default_str();
   command
     .add_flag_callback(
-      "--exact-distance", [&options] { options.method = "exact"; }, "The same as --method exact")
+      "--exact-distance", [&options] { options.method = "exact"; }, "A synonym of --method exact")
     ->excludes(method);
 }
 

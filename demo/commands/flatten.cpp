@@ -120,8 +120,8 @@ a chart has two equal numbers if it overlaps itself. With --no-overlap charts ar
 the flat triangulation until none does, and packed. With --unit-square all texture coordinates are
 multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
 
-A map that lacks something it should have (curvatures, exterior angles, the shape of its boundary,
-length cross ratios, orientation) is not written, and the message says what can be tried. With
+A map that misses a promise (curvatures, exterior angles, the shape of its boundary, length cross
+ratios, orientation) is not written, and the message says what can be tried. With
 --keep-going it is written, with exit code 3; "promises" in the statistics has all errors.
 Texture coordinates are rounded such that no triangle is flipped. "flipped_triangles" in the
 statistics counts those for which this fails; it leaves out slivers, triangles with heights in space

@@ -153,7 +153,7 @@ void print_text(const std::string& input, const Polygon_soup& soup, const Verdic
   print_line("longest edge", s.max_edge_length);
   print_defects(verdict);
   if(!soup.format.empty())
-    std::cout << "note: read as " << soup.format << ", which its content is\n";
+    std::cout << "note: read as " << soup.format << ", the format of its content\n";
   if(soup.merged_corners > 0)
     std::cout << "note: corners merged because the file has no indices: " << soup.merged_corners
               << '\n';

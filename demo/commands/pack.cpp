@@ -96,7 +96,7 @@ int pack(const Common_options& common, const Pack_options& options)
 void define_pack(Command_line& line)
 {
   const auto [command, options] = line.add_with_mesh(
-    "pack", "Pack circles that touch as the vertices of a mesh are joined", pack, pack_help);
+    "pack", "Pack circles that touch if an edge of the mesh joins their vertices", pack, pack_help);
   add_output(command, options, "The mesh of the centers (.off, .obj, .ply, .vtp",
              "off, obj, ply or vtp");
   command.add_option("--circles", options.picture,

@@ -454,7 +454,7 @@ void add_path_points(CLI::App& command, Path_options& options)
 {
   command.add_option("--from", options.from,
                      "Start: a vertex, FACE:a,b,c (barycentric), or x,y,z (nearest)");
-  command.add_option("--to", options.to, "End, as the start");
+  command.add_option("--to", options.to, "End, in the same forms");
   command.add_option("--via", options.via, "Vertex that the path passes before it is shortened")
     ->allow_extra_args(false);
   command.add_flag("--flips", options.is_flipped,

@@ -599,10 +599,10 @@ private:
 
 void add_target(CLI::App& command, Simplify_options& options)
 {
-  CLI::App& target = *command.add_option_group("Target", "Where to stop");
-  target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
+  CLI::App& target = *command.add_option_group("Target", "Give one of these");
+  target.add_option("--vertices", options.number_of_vertices, "Number of remaining vertices")
     ->transform(integer_from(1));
-  add_number(target, "--ratio", options.ratio, "Part of the vertices to be left",
+  add_number(target, "--ratio", options.ratio, "Fraction of remaining vertices",
              number_from_to(1e-9, 1.));
   add_number(target, "--error", options.maximum_cost, "Greatest cost of a removal, a length",
              nonnegative_number());
@@ -638,7 +638,7 @@ void add_topology(CLI::App& command, Simplify_options& own)
 void define_simplify(Command_line& line)
 {
   const auto [command, options] =
-    line.add_with_mesh("simplify", "Remove vertices, intrinsically",
+    line.add_with_mesh("simplify", "Remove vertices, with a map between both surfaces",
                        attempted<Simplify_command, Simplify_options>, simplify_help);
   add_simplify_outputs(command, options, line.common());
   add_target(command, options);

@@ -232,7 +232,7 @@ private:
 void define_transfer(Command_line& line)
 {
   const auto [command, options] = line.add_with_mesh(
-    "transfer", "Take points or functions to the intrinsic triangulation and back",
+    "transfer", "Map points or functions to the intrinsic triangulation, or back",
     attempted<Transfer_command, Transfer_options>, transfer_help);
   command.add_option("-o,--output", options.output, "Text file; - for standard output")->required();
   command.add_option("--points", options.points,

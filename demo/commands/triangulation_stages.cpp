@@ -269,7 +269,7 @@ std::string summary_of_changes(Command_run& run)
   text << s["flips"] << " flips, ";
   if(s.contains("status"))
     text << s["inserted_vertices"] << " vertices inserted (" << s["status"].get<std::string>()
-         << (s.contains("exact_decisions") ? ", after rounding left doubts, with exact decisions"
+         << (s.contains("exact_decisions") ? ", with exact decisions because of rounding errors"
                                            : "")
          << "), ";
   if(s.contains("status") && s["status"] == to_string(IT::Refinement_status::insertion_limit))

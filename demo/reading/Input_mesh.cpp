@@ -109,7 +109,7 @@ void print_notes(const std::string& path, const Polygon_soup& soup,
     std::cerr << path << ": note: " << text << '\n';
   };
   if(!soup.format.empty())
-    note("read as " + soup.format + ", which its content is");
+    note("read as " + soup.format + ", the format of its content");
   if(soup.merged_corners > 0)
     note("corners merged because the file has no indices: " + std::to_string(soup.merged_corners));
   if(is_cloud)

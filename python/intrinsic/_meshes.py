@@ -43,7 +43,7 @@ def _cells(cells: Any) -> Any:
     others = {kind for kind, _ in blocks if kind not in ("triangle", "vertex", "line")}
     if others:
         raise ArrayError(f"the mesh has cells of type {', '.join(sorted(others))}; only triangles "
-                         "are taken")
+                         "are accepted")
     return np.concatenate(triangles) if triangles else np.zeros((0, 3), int)
 
 
@@ -96,7 +96,7 @@ def surface(
 
 def _check_not_empty(faces: Integers) -> None:
     if len(faces) == 0:
-        raise InputError("F has no rows: a surface has a face at least")
+        raise InputError("F has no rows; give at least one face")
 
 
 def mollification(mollify: float | str) -> float | None:

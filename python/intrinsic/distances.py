@@ -35,7 +35,7 @@ def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats
                             T._core.number_of_input_vertices(), "vertices")
         result = vertices, *_NO_POINTS
     if len(result[0]) + len(result[1]) == 0:
-        raise InputError("there are no sources")
+        raise InputError("there are no sources; give at least one")
     return result
 
 
@@ -407,7 +407,7 @@ def geodesic(
         through = integers(np.asarray(vertices), (None,), "vertices",
                            T._core.number_of_input_vertices(), "vertices")
         if len(through) < (1 if loop else 2):
-            raise InputError("a path has two vertices or more, and a loop one")
+            raise InputError("vertices are too few; a path has at least two, and a loop one")
         if loop:
             through = np.append(through, through[0])
         return _path(T, *_core.geodesic_through(T._core, through, bool(loop)))
@@ -668,8 +668,8 @@ def _vectors_at(sources: Integers, vectors: Any) -> NDArray[np.complex128]:
     except (TypeError, ValueError):
         raise ArrayError("vectors must be complex numbers") from None
     if given.shape != sources.shape or len(given) == 0:
-        raise ArrayError(f"vectors has the shape {given.shape}; it must be the shape of vertices, "
-                         f"{sources.shape}, with one at least")
+        raise ArrayError(f"vectors has the shape {given.shape}; it must be {sources.shape}, "
+                         "the shape of vertices, with at least one vector")
     if not np.isfinite(given).all():
         raise InputError("a vector is not finite")
     return given

@@ -56,7 +56,7 @@ def _named(functions: dict[str, ArrayLike], n: int) -> list[tuple[str, Floats]]:
 def _page_of_map(shown: ConformalMap, functions: dict[str, ArrayLike]) -> str:
     pieces = shown.subdivision
     if pieces.V is None:
-        raise InputError("the surface has no positions")
+        raise InputError("the surface has no positions; give V instead of lengths")
     values = [("log_scale", shown.log_scale), *_named(functions, len(shown.log_scale))]
     kind = ("sphere" if isinstance(shown, SphereMap)
             else "disk" if isinstance(shown, HyperbolicMap) else "plane")

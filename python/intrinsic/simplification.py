@@ -119,7 +119,7 @@ class Simplification:
     def coarse_mesh(self) -> CoarseMesh:
         """Return the coarse triangulation in space: edges straight, faces flat."""
         if not self._surface.has_positions():
-            raise InputError("the surface has no positions")
+            raise InputError("the surface has no positions; give V instead of lengths")
         return CoarseMesh(*self._core.coarse_mesh())
 
     def __repr__(self) -> str:

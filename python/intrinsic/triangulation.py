@@ -85,7 +85,7 @@ class Curves:
     def polyline(self, i: int) -> Floats:
         """Return the positions (p, 3) of the points of curve `i`."""
         if self.points is None:
-            raise InputError("the surface has no positions")
+            raise InputError("the surface has no positions; give V instead of lengths")
         return self.points[slice(*self._range(i))]
 
     def _range(self, i: int) -> tuple[int, int]:
@@ -273,7 +273,7 @@ class Triangulation:
 
     def _change(self, change: Callable[[], Any]) -> Any:
         if self._is_changing:
-            raise InputError("progress must not change the triangulation that it is told about")
+            raise InputError("progress must not change the triangulation")
         self._is_changing = True
         try:
             return change()
@@ -431,7 +431,7 @@ class Triangulation:
 
     def _positions(self) -> Floats:
         if self._surface is None or not self._surface.has_positions():
-            raise InputError("the surface has no positions")
+            raise InputError("the surface has no positions; give V instead of lengths")
         return self._surface.positions()
 
     def positions(self, points: tuple[ArrayLike, ArrayLike]) -> Floats:

@@ -115,11 +115,11 @@ for format in off obj ply stl vtp; do
     [ $format != $extension ] || continue
     cp o.$format a.mesh.$extension
     expect 0 delaunay a.mesh.$extension -o p.off
-    says "a.mesh.$extension: note: read as ${format^^}, which its content is"
+    says "a.mesh.$extension: note: read as ${format^^}, the format of its content"
     [ $format = stl ] || cmp p.off good.off
     [ $format != stl ] || cmp p.off stl.off
     expect 0 info a.mesh.$extension
-    says "note: read as ${format^^}, which its content is"
+    says "note: read as ${format^^}, the format of its content"
   done
   rm o.$format
 done

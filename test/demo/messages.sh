@@ -243,7 +243,7 @@ calls <<'TABLE'
 2 | --level: 'inf' is not a finite number | distance flat.mesh.off --source 0 -o a.ply --level-sets b.ply --level inf
 2 | --component: 'one' is not an integer from 0 upwards | sphere two_triangles.mesh.off -o a.ply --component one
 2 | --component: '0x1' is not an integer from 0 upwards | sphere two_triangles.mesh.off -o a.ply --component 0x1
-2 | --component 10: the mesh has 2 | sphere two_triangles.mesh.off -o a.ply --component 010
+2 | --component 10: the components of the mesh are 0 to 1 | sphere two_triangles.mesh.off -o a.ply --component 010
 2 | --mollify: '0x1p-9' is not a number | delaunay flat.mesh.off -o a.off --mollify 0x1p-9
 2 | '0x1' is not a number | path flat.mesh.off --from 0x1 --to 1 -o a.obj
 2 | area=0x1: a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0x1
@@ -294,7 +294,7 @@ calls <<'TABLE'
 2 | vertices have no property 'cold'; they have | simplify k.mesh.ply -o a.ply --ratio 0.5 --weight cold=1
 2 | vertices have no colors (.ply, .off and .obj can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
 2 | a value of 'heat' is not finite | simplify j.mesh.ply -o a.ply --ratio 0.5 --weight heat=1
-2 | --component 2: the mesh has 2, counted from 0 | uniformize two_triangles.mesh.off -o a.obj --component 2
+2 | --component 2: the components of the mesh are 0 to 1 | uniformize two_triangles.mesh.off -o a.obj --component 2
 2 | --view shows one component, and the mesh has 2: add --component or --largest | sphere two_triangles.mesh.off -o a.ply --view a.html
 2 | --time-step is for heat; leave out --method exact and --exact-distance | distance flat.mesh.off --source 0 --method exact --time-step 1 -o a.ply
 2 | ; try --boundary free or straight | flatten good.mesh.off --boundary disk -o a.obj

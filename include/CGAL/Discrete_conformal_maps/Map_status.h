@@ -61,7 +61,7 @@ inline Status_text text_of(Map_status status)
       return {"no_minimum", "the triangulation of the mesh has no such scale factors",
               "let the triangulation follow the scale factors (flipping)"};
     case Map_status::wrong_curvature:
-      return {"wrong_curvature", "curvatures of the scaled surface are not those prescribed",
+      return {"wrong_curvature", "the scaled surface does not have the prescribed curvatures",
               "lengthen the edges of almost flat faces (mollification), or prescribe less"};
     case Map_status::not_laid_out:
       return {"not_laid_out", "numbers have too few digits for a layout",

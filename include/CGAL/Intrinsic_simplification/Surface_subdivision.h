@@ -345,7 +345,7 @@ private:
   [[noreturn]] static void fail()
   {
     throw Intrinsic_triangulations::Numerical_error(
-      "edges of the coarse level have crossed each other by rounding");
+      "by rounding, edges of the coarse level cross each other");
   }
 
   // The boundary is the same on both levels.

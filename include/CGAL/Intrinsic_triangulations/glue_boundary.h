@@ -49,7 +49,7 @@ glued_halfedges(const Surface_mesh<P>& mesh,
     if(h == o || mesh.is_border(h) || mesh.is_border(o) || partner[h].is_valid() ||
        partner[o].is_valid())
       throw Invalid_input("a side of face " + std::to_string(mesh.face(h).idx()) +
-                          " is glued that is not on the boundary, or twice");
+                          " is glued twice, or is not on the boundary");
     partner[h] = o;
     partner[o] = h;
   }

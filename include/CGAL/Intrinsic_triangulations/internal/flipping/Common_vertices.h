@@ -60,7 +60,7 @@ public:
     insert_all(missing_in_tri, m_base, m_tri, nullptr);
     insert_all(missing_in_base, m_tri, m_base, &m_over);
     if(!has_same_faces(m_base.mesh(), m_over.mesh()))
-      throw Numerical_error("vertices cannot be inserted into both triangulations alike");
+      throw Numerical_error("by rounding, vertices cannot be inserted into both triangulations");
   }
 
   Triangulation& base() { return m_base; }

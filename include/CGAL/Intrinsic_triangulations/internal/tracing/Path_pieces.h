@@ -54,7 +54,7 @@ public:
                    is_at_vertex(p) ? Points{face_location(p, m_mesh).second} : points(p, f, entry),
                  to = points(q, f, crosses(k + 1) ? halfedge_of(q) : Halfedge_index());
     if(from.empty() || to.empty())
-      throw Invalid_input("two consecutive places of the path share no face");
+      throw Invalid_input("two consecutive points of the path share no face");
     return is_at_vertex(q) ? to_vertex(surface, f, from, to, entry)
                            : shortest(surface, f, from, to);
   }
