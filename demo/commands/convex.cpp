@@ -192,7 +192,8 @@ int convex(const Common_options& common, const Convex_options& options)
 void define_convex(Command_line& line)
 {
   const auto [command, options] = line.add_with_mesh(
-    "convex", "Find the convex polyhedron with the surface of a mesh, or fold a net to it", convex, convex_help);
+    "convex", "Find the convex polyhedron with the surface of a mesh, or fold a net to it", convex,
+    convex_help);
   add_output(command, options, "The polyhedron (.off, .obj, .ply, .vtp", "off, obj, ply or vtp");
   command.add_option("--glue", options.sides, "Text file of the sides of a net that are glued");
   command.add_option("--subdivision", options.subdivision,

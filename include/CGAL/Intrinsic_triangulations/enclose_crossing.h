@@ -41,7 +41,8 @@ std::vector<Trace_point<Interval_nt<>>>
 enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
                   double width = internal::crossing_width())
 {
-  static_assert(internal::has_metric<Traits>(), "positions need the metric of a Euclidean geometry");
+  static_assert(internal::has_metric<Traits>(),
+                "positions need the metric of a Euclidean geometry");
   return internal::Crossing_encloser<Traits>(correspondence.triangulation(),
                                              correspondence.courses())(first_halfedge(e), width);
 }
