@@ -22,8 +22,8 @@ MOST_LINES = 4
 INTRODUCTION = """/*!
 \\page Chapter_Examples_PACKAGE Examples
 
-Without the name of a mesh, programs read CGAL's. `examples/PACKAGE/printed.txt` has what they
-print.
+Without the name of a mesh, programs read CGAL's. Their output is in
+`examples/PACKAGE/printed.txt`.
 
 | program | what it does |
 | ------- | ------------ |
