@@ -179,7 +179,7 @@ public:
   }
 
   /// returns whether the edge `e` of \f$T_2\f$ satisfies the local Delaunay condition (Equation
-  /// 2.6), or is constrained, or has not two faces. Decision: exact for exact traits; in floating
+  /// 2.6), or is constrained, or is on the boundary. Decision: exact for exact traits; in floating
   /// point up to the one-sided tolerance `rounding_unit()`.
   bool is_Delaunay(Edge_index e) const
   {

@@ -62,9 +62,9 @@ struct Geodesic_distances
   FT time_step_factor = FT(0);                        ///< the time for which heat flowed
   std::optional<Heat_error<FT>> error = std::nullopt; ///< the estimate; none on a
                                                       ///< `Tufted_surface`
-  std::size_t number_of_raised_vertices = 0; ///< how many values heat put below a bound, which is
-                                             ///< the value then: the distance in space if positions
-                                             ///< are known, otherwise zero
+  std::size_t number_of_raised_vertices = 0; ///< how many values were below a bound and raised to
+                                             ///< it: the distance in space if positions are known,
+                                             ///< otherwise zero
   /// @}
 };
 
@@ -272,7 +272,7 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 ///   \cgalParamNBegin{time_step_factor}
 ///     \cgalParamDescription{the time for which heat flows, in squared mean edge lengths}
 ///     \cgalParamType{a number}
-///     \cgalParamDefault{1, and 16 times as much as often as it takes to reach everything}
+///     \cgalParamDefault{1, multiplied by 16 until heat reaches everything}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{positions of the vertices in space, which bound distances by heat}
