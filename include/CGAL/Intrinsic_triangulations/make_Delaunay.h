@@ -40,7 +40,8 @@ struct Default_flip_visitor
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// returns whether every edge of `tri` that could be flipped is Delaunay (Equation 2.6). With
 /// floating point numbers the tolerance is one-sided. `false` means that an edge with the stored
-/// lengths is not Delaunay. `true` means that all are with lengths within `rounding_unit()` of them.
+/// lengths is not Delaunay. `true` means that all are Delaunay with lengths within
+/// `rounding_unit()` of the stored ones.
 /// Complexity: linear.
 template <typename Traits>
 bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
