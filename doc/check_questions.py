@@ -30,8 +30,8 @@ def section(page, anchor):
     start = text.find(f'id="{anchor}"')
     if start < 0:
         return None
-    heading = re.search(r"<h([1-6])[^>]*>[^<]*$|<h([1-6])[^>]*>(?:<[^>]*>)*$", text[:start].rsplit("\n", 1)[-1])
-    level = next((g for g in heading.groups() if g), "1") if heading else "1"
+    heading = re.search(r"<h([1-6])[^>]*>(?:<[^>]*>)*<[^>]*$", text[:start].rsplit("\n", 1)[-1])
+    level = heading[1] if heading else "1"
     end = re.search(rf"<h[1-{level}][ >]", text[start:])
     return text[start:start + end.start()] if end else text[start:]
 
@@ -42,7 +42,7 @@ def questions(folder, anchor):
         cells = re.findall(r"<td.*?</td>", row, re.S)
         links = re.findall(r'href="([^"#]*)(?:#([^"]*))?"', row)
         if cells and len("".join(map(plain, cells[1:])).strip()) > 0:
-            code = re.findall(r"<code>.*?</code>", "".join(cells[1:-1]))
+            code = re.findall(r"<code>.*?</code>|<a [^>]*>[A-Z]\w*_\w*</a>", "".join(cells[1:-1]))
             yield " ".join(plain(cells[0]).split()), " ".join(map(plain, code)), links
 
 
