@@ -112,16 +112,6 @@ public:
     return (Limits::max)() * Limits::epsilon() * Limits::epsilon();
   }
 
-  // Returns a vector that is one at the sources, and zero at the other vertices.
-  template <typename VertexRange>
-  Vector indicator(const VertexRange& sources) const
-  {
-    Vector result = Vector::Zero(m_rate.size());
-    for(Vertex_index v : sources)
-      result[v.idx()] = FT(1);
-    return result;
-  }
-
   // Returns the number of sources on each component.
   std::vector<std::size_t> number_of_sources(const Vector& sources) const
   {
