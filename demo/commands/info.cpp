@@ -134,7 +134,7 @@ void print_defects(const Verdict& verdict)
   });
   if(!verdict.splitting_error.empty())
     std::cout << "error: " << verdict.splitting_error << '\n';
-  for(const std::string& message : verdict.cracks.messages())
+  for(const std::string& message : verdict.cracks.messages(false))
     std::cout << "note: " << message << '\n';
 }
 

@@ -176,7 +176,7 @@ Input_mesh read_input(const Common_options& options, bool is_quiet)
   result.mesh = mesh_of(soup);
   result.cracks = cracks(result.mesh);
   if(!is_quiet)
-    for(const std::string& message : result.cracks.messages())
+    for(const std::string& message : result.cracks.messages(options.is_repaired()))
       std::cerr << path << ": note: " << message << '\n';
   return result;
 }

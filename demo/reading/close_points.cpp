@@ -107,12 +107,14 @@ std::string first_of(const std::array<std::size_t, 2>& pair)
 
 } // namespace
 
-std::vector<std::string> Cracks::messages() const
+std::vector<std::string> Cracks::messages(bool is_repaired) const
 {
   std::vector<std::string> result;
   if(coincident > 0)
     result.push_back("points on the boundary that coincide with another: " +
-                     std::to_string(coincident) + first_of(coincide) + "; --repair merges them");
+                     std::to_string(coincident) + first_of(coincide) +
+                     (is_repaired ? "; the surface is manifold only if they are apart"
+                                  : "; --repair merges them"));
   if(close > 0) // a tenth more, so that two digits suffice
     result.push_back(
       "points on the boundary that nearly coincide with another: " + std::to_string(close) +

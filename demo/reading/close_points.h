@@ -23,8 +23,9 @@ struct Cracks
   std::array<std::size_t, 2> are_close = {}; // the first of them, and the earlier one
   double distance = 0;                       // the greatest of theirs
 
-  // Returns a sentence for each kind of crack, and the option that merges it.
-  std::vector<std::string> messages() const;
+  // Returns a sentence for each kind of crack, and the option that merges it. In a repaired mesh,
+  // points coincide only if the surface would not be manifold otherwise.
+  std::vector<std::string> messages(bool is_repaired) const;
 };
 
 // Finds the cracks. Complexity: linear, unless very many vertices on the boundary are close to each
