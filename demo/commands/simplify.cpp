@@ -104,7 +104,8 @@ faces of the mesh.
 The file of --coarse has the coarse triangulation as an ordinary mesh, for other programs: vertices
 where they are on the mesh, edges straight, faces flat. Vertices have the property "input_vertex"
 in .ply and .vtp, -1 for those that were inserted because there were loops or several edges with
-the same ends. The coarse triangulation is close to the mesh in its lengths, not in space. The last
+the same ends. They have the functions, colors and normals of the mesh, but faces have neither its
+texture coordinates nor its groups. The coarse triangulation is close to the mesh in its lengths, not in space. The last
 line and "coarse_mesh" in the statistics have the deviation, the greatest distance of a vertex of
 the mesh from the coarse mesh and of the middle of a coarse edge or face from the mesh, and the
 numbers of faces that are flipped or without area and of pairs of faces that intersect.
@@ -411,12 +412,16 @@ private:
     describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
                          mesh.number_of_faces());
     Output_mesh result = coarse_mesh(subdivision, *m_fine);
-    if(!m_run.input().data.empty()) {
-      const IS::Delta_complex& fine = m_levels[0].mesh();
-      m_data =
-        data_of_coarse_mesh(m_fine->data(m_run.input(), polygons_of(fine, fine.faces())), result);
-    }
+    if(!m_run.input().data.empty())
+      m_data = data_of_coarse_mesh(fine_data(), result);
     return result;
+  }
+
+  // Returns the data of the input on the fine level.
+  Triangle_data fine_data() const
+  {
+    const IS::Delta_complex& fine = m_levels[0].mesh();
+    return m_fine->data(m_run.input(), polygons_of(fine, fine.faces()));
   }
 
   // Adds the coarse triangulation in space, with the indices of its vertices in the input.
@@ -425,19 +430,46 @@ private:
     Mesh mesh;
     const auto fine_vertex =
       mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
+    const auto location =
+      mesh.add_property_map<Mesh::Vertex_index, IS::Surface_map::Location>("v:location").first;
     const auto points =
       boost::make_iterator_property_map(m_points.cbegin(), get(boost::vertex_index, mesh));
-    describe(
-      IS::coarse_mesh(surface, m_levels[0], mesh,
-                      IS::parameters::input_point_map(points).parent_vertex_map(fine_vertex)),
-      mesh);
+    describe(IS::coarse_mesh(surface, m_levels[0], mesh,
+                             IS::parameters::input_point_map(points)
+                               .parent_vertex_map(fine_vertex)
+                               .location_map(location)),
+             mesh);
     Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
     result.point_data.emplace_back("input_vertex", result.points.size(), [&](std::size_t i) {
       const IS::Vertex_index v = fine_vertex[Mesh::Vertex_index(static_cast<Mesh::size_type>(i))];
       return number_of(
         v.is_valid() && v.idx() < m_run.input().mesh.number_of_vertices() ? v : IS::Vertex_index());
     });
+    result.placement = {result.points.size(), [&](std::size_t i) {
+                          const Mesh::Vertex_index v(static_cast<Mesh::size_type>(i));
+                          return weights(fine_vertex[v], location[v]);
+                        }};
+    add_functions(result);
     m_run.add_output(m_options.coarse_mesh, result, m_coarse_format);
+  }
+
+  // Returns the weights of vertices of the fine level for a vertex of the coarse mesh.
+  Placement::Weights weights(IS::Vertex_index fine_vertex, const IS::Surface_map::Location& p) const
+  {
+    return fine_vertex.is_valid()
+             ? Placement::Weights{1, {fine_vertex}, {1}}
+             : IT::vertex_weights(IT::Surface_point<double>(p), m_levels[0].mesh());
+  }
+
+  // Adds the functions of the input to the coarse mesh. Its faces cross seams and groups.
+  void add_functions(Output_mesh& mesh) const
+  {
+    if(m_run.input().data.functions.empty())
+      return;
+    Triangle_data data = fine_data();
+    data.corners.clear();
+    data.groups = {};
+    add_data(mesh, data_of_coarse_mesh(data, mesh));
   }
 
   void describe(const IS::Coarse_mesh_quality& quality, const Mesh& mesh)

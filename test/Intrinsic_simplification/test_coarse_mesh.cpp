@@ -28,16 +28,27 @@ struct Written
     area = area_of(surface);
     quality =
       IS::coarse_mesh(surface, fine, mesh,
-                      IS::parameters::input_point_map(input.points()).parent_vertex_map(parent));
+                      IS::parameters::input_point_map(input.points())
+                        .parent_vertex_map(parent)
+                        .location_map(location));
   }
 
   Mesh mesh;
+  Mesh::Property_map<Vertex_index, IS::Surface_map::Location> location =
+    mesh.add_property_map<Vertex_index, IS::Surface_map::Location>("v:location").first;
   Mesh::Property_map<Vertex_index, Vertex_index> parent =
     mesh.add_property_map<Vertex_index, Vertex_index>("v:parent").first;
   IS::Coarse_mesh_quality quality;
   std::size_t left;
   double area;
 };
+
+Point point_at(Face_index f, const std::array<double, 3>& weight, const Mesh& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  return CGAL::barycenter(mesh.point(mesh.source(h)), weight[0], mesh.point(mesh.target(h)),
+                          weight[1], mesh.point(mesh.target(mesh.next(h))), weight[2]);
+}
 
 TEST(Coarse_mesh, is_ordinary_with_vertices_of_the_input)
 {
@@ -52,11 +63,17 @@ TEST(Coarse_mesh, is_ordinary_with_vertices_of_the_input)
                 written.left + written.quality.inserted_vertices);
       EXPECT_EQ(CGAL::is_closed(written.mesh), CGAL::is_closed(input));
       std::size_t inserted = 0;
-      for(Vertex_index v : written.mesh.vertices())
-        if(written.parent[v].is_valid())
+      for(Vertex_index v : written.mesh.vertices()) {
+        const auto& [face, weight] = written.location[v];
+        EXPECT_NE(face.is_valid(), written.parent[v].is_valid());
+        if(written.parent[v].is_valid()) {
           EXPECT_EQ(written.mesh.point(v), input.point(written.parent[v]));
-        else
-          ++inserted;
+          continue;
+        }
+        ++inserted;
+        EXPECT_LT(CGAL::squared_distance(written.mesh.point(v), point_at(face, weight, input)),
+                  1e-24);
+      }
       EXPECT_EQ(inserted, written.quality.inserted_vertices);
     }
 }

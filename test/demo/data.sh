@@ -81,6 +81,15 @@ with_data octahedron.mesh.off octahedron
 expect 0 sphere octahedron.mesh.ply -o a.ply
 claim "m = ply('a.ply')" "p = list(zip(*(m.vertex['input_' + x] for x in 'xyz')))" "has_data(m, p, 'texcoord')"
 
+# Coarse meshes have the functions, at inserted vertices too.
+for options in '--vertices 40' '--vertices 4' '--vertices 40 --refine 25' '--vertices 40 --min-angle 25'; do
+  expect 0 simplify slivers.mesh.ply $options --coarse a.ply --stats a.json
+  claim "m = ply('a.ply')" 'has_functions(m, m.points)' "'texcoord' not in m.face"
+done
+expect 0 simplify slivers.mesh.ply --vertices 4 --coarse a.ply --stats a.json
+claim "json('a.json').coarse_mesh.inserted_vertices > 0" "-1 in ply('a.ply').vertex['input_vertex']"
+rm a.json
+
 # Loops that are closed and handles that are cut have vertices and faces of their own.
 expect 0 simplify sheared.mesh.ply -o a.ply --vertices 60 --close-loops 100
 claim "m = ply('a.ply')" "len(m.vertex['f']) == len(m.points)" "set(m.vertex['constant']) == {7}"

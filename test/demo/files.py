@@ -255,14 +255,19 @@ def texture_of(p, chart=0):
     return [p[0] + p[2] / 2 + 10 * chart, p[1] - p[2] - 3 * chart]
 
 
-def has_data(mesh, points, texture, charts=None):
-    """Whether a mesh from PLY has these at all points and corners, and a constant color."""
-    scale = max(abs(x) for p in points for x in p) + 13 * max(charts or [0])
+def has_functions(mesh, points, scale=1):
+    """Whether a mesh from PLY has these at all points, and a constant color."""
     names = ["f", "constant", "nx", "ny", "nz"]
     colors = zip(*(mesh.vertex[x] for x in ("red", "green", "blue", "alpha")))
     return (all(near(values, data_of(p), 1e-12 * scale)
                 for *values, p in zip(*(mesh.vertex[x] for x in names), points, strict=True))
-            and set(mesh.vertex["constant"]) == {7} and set(colors) == {(10, 250, 30, 255)}
+            and set(mesh.vertex["constant"]) == {7} and set(colors) == {(10, 250, 30, 255)})
+
+
+def has_data(mesh, points, texture, charts=None):
+    """Whether a mesh from PLY has these functions, and texture coordinates at all corners."""
+    scale = max(abs(x) for p in points for x in p) + 13 * max(charts or [0])
+    return (has_functions(mesh, points, scale)
             and all(near(t, [x for v in f for x in texture_of(points[v], c)], 1e-12 * scale)
                     for t, f, c in zip(mesh.face[texture], mesh.faces, charts or [0] * len(mesh.faces),
                                        strict=True)))

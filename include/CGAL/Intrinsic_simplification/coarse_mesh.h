@@ -77,19 +77,34 @@ inline std::size_t make_simplicial(Evolving_surface& surface)
   return result.insertions - result.removals;
 }
 
+inline bool is_fine_vertex(Vertex_index v, const Surface_map& map)
+{
+  return map.fine().level_vertex(map.coarse().surface_vertex(v)).is_valid();
+}
+
+// Returns the locations on the fine level of the vertices that only the coarse level has. Other
+// vertices have null faces.
+inline std::vector<Surface_map::Location> locations_of_inserted_vertices(const Surface_map& map)
+{
+  std::vector<Surface_map::Location> result;
+  for(Vertex_index v : map.coarse().mesh().vertices())
+    result.push_back(is_fine_vertex(v, map) ? Surface_map::Location() : preimage_of_vertex(v, map));
+  return result;
+}
+
 // Returns the positions of the vertices of the coarse level. Vertices of both levels have their
 // exact positions.
 template <typename PointMap>
-auto coarse_points(const Surface_map& map, const PointMap& points)
+auto coarse_points(const Surface_map& map, const std::vector<Surface_map::Location>& locations,
+                   const PointMap& points)
 {
   std::vector<std::decay_t<decltype(get(points, Vertex_index()))>> result;
   for(Vertex_index v : map.coarse().mesh().vertices()) {
-    const Vertex_index fine = map.fine().level_vertex(map.coarse().surface_vertex(v));
-    if(fine.is_valid()) {
-      result.push_back(get(points, fine));
+    const auto& [face, weight] = locations[v.idx()];
+    if(!face.is_valid()) {
+      result.push_back(get(points, map.fine().level_vertex(map.coarse().surface_vertex(v))));
       continue;
     }
-    const auto [face, weight] = preimage_of_vertex(v, map);
     const auto side = Intrinsic_triangulations::sides(face, map.fine().mesh());
     std::array<Vertex_index, 3> corner;
     for(std::size_t c = 0; c < 3; ++c)
@@ -164,6 +179,13 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 ///                    value}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{location_map}
+///     \cgalParamDescription{gets for each inserted vertex of `out` its location on the fine level,
+///       and for each other vertex a location with a null face}
+///     \cgalParamType{a writable property map with a vertex of `Graph` as key and
+///       `Surface_map::Location` as value}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the distances of both surfaces in space, and the defects of the mesh
 ///
@@ -186,7 +208,9 @@ Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_l
     IT::is_simplicial(Surface_level(surface).mesh()) ? 0 : internal::make_simplicial(refined);
   const Surface_level coarse(refined);
   const Surface_map map(refined, fine, coarse);
-  const auto points = internal::coarse_points(map, input);
+  const std::vector<Surface_map::Location> locations =
+    internal::locations_of_inserted_vertices(map);
+  const auto points = internal::coarse_points(map, locations, input);
 
   typedef internal::Whole_triangulation Triangulation;
   const Triangulation triangulation{coarse.mesh()};
@@ -194,9 +218,12 @@ Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_l
   const IT::Copied_part copy(part, out);
   IT::write_points(
     part, copy, out, [&](Vertex_index v, const auto&) { return points[v.idx()]; }, np);
+  const auto copied = [&](std::size_t n) { return copy.vertex(n); };
   IT::internal::put_parents<internal_np::parent_vertex_map_t>(
-    np, part.vertices(), [&](std::size_t n) { return copy.vertex(n); },
+    np, part.vertices(), copied,
     [&](Vertex_index v, std::size_t) { return fine.level_vertex(coarse.surface_vertex(v)); });
+  IT::internal::put_parents<internal_np::location_map_t>(
+    np, part.vertices(), copied, [&](Vertex_index v, std::size_t) { return locations[v.idx()]; });
 
   Coarse_mesh_quality result = internal::measured(
     map, internal::mesh_in_space(fine.mesh(), [&](Vertex_index v) { return get(input, v); }),

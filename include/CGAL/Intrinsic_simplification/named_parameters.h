@@ -34,6 +34,11 @@ auto number_of_vertices(const Number& value);
 template <typename Number>
 auto maximum_cost(const Number& value);
 
+/// \ingroup PkgIntrinsicSimplificationRef
+/// names the map that gets the locations of inserted vertices.
+template <typename Map>
+auto location_map(const Map& map);
+
 } // namespace parameters
 
 #endif // DOXYGEN_RUNNING

@@ -14,5 +14,6 @@
 
 CGAL_named_parameter(number_of_vertices)
 CGAL_named_parameter(maximum_cost)
+CGAL_named_parameter(location_map)
 
 #endif
