@@ -245,8 +245,7 @@ private:
         return DCM::flatten_to_disk(mesh(), np);
       return DCM::flatten_to_rectangle(mesh(), DCM::rectangle_corners(mesh(), np), np);
     } catch(const IT::Invalid_input& e) {
-      throw Program_error(m_run.options().input + ": " + e.what() +
-                          "; try --boundary free or straight");
+      throw Program_error(m_run.options().input + ": " + e.what() + "; try --boundary free");
     }
   }
 

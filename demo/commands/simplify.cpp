@@ -445,10 +445,12 @@ private:
       return number_of(
         v.is_valid() && v.idx() < m_run.input().mesh.number_of_vertices() ? v : IS::Vertex_index());
     });
-    result.placement = {result.points.size(), [&](std::size_t i) {
+    result.placement = {result.points.size(),
+                        [&](std::size_t i) {
                           const Mesh::Vertex_index v(static_cast<Mesh::size_type>(i));
                           return weights(fine_vertex[v], location[v]);
-                        }};
+                        },
+                        [](std::size_t, std::size_t) { return Mesh::Face_index(); }};
     add_functions(result);
     m_run.add_output(m_options.coarse_mesh, result, m_coarse_format);
   }

@@ -88,6 +88,13 @@ def integers(
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
+def vertices(values: Any, size: int, name: str, wanted: int | None = None) -> Integers:
+    """Return indices of vertices, as many as are wanted; one may be a number."""
+    if values is None:
+        raise ArrayError(f"{name} must be given")
+    return integers(np.atleast_1d(_array(values, name)), (wanted,), name, size, "vertices")
+
+
 def number(value: Any, name: str, least: float, greatest: float = np.inf) -> float:
     """Return a finite number between two others."""
     try:
@@ -109,7 +116,7 @@ def count(value: Any, name: str, least: int) -> int:
     if result != value:
         raise ArrayError(f"{name} is {value!r}; it must be an integer")
     if not least <= result <= _GREATEST_INDEX:
-        raise InputError(f"{name} is {result}; it must be at least {least}")
+        raise InputError(f"{name} is {result}; it must be from {least} to {_GREATEST_INDEX}")
     return result
 
 

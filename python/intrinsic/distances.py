@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers, number, points_on
+from ._arrays import Floats, Integers, integers, number, points_on
+from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError, UnderflowError
 from .simplification import simplify
@@ -31,9 +32,7 @@ def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats
         faces, coordinates = points_on(sources, len(T.input_F), "sources")
         result = _NO_VERTICES, faces, coordinates
     else:
-        vertices = integers(np.atleast_1d(np.asarray(sources)), (None,), "sources",
-                            T._core.number_of_input_vertices(), "vertices")
-        result = vertices, *_NO_POINTS
+        result = vertices_of(sources, T._core.number_of_input_vertices(), "sources"), *_NO_POINTS
     if len(result[0]) + len(result[1]) == 0:
         raise InputError("there are no sources; give at least one")
     return result
@@ -329,8 +328,7 @@ def _one_point(point: Any, T: Triangulation, name: str) -> SurfacePoints:
         if len(faces) != 1:
             raise ArrayError(f"{name} has {len(faces)} points; it must be one")
         return faces, coordinates
-    vertex = integers(np.atleast_1d(np.asarray(point)), (1,), name,
-                      T._core.number_of_input_vertices(), "vertices")
+    vertex = vertices_of(point, T._core.number_of_input_vertices(), name, 1)
     return vertex_point(T.input_F, int(vertex[0]))
 
 
@@ -404,8 +402,7 @@ def geodesic(
     """
 
     def compute(T: Triangulation) -> Path:
-        through = integers(np.asarray(vertices), (None,), "vertices",
-                           T._core.number_of_input_vertices(), "vertices")
+        through = vertices_of(vertices, T._core.number_of_input_vertices(), "vertices")
         if len(through) < (1 if loop else 2):
             raise InputError("vertices are too few; a path has at least two, and a loop one")
         if loop:
@@ -446,8 +443,7 @@ def geodesics(
     """
 
     def compute(T: Triangulation) -> list[Path]:
-        ends = integers(np.asarray(pairs), (None, 2), "pairs",
-                        T._core.number_of_input_vertices(), "vertices")
+        ends = integers(pairs, (None, 2), "pairs", T._core.number_of_input_vertices(), "vertices")
         return [_path(T, *found) for found in _core.geodesics_between(T._core, ends)]
 
     return _on_input(V, F, lengths, mollify, compute)
@@ -614,7 +610,10 @@ def exp_map(
     >>> bool(abs(line.points[-1] - V[50]).max() < 1e-9)
     True
     """
-    direction = complex(vector)
+    try:
+        direction = complex(vector)
+    except (TypeError, ValueError):
+        raise ArrayError(f"vector is {vector!r}; it must be a complex number") from None
     if not np.isfinite(direction):
         raise InputError(f"vector is {direction}; it must be finite")
     return _on_input(V, F, lengths, mollify, lambda T: _path(
@@ -656,7 +655,7 @@ def transport(
 
     def compute(T: Triangulation) -> NDArray[np.complex128]:
         n = T._core.number_of_input_vertices()
-        sources = integers(np.atleast_1d(np.asarray(vertices)), (None,), "vertices", n, "vertices")
+        sources = vertices_of(vertices, n, "vertices")
         return _core.transported(T._core, sources, _vectors_at(sources, vectors), factor)[:n]
 
     return computed_on(V, F, lengths, mollify, compute, check_progress(progress))
@@ -676,7 +675,4 @@ def _vectors_at(sources: Integers, vectors: Any) -> NDArray[np.complex128]:
 
 
 def _vertex(vertex: Any, T: Triangulation) -> int:
-    if vertex is None:
-        raise ArrayError("source is missing; give a vertex")
-    return int(integers(np.atleast_1d(np.asarray(vertex)), (1,), "source",
-                        T._core.number_of_input_vertices(), "vertices")[0])
+    return int(vertices_of(vertex, T._core.number_of_input_vertices(), "source", 1)[0])

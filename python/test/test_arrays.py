@@ -286,7 +286,7 @@ def soups():
         yield random.standard_normal((n, 3)), F
 
 
-class Surfaces(unittest.TestCase):
+class Diagnosis(unittest.TestCase):
     def test_diagnosis(self):
         """What is a surface is decided in two ways, in short and by the diagnosis."""
         counts = [0, 0]
@@ -359,6 +359,7 @@ class Malformed(unittest.TestCase):
             lambda: intrinsic.transport(V, F, [0], [np.nan]),
             lambda: intrinsic.log_map(V, F, 100),
             lambda: intrinsic.exp_map(V, F, 0, np.nan),
+            lambda: intrinsic.exp_map(V, F, 0, [1, 2]),
             lambda: intrinsic.Triangulation(V, F).refine(-1),
             lambda: intrinsic.Triangulation(V, F).refine(np.nan),
             lambda: intrinsic.Triangulation(V, F).refine(25, max_insertions=-1),
@@ -385,6 +386,20 @@ class Malformed(unittest.TestCase):
         ]:
             with self.assertRaises(IntrinsicError):
                 call()
+
+    def test_missing_arguments(self):
+        for name, call in {
+            "source": lambda: intrinsic.path(V, F),
+            "target": lambda: intrinsic.path(V, F, 0),
+            "vertices": lambda: intrinsic.geodesic(V, F),
+            "pairs": lambda: intrinsic.geodesics(V, F),
+        }.items():
+            with self.assertRaisesRegex(ArrayError, f"{name} (must be given|is None)"):
+                call()
+
+    def test_numbers_beyond_the_range(self):
+        with self.assertRaisesRegex(InputError, "from 1 to 4294967294"):
+            intrinsic.simplify(V, F, 10**30)
 
 
 if __name__ == "__main__":

@@ -297,7 +297,7 @@ calls <<'TABLE'
 2 | --component 2: the components of the mesh are 0 to 1 | uniformize two_triangles.mesh.off -o a.obj --component 2
 2 | --view shows one component, and the mesh has 2: add --component or --largest | sphere two_triangles.mesh.off -o a.ply --view a.html
 2 | --time-step is for heat; leave out --method exact and --exact-distance | distance flat.mesh.off --source 0 --method exact --time-step 1 -o a.ply
-2 | ; try --boundary free or straight | flatten good.mesh.off --boundary disk -o a.obj
+2 | ; try --boundary free | flatten good.mesh.off --boundary disk -o a.obj
 2 | : the mesh has no boundary; leave it out | flatten good.mesh.off --boundary straight -o a.obj
 2 | --tiles is for --svg and --view; leave it out, or add one of them | hyperbolic good.mesh.off --tiles 2 -o a.obj
 2 | --tiles: a surface with cones has no tiling; leave it out | hyperbolic good.mesh.off --cones four.mesh.txt --tiles 2 --svg a.svg -o a.obj
