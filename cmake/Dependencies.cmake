@@ -47,6 +47,11 @@ if(WITH_Cairo)
   endif()
 endif()
 
+option(WITH_ZLIB "Let the program read compressed VTP files with zlib" ON)
+if(WITH_ZLIB)
+  find_package(ZLIB QUIET)
+endif()
+
 option(WITH_Three "Fetch three.js for the pages of --view, if this is the top-level project" ON)
 if(WITH_Three AND PROJECT_IS_TOP_LEVEL)
   include(Three)
@@ -60,7 +65,7 @@ option(WITH_compiled_library
 
 message(STATUS "Dependency     option  found")
 message(STATUS "CGAL           needed  ${CGAL_VERSION}")
-foreach(name IN ITEMS GMP Eigen SuiteSparse Ceres TBB Cairo Three)
+foreach(name IN ITEMS GMP Eigen SuiteSparse Ceres TBB Cairo ZLIB Three)
   string(SUBSTRING "${name}               " 0 15 name_column)
   string(SUBSTRING "${WITH_${name}}        " 0 8 option_column)
   if(WITH_${name} AND ${name}_FOUND)

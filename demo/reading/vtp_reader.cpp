@@ -4,6 +4,7 @@
 
 #include "reading/Strip_splitter.h"
 #include "reading/format_readers.h"
+#include "reading/inflate.h"
 
 #include <algorithm>
 #include <array>
@@ -180,7 +181,7 @@ private:
       fail_at(m_tag, "<VTKFile type=\"PolyData\"> expected at the beginning");
     m_is_big_endian = tag.attribute("byte_order") == "BigEndian";
     m_has_long_sizes = tag.attribute("header_type") == "UInt64";
-    m_is_compressed = !tag.attribute("compressor").empty();
+    m_compressor = tag.attribute("compressor");
   }
 
   void read(const Tag& tag)
@@ -343,20 +344,61 @@ private:
   void read_encoded(const Tag& tag, std::string_view format, const Use& use)
   {
     const Scanner::Place start = m_in.place();
-    if(m_is_compressed)
-      fail_at(m_tag, "the numbers are compressed; save the file without compression");
+    if(!m_compressor.empty() && (!can_inflate || m_compressor != "vtkZLibDataCompressor"))
+      fail_at(m_tag, "the numbers are compressed by " + std::string(m_compressor) +
+                       "; save the file without compression");
     bool is_raw = false;
     if(format == "appended")
       is_raw = go_to_appended(tag);
     else if(format != "binary")
       fail_at(m_tag, "the format of numbers is none of ascii, binary and appended");
     if(is_raw)
-      read_bytes(
+      read_array_of_bytes(
         tag, [&] { return m_in.binary<char>(false); }, use);
     else
-      read_bytes(
+      read_array_of_bytes(
         tag, [decoder = Base64_decoder(m_in)]() mutable { return decoder.next(); }, use);
     m_in.return_to(start);
+  }
+
+  // Reads an array. `next()` returns the next byte. The first bytes contain the number of the
+  // others or, before compressed blocks, the number and sizes of blocks.
+  template <class Next, class Use>
+  void read_array_of_bytes(const Tag& tag, Next next, const Use& use)
+  {
+    if(m_compressor.empty())
+      return read_bytes(tag, size(next), next, use);
+    const std::string bytes = decompressed_blocks(next);
+    read_bytes(
+      tag, bytes.size(), [byte = bytes.begin()]() mutable { return *byte++; }, use);
+  }
+
+  template <class Next>
+  std::uint64_t size(Next& next) const
+  {
+    return m_has_long_sizes ? number<std::uint64_t>(next) : number<std::uint32_t>(next);
+  }
+
+  // Returns the bytes of all blocks. The last block has another size, unless this size is zero.
+  template <class Next>
+  std::string decompressed_blocks(Next& next)
+  {
+    const Scanner::Place place = m_tag;
+    const std::uint64_t blocks = size(next), full = size(next), last = size(next);
+    std::vector<std::uint64_t> sizes;
+    while(sizes.size() < blocks)
+      sizes.push_back(size(next));
+    std::string result;
+    for(std::uint64_t i = 0; i < blocks; ++i) {
+      std::string block;
+      while(block.size() < sizes[i])
+        block.push_back(next());
+      const std::string bytes = inflated(block, i + 1 == blocks && last > 0 ? last : full);
+      if(bytes.empty())
+        fail_at(place, "the compressed numbers are damaged");
+      result += bytes;
+    }
+    return result;
   }
 
   // Skips to the appended bytes, and returns whether they are not in base64.
@@ -373,13 +415,11 @@ private:
     return is_raw;
   }
 
-  // Reads bytes. `next()` returns the next byte. The first bytes contain the number of the others.
+  // Reads the numbers that so many bytes contain.
   template <class Next, class Use>
-  void read_bytes(const Tag& tag, Next next, const Use& use)
+  void read_bytes(const Tag& tag, std::uint64_t size, Next next, const Use& use)
   {
     const Scanner::Place place = m_tag;
-    const std::uint64_t size =
-      m_has_long_sizes ? number<std::uint64_t>(next) : number<std::uint32_t>(next);
     const auto read_all = [&](auto zero) {
       for(std::uint64_t i = 0; i < size / sizeof(zero); ++i)
         use(Vtp_number{static_cast<double>(number<decltype(zero)>(next)), place});
@@ -419,7 +459,8 @@ private:
   Scanner& m_in;
   Polygon_soup& m_soup;
   Polygons* m_lines;
-  bool m_is_big_endian = false, m_has_long_sizes = false, m_is_compressed = false;
+  bool m_is_big_endian = false, m_has_long_sizes = false;
+  std::string_view m_compressor; // empty if numbers are not compressed
   Scanner::Place m_tag;
   std::string_view m_section;                // what arrays belong to
   std::array<std::string_view, 2> m_roles{}; // names of the texture and of normals

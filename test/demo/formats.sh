@@ -152,27 +152,37 @@ for output in good.vtp; do
   rm o.off
 done
 python3 - <<'PYTHON'
-import base64, struct
+import base64, struct, zlib
 points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]
 cells, ends = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3], [3, 6, 9, 12]
-for name, order, size, point, index, is_base64 in (
-        ("inline", "<", "I", "d", "q", True), ("short", ">", "Q", "f", "i", True),
-        ("raw", "<", "I", "d", "i", False), ("appended", "<", "Q", "f", "q", True)):
+encode = {True: base64.b64encode, False: bytes}
+for name, order, size, point, index, is_base64, block in (
+        ("inline", "<", "I", "d", "q", True, 0), ("short", ">", "Q", "f", "i", True, 0),
+        ("raw", "<", "I", "d", "i", False, 0), ("appended", "<", "Q", "f", "q", True, 0),
+        ("zlib_inline", "<", "I", "f", "q", True, 32), ("zlib_raw", ">", "Q", "d", "i", False, 40),
+        ("zlib_appended", "<", "I", "d", "q", True, 32768)):
     types = {"d": "Float64", "f": "Float32", "q": "Int64", "i": "Int32"}
     appended = b""
 
     def array(attributes, code, numbers):
         global appended
         data = struct.pack(f"{order}{len(numbers)}{code}", *numbers)
-        data = struct.pack(order + size, len(data)) + data
-        data = base64.b64encode(data) if is_base64 else data
-        if name in ("inline", "short"):
+        if block > 0:  # as VTK writes by default
+            blocks = [data[i:i + block] for i in range(0, len(data), block)]
+            streams = [zlib.compress(b) for b in blocks]
+            header = [len(blocks), block, len(data) % block, *map(len, streams)]
+            data = (encode[is_base64](struct.pack(f"{order}{len(header)}{size}", *header))
+                    + encode[is_base64](b"".join(streams)))
+        else:
+            data = encode[is_base64](struct.pack(order + size, len(data)) + data)
+        if name in ("inline", "short", "zlib_inline"):
             return f'<DataArray type="{types[code]}" {attributes} format="binary">{data.decode()}</DataArray>\n'
         appended += data
         return f'<DataArray type="{types[code]}" {attributes} format="appended" offset="{len(appended) - len(data)}"/>\n'
 
     text = (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="{"Little" if order == "<" else "Big"}Endian"'
-            f' header_type="UInt{64 if size == "Q" else 32}"><PolyData>\n<Piece><CellData>'
+            f' header_type="UInt{64 if size == "Q" else 32}"'
+            + (' compressor="vtkZLibDataCompressor"' if block > 0 else "") + f'><PolyData>\n<Piece><CellData>'
             + array('Name="x"', "i", [7] * 4) + "</CellData><Points>"
             + array('NumberOfComponents="3"', point, points) + "</Points>\n<Verts></Verts><Polys>"
             + array('Name="connectivity"', index, cells) + array('Name="offsets"', index, ends)
@@ -182,7 +192,7 @@ for name, order, size, point, index, is_base64 in (
     with open(name + ".mesh.vtp", "wb") as file:
         file.write(text.encode() + appended + (b"</AppendedData>" if appended else b"") + b"</VTKFile>")
 PYTHON
-for name in inline short raw appended; do
+for name in inline short raw appended zlib_inline zlib_raw zlib_appended; do
   expect 0 delaunay $name.mesh.vtp -o o.off --quiet
   cmp o.off good.off
   rm o.off
@@ -192,8 +202,11 @@ expect 0 delaunay <(cat inline.mesh.vtp) -o a.off
   fail 'no statistics in a pipe'
 cmp a.off b.off
 rm a.off b.off
+expect 2 info <(sed 's/header_type/compressor="vtkLZ4DataCompressor" header_type/' inline.mesh.vtp)
+says 'the numbers are compressed by vtkLZ4DataCompressor; save the file without compression'
 expect 2 info <(sed 's/header_type/compressor="vtkZLibDataCompressor" header_type/' inline.mesh.vtp)
-says 'the numbers are compressed; save the file without compression'
+expect 2 info <(sed 's/eJ/AA/' zlib_inline.mesh.vtp)
+says 'the compressed numbers are damaged'
 
 # wrong NAME TEXT MESSAGE
 wrong()

@@ -15,7 +15,7 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS feature_options
   INVERTED_FEATURES program CMAKE_DISABLE_FIND_PACKAGE_CLI11)
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${feature_options} -DBUILD_TESTING=OFF -DWITH_SuiteSparse=OFF -DWITH_Ceres=OFF
-    -DWITH_TBB=OFF -DWITH_Cairo=OFF -DWITH_Three=OFF -DWITH_Python=OFF)
+    -DWITH_TBB=OFF -DWITH_Cairo=OFF -DWITH_ZLIB=OFF -DWITH_Three=OFF -DWITH_Python=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME cgal_intrinsic_triangulations
   CONFIG_PATH share/cmake/CGAL_intrinsic_triangulations)
