@@ -105,10 +105,11 @@ The file of --coarse has the coarse triangulation as an ordinary mesh, for other
 where they are on the mesh, edges straight, faces flat. Vertices have the property "input_vertex"
 in .ply and .vtp, -1 for those that were inserted because there were loops or several edges with
 the same ends. They have the functions, colors and normals of the mesh, but faces have neither its
-texture coordinates nor its groups. The coarse triangulation is close to the mesh in its lengths, not in space. The last
-line and "coarse_mesh" in the statistics have the deviation, the greatest distance of a vertex of
-the mesh from the coarse mesh and of the middle of a coarse edge or face from the mesh, and the
-numbers of faces that are flipped or without area and of pairs of faces that intersect.
+texture coordinates nor its groups. The coarse triangulation is close to the mesh in its lengths,
+not in space. The last line and "coarse_mesh" in the statistics have the deviation, the greatest
+distance of a vertex of the mesh from the coarse mesh and of the middle of a coarse edge or face
+from the mesh, and the numbers of faces that are flipped or without area and of pairs of faces that
+intersect.
 
 P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its
 rows are barycentric coordinates: not negative, with sum 1. With L levels there are L matrices,

@@ -26,11 +26,10 @@ struct Written
     simplify(surface, number_of_vertices(n));
     left = surface.mesh().number_of_vertices();
     area = area_of(surface);
-    quality =
-      IS::coarse_mesh(surface, fine, mesh,
-                      IS::parameters::input_point_map(input.points())
-                        .parent_vertex_map(parent)
-                        .location_map(location));
+    quality = IS::coarse_mesh(surface, fine, mesh,
+                              IS::parameters::input_point_map(input.points())
+                                .parent_vertex_map(parent)
+                                .location_map(location));
   }
 
   Mesh mesh;
