@@ -25,6 +25,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import zlib
 from concurrent.futures import ThreadPoolExecutor
 
 SEEDS = """tetrahedron cube octahedron icosahedron 3torus cube-ouvert open_cube small_cube hedra P
@@ -232,22 +233,34 @@ def vtp(points, faces):
             + "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n")
 
 
-def encoded_vtp(is_raw):
+def encoded_vtp(is_raw, is_compressed=False):
+    def data_of(size, bytes):
+        """The numbers after their size or, in blocks of 64 bytes, after the sizes of blocks."""
+        encode = (lambda b: b) if is_raw else base64.b64encode
+        if not is_compressed:
+            return encode(struct.pack("<I", size) + bytes)
+        blocks = [zlib.compress(bytes[i:i + 64]) for i in range(0, size, 64)]
+        header = [len(blocks), 64, size % 64, *map(len, blocks)]
+        return encode(struct.pack(f"<{len(header)}I", *header)) + encode(b"".join(blocks))
+
     def write(points, faces):
         appended = b""
 
         def array(attributes, code, numbers):
             nonlocal appended
-            data = struct.pack(f"<I{len(numbers)}{code}", struct.calcsize(code) * len(numbers), *numbers)
+            data = data_of(struct.calcsize(code) * len(numbers),
+                           struct.pack(f"<{len(numbers)}{code}", *numbers))
             type = {"f": "Float32", "i": "Int32"}[code]
             if not is_raw:
                 return (f'<DataArray type="{type}" {attributes} format="binary">'
-                        f"{base64.b64encode(data).decode()}</DataArray>\n").encode()
+                        f"{data.decode()}</DataArray>\n").encode()
             appended += data
             return (f'<DataArray type="{type}" {attributes} format="appended" '
                     f'offset="{len(appended) - len(data)}"/>\n').encode()
 
-        text = (b'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="LittleEndian"><PolyData>\n<Piece><Points>'
+        text = (b'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="LittleEndian"'
+                + (b' compressor="vtkZLibDataCompressor"' if is_compressed else b"")
+                + b"><PolyData>\n<Piece><Points>"
                 + array('NumberOfComponents="3"', "f", sum(points, [])) + b"</Points>\n<Polys>"
                 + array('Name="connectivity"', "i", sum(faces, []))
                 + array('Name="offsets"', "i", [sum(map(len, faces[:i + 1])) for i in range(len(faces))])
@@ -259,7 +272,8 @@ def encoded_vtp(is_raw):
 FORMATS = [("off", off), ("off", colored_off), ("off", binary_off), ("obj", obj), ("ply", ply),
            ("ply", binary_ply("<", "binary_little_endian")), ("ply", strips),
            ("ply", binary_ply(">", "binary_big_endian")), ("stl", stl), ("stl", binary_stl),
-           ("vtp", vtp), ("vtp", encoded_vtp(False)), ("vtp", encoded_vtp(True)), ("xyz", xyz)]
+           ("vtp", vtp), ("vtp", encoded_vtp(False)), ("vtp", encoded_vtp(True)),
+           ("vtp", encoded_vtp(False, True)), ("vtp", encoded_vtp(True, True)), ("xyz", xyz)]
 
 
 def ply_curve(form, order=None):
