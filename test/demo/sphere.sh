@@ -106,6 +106,21 @@ says 'note: face too small for the picture: '
 claim "s = json('strip.json')" "s.status == 'success'" 'len(s.crowded_faces) > 0'
 rm strip.obj strip.json
 
+# Disks of a few thin triangles, whose angles are known but not after flips.
+off thin '0.1455 56.9 -0.05769,0.02501 -34.82 -0.01768,-0.1463 -3.555 -0.05791,0.07906 -23.13 0.01459,0.001911 33.01 0.01795,-0.07133 -61.42 -0.03389' \
+  '4 0 2,4 2 5,2 0 5,5 3 4,0 1 5,3 1 0,4 3 0'
+off thinner '-27.6 0.03 -0.0279,26.4 -0.0675 -0.0172,-20.5 -0.0376 -0.0282,16.2 0.0536 0.0332,-5.07 -0.0947 -0.0468,8.2 -0.0803 -0.0142,21.8 0.00182 -0.048,2.79 -0.0306 0.0327' \
+  '0 6 4,2 7 0,1 7 5,6 3 1,6 0 3,4 7 2,1 5 4,2 0 4,1 3 7,1 4 6,0 7 3'
+off flat '0.0306 0.00408 0,2.34 0.000766 0,2.07 0.0267 0,1.17 0.0209 0,0.653 0.0139 0,0.396 0.0284 0,1.78 0.0242 0,1.94 0.00907 0' \
+  '7 3 4,3 6 5,4 5 0,4 3 5,1 2 7,7 2 6,0 7 4,0 1 7,2 5 6,7 6 3'
+for mesh in thin thinner flat; do
+  expect 0 sphere $mesh.mesh.off -o strip.ply --stats strip.json --strict
+  is_convex strip.json
+  claim "p = ply('strip.ply').points" 'near([dist(x, (0, 0, 0)) for x in p], [1] * len(p), 1e-14)' \
+    'all(x[2] >= -1e-15 for x in p)'
+done
+rm strip.ply strip.json
+
 # Components are mapped one by one; vertices keep their indices, and one without faces its place.
 strip strip 3
 off parts '9 9 9,0 0 0,1 0 0,0 1 0,0 0 1,5 0 0,6 0 0,5 1 0,7 7 0' '1 3 2,1 2 4,5 6 7,2 3 4,3 1 4,6 8 7'

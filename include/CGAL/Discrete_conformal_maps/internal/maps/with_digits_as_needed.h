@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -18,9 +19,25 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// Returns whether a map has failed in a way that more digits may mend. They do not if steps were
+// too few, or if a fixed triangulation has no map.
+template <typename Map>
+bool may_need_digits(const Map& map)
+{
+  switch(map.status()) {
+    case Map_status::success:
+    case Map_status::triangle_inequality:
+    case Map_status::no_minimum: return false;
+    case Map_status::not_converged:
+      return map.minimization().status == Minimization_status::rounding_limit;
+    default: return true;
+  }
+}
+
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the
 // input, its errors are measured on the exact surface. If this fails, or errors are not
-// `measurable`, returns the map with lengths of the exact surface.
+// `measurable`, returns the map with lengths of the exact surface. If rounding changes no angles of
+// the input, it may change angles after flips: a map that fails is computed again, too.
 //
 // \throws Error as the last call of `find()` does
 template <typename Find>
@@ -28,16 +45,22 @@ auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> i
                            const Find& find, bool measurable = true)
 {
   typedef decltype(find(std::move(input), Exactness::none)) Map;
-  if(!(has_unknown_angles(input) && has_exact_metric(input)))
-    return find(std::move(input), Exactness::none);
+  const auto found = [&](Exactness exactness) {
+    return find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), exactness);
+  };
   std::optional<Map> rounded;
-  try {
-    if(measurable)
-      rounded = find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), Exactness::errors);
-    if(rounded && rounded->status() == Map_status::success)
+  if(!(has_unknown_angles(input) && has_exact_metric(input))) {
+    rounded = found(Exactness::none);
+    if(!may_need_digits(*rounded) || !has_exact_metric(input))
       return std::move(*rounded);
-  } catch(const Intrinsic_triangulations::Error&) { // such as flips without end
-  }
+  } else
+    try {
+      if(measurable)
+        rounded = found(Exactness::errors);
+      if(rounded && rounded->status() == Map_status::success)
+        return std::move(*rounded);
+    } catch(const Intrinsic_triangulations::Error&) { // such as flips without end
+    }
   try {
     Map exact = find(std::move(input), Exactness::lengths);
     if(!rounded || exact.status() == Map_status::success)

@@ -58,7 +58,8 @@ public:
       m_is_measured(exactness == Exactness::errors),
       m_is_exact(exactness == Exactness::decisions),
       m_has_exact_flips(m_is_exact || exactness == Exactness::lengths),
-      m_has_needles(m_has_exact_flips && has_unknown_angles(half) && has_exact_metric(half)),
+      m_has_needles(m_has_exact_flips && has_exact_metric(half) &&
+                    (exactness == Exactness::lengths || has_unknown_angles(half))),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
       m_circles(std::move(circles)),
@@ -102,7 +103,7 @@ public:
   // Returns whether the flips to T_3 are decided exactly, too.
   bool is_exact() const { return m_is_exact && has_precise_lengths(); }
 
-  // Returns whether rounding changes angles of the input, so that lengths of T_2 need more digits.
+  // Returns whether rounding changes angles, so that lengths of T_2 need more digits.
   bool has_needles() const { return m_has_needles && has_precise_lengths(); }
 
   // Returns whether the lengths of T_2 are exact, with more digits than `double` has.
