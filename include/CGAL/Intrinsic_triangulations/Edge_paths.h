@@ -261,12 +261,11 @@ private:
 
   // ---- Joints ----
 
-  // Returns the fan at a joint. A joint on the right is one on the left of the reversed path.
-  Fan fan(Index s, Index t, bool is_left) const
+  // Returns the ends of the fan on one side of a joint.
+  internal::Fan_ends fan_ends(Index s, Index t, bool is_left) const
   {
-    return is_left
-             ? internal::fan(halfedge(s), halfedge(t), m_mesh)
-             : internal::fan(m_mesh.opposite(halfedge(t)), m_mesh.opposite(halfedge(s)), m_mesh);
+    const Halfedge_index out = halfedge(t), back = opposite(halfedge(s));
+    return is_left ? internal::Fan_ends{out, back} : internal::Fan_ends{back, out};
   }
 
   bool is_spur(Index s, Index t) const { return halfedge(t) == m_mesh.opposite(halfedge(s)); }
@@ -275,10 +274,8 @@ private:
   {
     if(is_spur(s, t))
       return true;
-    if(m_segment[s].is_straight(is_left))
-      return false;
-    const Fan outgoing = fan(s, t, is_left);
-    return !outgoing.empty() && m_flattener.is_less_than_pi(outgoing);
+    return !m_segment[s].is_straight(is_left) &&
+           m_flattener.is_less_than_pi(fan_ends(s, t, is_left));
   }
 
   // Pushes the joint into the queue, for each side that may have an angle of less than pi.
@@ -297,15 +294,18 @@ private:
 
   void note(Index s, Index t, bool is_left)
   {
-    const Fan outgoing = fan(s, t, is_left);
-    const auto sum = internal::corner_sum(outgoing, m_tri.intrinsic(), Flipping::length_error());
+    const internal::Fan_ends ends = fan_ends(s, t, is_left);
+    const auto sum = internal::corner_sum(ends, m_tri.intrinsic(), Flipping::length_error());
     const Uncertain<bool> is_less_than_pi = sum.is_less_than_pi();
-    if(outgoing.empty() || certainly_not(is_less_than_pi))
-      m_segment.set_straight(s, is_left);
+    if(certainly(is_less_than_pi))
+      m_queue.push({sum.angle(), s, t, is_left, true});
+    else if(const Fan outgoing = is_certain(is_less_than_pi) ? Fan() : fan(ends); !outgoing.empty())
+      m_queue.push({angle(outgoing), s, t, is_left, false});
     else
-      m_queue.push({certainly(is_less_than_pi) ? sum.angle() : angle(outgoing), s, t, is_left,
-                    certainly(is_less_than_pi)});
+      m_segment.set_straight(s, is_left);
   }
+
+  Fan fan(internal::Fan_ends ends) const { return internal::fan(ends, m_mesh); }
 
   FT angle(const Fan& outgoing) const
   {
@@ -330,12 +330,12 @@ private:
   {
     if(is_spur(s, t))
       return cut_spur(s, t);
-    Fan outgoing = fan(s, t, is_left);
+    Fan outgoing = fan(fan_ends(s, t, is_left));
     const Index at_out = is_left ? t : s, at_in = is_left ? s : t;
     if(m_segment.outermost(outgoing.front()) != at_out ||
        m_segment.outermost(m_mesh.opposite(outgoing.back())) != at_in || !is_free(outgoing))
       return false;
-    if(!is_certain && !m_flattener.is_less_than_pi(outgoing)) {
+    if(!is_certain && !m_flattener.is_less_than_pi({outgoing.front(), outgoing.back()})) {
       m_segment.set_straight(s, is_left);
       return false;
     }

@@ -25,27 +25,32 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Stores outgoing halfedges of a vertex, counterclockwise.
 typedef boost::container::small_vector<Halfedge_index, 16> Fan;
 
-// Sets `result` to the outgoing halfedges from `out` counterclockwise to the opposite of `in`. They
-// are on the left of a path from `in` to `out`. The fan is empty if the boundary is between them.
+// Stores both ends of a fan, counterclockwise. They are the same if the fan is a full turn.
+struct Fan_ends
+{
+  Halfedge_index first, last;
+};
+
+// Sets `result` to the outgoing halfedges between two ends. It is empty if the boundary is between
+// them.
 template <typename P>
-void find_fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh, Fan& result)
+void find_fan(Fan_ends ends, const Surface_mesh<P>& mesh, Fan& result)
 {
   result.clear();
-  for(Halfedge_index h = out;; h = next_around_source(h, mesh)) {
+  for(Halfedge_index h = ends.first;; h = next_around_source(h, mesh)) {
     result.push_back(h);
-    if(h == opposite(in) && result.size() > 1)
+    if(h == ends.last && result.size() > 1)
       return;
     if(mesh.is_border(h))
       return result.clear();
   }
 }
 
-// Returns the fan from `out` to the opposite of `in`.
 template <typename P>
-Fan fan(Halfedge_index in, Halfedge_index out, const Surface_mesh<P>& mesh)
+Fan fan(Fan_ends ends, const Surface_mesh<P>& mesh)
 {
   Fan result;
-  find_fan(in, out, mesh, result);
+  find_fan(ends, mesh, result);
   return result;
 }
 
@@ -105,6 +110,13 @@ public:
     m_x = x;
   }
 
+  // Adds the outside of the surface, which is at least pi.
+  void add_boundary()
+  {
+    m_y = -1;
+    m_error = 0;
+  }
+
   // Returns whether the sum is less than pi, if the error of its sine permits a decision.
   // \pre the sum of all corners except for the last one is certainly less than pi
   Uncertain<bool> is_less_than_pi() const
@@ -130,16 +142,19 @@ private:
 // certainly less than pi. The sine of the sum decides whether it is less than pi. This needs no
 // inverse tangents, which would dominate the time of paths.
 template <typename Surface>
-Corner_sum<Length_of<Surface>> corner_sum(const Fan& outgoing_halfedges, const Surface& surface,
+Corner_sum<Length_of<Surface>> corner_sum(Fan_ends ends, const Surface& surface,
                                           const Length_of<Surface>& error)
 {
   typedef Length_of<Surface> FT;
   Corner_sum<FT> sum;
-  for(std::size_t i = 0; i + 1 < outgoing_halfedges.size(); ++i) {
-    sum.add(Uncertain_corner<FT>(outgoing_halfedges[i], surface, error));
-    if(!certainly(sum.is_less_than_pi()))
-      break;
-  }
+  Halfedge_index h = ends.first;
+  do {
+    if(surface.mesh().is_border(h))
+      sum.add_boundary();
+    else
+      sum.add(Uncertain_corner<FT>(h, surface, error));
+    h = next_around_source(h, surface.mesh());
+  } while(h != ends.last && certainly(sum.is_less_than_pi()));
   return sum;
 }
 

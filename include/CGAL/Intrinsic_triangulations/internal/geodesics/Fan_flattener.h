@@ -28,7 +28,7 @@ public:
   explicit Fan_flattener(Intrinsic_triangulation<Traits>& tri) : m_mesh(tri.mesh()), m_flipping(tri)
   {}
 
-  bool is_less_than_pi(const Fan& outgoing) { return m_flipping.is_less_than_pi(outgoing); }
+  bool is_less_than_pi(Fan_ends ends) { return m_flipping.is_less_than_pi(ends); }
 
   // Returns the number of flips since the last `rewind()`.
   std::size_t number_of_flips() const { return m_flips.size(); }
@@ -43,10 +43,10 @@ public:
     const std::size_t limit = m_flips.size() + 16 * outgoing.size();
     flip_between(outgoing, is_one_edge ? 2 : 1, limit);
     while(is_one_edge && outgoing.size() > 4 && m_flips.size() < limit &&
-          is_less_than_pi(
-            fan(m_mesh.next(outgoing[outgoing.size() - 3]), m_mesh.next(outgoing[1]), m_mesh))) {
+          is_less_than_pi({m_mesh.next(outgoing[1]),
+                           opposite(m_mesh.next(outgoing[outgoing.size() - 3]))})) {
       flip(outgoing[1]);
-      find_fan(m_mesh.opposite(outgoing.back()), outgoing.front(), m_mesh, outgoing);
+      find_fan({outgoing.front(), outgoing.back()}, m_mesh, outgoing);
       flip_between(outgoing, 2, limit);
     }
     return !is_one_edge && m_flips.size() < limit &&
@@ -69,7 +69,7 @@ private:
   void flip_between(Fan& outgoing, std::size_t margin, std::size_t limit)
   {
     const Vertex_index apex = m_mesh.source(outgoing.front());
-    const Halfedge_index in = m_mesh.opposite(outgoing.back());
+    const Fan_ends ends{outgoing.front(), outgoing.back()};
     for(std::size_t i = margin; i + margin < outgoing.size() && m_flips.size() < limit;) {
       const Halfedge_index h = outgoing[i];
       if(!m_flipping.is_flippable(h)) {
@@ -79,7 +79,7 @@ private:
       const bool is_loop = m_mesh.target(h) == apex;
       flip(h);
       if(is_loop || m_mesh.source(h) == apex || m_mesh.target(h) == apex) {
-        find_fan(in, outgoing.front(), m_mesh, outgoing);
+        find_fan(ends, m_mesh, outgoing);
         i = margin;
       } else {
         outgoing.erase(outgoing.begin() + static_cast<std::ptrdiff_t>(i));

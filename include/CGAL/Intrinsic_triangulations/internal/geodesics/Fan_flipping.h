@@ -41,10 +41,11 @@ public:
   explicit Fan_flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
   static FT length_error() { return rounding_unit<FT>(); }
-  bool is_less_than_pi(const Fan& outgoing) const
+  bool is_less_than_pi(Fan_ends ends) const
   {
-    return certainly(
-      internal::is_less_than_pi(fan_angle(outgoing, m_tri.intrinsic(), length_error())));
+    const Fan outgoing = fan(ends, m_tri.mesh());
+    return !outgoing.empty() && certainly(internal::is_less_than_pi(
+                                  fan_angle(outgoing, m_tri.intrinsic(), length_error())));
   }
   // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
   bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
@@ -85,9 +86,9 @@ public:
 
   static double length_error() { return certified_length_error(); }
 
-  bool is_less_than_pi(const Fan& outgoing)
+  bool is_less_than_pi(Fan_ends ends)
   {
-    return decide(outgoing, [&](auto& decisions) { return decisions.fan_sign(outgoing); });
+    return decide(ends, [](auto& decisions, const Fan& fan) { return decisions.fan_sign(fan); });
   }
 
   // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
@@ -115,25 +116,29 @@ private:
   bool is_convex_at_source(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    return decide({previous_around_source(h, mesh), h, next_around_source(h, mesh)},
-                  [&](auto& decisions) { return decisions.convexity_at_source(h); });
+    return decide(
+      {previous_around_source(h, mesh), next_around_source(h, mesh)},
+      [h](auto& decisions, const Fan&) { return decisions.convexity_at_source(h); });
   }
 
   template <typename Exact_sign>
-  bool decide(const Fan& outgoing, const Exact_sign& exact_sign)
+  bool decide(Fan_ends ends, const Exact_sign& exact_sign)
   {
     const Uncertain<bool> by_sines =
-      corner_sum(outgoing, m_tri.intrinsic(), length_error()).is_less_than_pi();
+      corner_sum(ends, m_tri.intrinsic(), length_error()).is_less_than_pi();
     if(is_certain(by_sines))
       return get_certain(by_sines);
-    return remembered(outgoing, [&] {
+    return remembered(ends, [&] {
+      const Fan outgoing = fan(ends, m_tri.mesh());
+      if(outgoing.empty())
+        return false;
       const auto angle = fan_angle(outgoing, m_tri.intrinsic(), length_error());
       const Uncertain<bool> by_lengths = internal::is_less_than_pi(angle);
       if(is_certain(by_lengths))
         return get_certain(by_lengths);
       auto& decisions = m_flipping.decisions();
       if constexpr(Is_exact<Traits>::value)
-        return exact_sign(decisions) == POSITIVE;
+        return exact_sign(decisions, outgoing) == POSITIVE;
       else
         return angle.error < fan_tolerance() / 4 ? decisions.is_nearly_pi_but_less(outgoing)
                                                  : decisions.is_less_than_pi(outgoing);
@@ -143,12 +148,12 @@ private:
   // Returns the result of `decide()`. The edges on both sides of a fan determine its angle. So
   // ties, as on flat parts of a surface, are decided once.
   template <typename Decide>
-  bool remembered(const Fan& outgoing, const Decide& decide)
+  bool remembered(Fan_ends ends, const Decide& decide)
   {
     const auto name = [this](Halfedge_index h) {
       return std::uint64_t(m_name[Edge_index(h)]) << 1 | (is_first_halfedge(h) ? 0 : 1);
     };
-    const std::uint64_t first = name(outgoing.front()), last = name(outgoing.back());
+    const std::uint64_t first = name(ends.first), last = name(ends.last);
     if((std::max)(first, last) >= 2 * std::uint64_t(nameless) ||
        sizeof(std::size_t) < sizeof(std::uint64_t))
       return decide();

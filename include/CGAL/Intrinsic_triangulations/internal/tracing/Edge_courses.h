@@ -89,6 +89,8 @@ public:
   {
     if(m_is_stored)
       update(Edge_index(h));
+    else
+      m_most_steps += static_cast<double>(count(h));
   }
 
   // Stores the position of the course of an edge.
