@@ -522,12 +522,15 @@ TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
 
 typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>> Long_real;
 
-// Returns a random convex diamond, thin by up to `digits` decimals. The apices need not lie above
-// the base.
-std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, double digits)
+// Returns a random diamond, thin by up to `digits` decimals. Its apices need not lie above the
+// base. It is convex, or its other diagonal crosses the base near its end.
+std::array<std::array<double, 2>, 4> random_diamond(Portable_random& random, double digits,
+                                                    bool is_convex)
 {
   const auto thin = [&] { return std::pow(10, -digits * random.get_double(0, 1)); };
-  const double base = thin(), above = thin(), below = thin(), cut = random.get_double(0, 1) * base,
+  const double base = thin(), above = thin(), below = thin(),
+               cut = base * (is_convex ? random.get_double(0, 1)
+                                       : 1 + random.get_double(-1, 1) * thin() * thin()),
                slope = random.get_double(-1, 1) / thin();
   return {{{0, 0}, {base, 0}, {cut + slope * above, above}, {cut - slope * below, -below}}};
 }
@@ -536,9 +539,9 @@ std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, dou
 TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
 {
   Portable_random random(8);
-  std::size_t good = 0;
+  std::size_t good = 0, convex = 0, concave = 0;
   for(int trial = 0; trial < 20000; ++trial) {
-    const auto p = convex_diamond(random, trial % 8);
+    const auto p = random_diamond(random, trial % 8, trial % 4 > 0);
     const double common = std::ldexp(1., -random.get_int(30, 52));
     const auto error = [&] {
       return trial % 3 == 0 ? 0 : trial % 3 == 1 ? common : std::ldexp(1., -random.get_int(30, 52));
@@ -553,16 +556,25 @@ TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
         random.get_int(0, 2) == 0 ? random.get_double(-1, 1) : double(2 * random.get_int(0, 2) - 1);
       return static_cast<double>(exact(a, b) * (1 + Long_real(change) * greatest_error));
     };
-    const IT::internal::Bounded_length flipped = IT::internal::flipped_length(
+    const IT::internal::Flipped_diagonal diagonal(
       {stored(0, 1, errors.ij), stored(1, 2, errors.jk), stored(2, 0, errors.ki),
        stored(0, 3, errors.il), stored(3, 1, errors.lj)},
       {errors.ij + 0x1p-53, errors.jk + 0x1p-53, errors.ki + 0x1p-53, errors.il + 0x1p-53,
        errors.lj + 0x1p-53});
+    const IT::internal::Bounded_length flipped = diagonal();
     const Long_real kl = exact(2, 3);
     ASSERT_LE(abs(flipped.length - kl), kl * Long_real(flipped.error)) << trial;
     good += flipped.is_good();
+    const auto from_j = [&](std::size_t a, std::size_t c) { return Long_real(p[a][c]) - p[1][c]; };
+    const bool is_convex = from_j(2, 0) * from_j(3, 1) > from_j(2, 1) * from_j(3, 0);
+    if(const auto decided = diagonal.is_convex_at_target(); CGAL::is_certain(decided)) {
+      ASSERT_EQ(CGAL::get_certain(decided), is_convex) << trial;
+      ++(is_convex ? convex : concave);
+    }
   }
   EXPECT_GT(good, 5000u);
+  EXPECT_GT(convex, 5000u);
+  EXPECT_GT(concave, 500u);
 }
 
 TEST(Exact_Delaunay, certified_on_data_meshes)

@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <CGAL/Uncertain.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,20 +68,30 @@ public:
       m_l(length.ij, length.lj, length.il),
       m_root(std::sqrt(m_k.height * m_l.height)),
       m_squares(length.jk * length.jk + length.ki * length.ki + length.il * length.il +
-                length.lj * length.lj)
+                length.lj * length.lj),
+      m_inverse_slack(1 / (m_k.slack * m_l.slack)),
+      m_cut((m_k.foot * m_root + m_l.foot * m_k.height) / (2 * (m_k.height + m_root)))
   {}
 
+  // Returns whether the angle of the diamond at j is less than pi: kl crosses ij before j.
+  Uncertain<bool> is_convex_at_target() const
+  {
+    const double rest = end() - m_cut, bound = shift();
+    return !has_certain_areas() ? Uncertain<bool>::indeterminate()
+           : rest > bound       ? Uncertain<bool>(true)
+           : rest < -bound      ? Uncertain<bool>(false)
+                                : Uncertain<bool>::indeterminate();
+  }
+
+  // Returns the length of the other diagonal. The bound is infinite if the error may not be small.
   // This function has few quotients, because the loop of flips calls it.
   Bounded_length operator()() const
   {
     const double square = 4 * (m_length.ij * m_length.ij) * (m_flipped * m_flipped);
     if(!(has_certain_areas() && m_root * square > 0))
       return {m_flipped, std::numeric_limits<double>::infinity()};
-    const double inverse = 1 / (m_root * square), inverse_slack = 1 / (m_k.slack * m_l.slack);
-    const double thin_k = m_k.perimeter * m_l.slack * inverse_slack,
-                 thin_l = m_l.perimeter * m_k.slack * inverse_slack;
-    return {m_flipped, 5 * propagated_errors(thin_k + thin_l) * inverse +
-                         rounding(thin_k, thin_l, inverse) * epsilon};
+    const double inverse = 1 / (m_root * square);
+    return {m_flipped, 5 * propagated_errors() * inverse + rounding(inverse) * epsilon};
   }
 
 private:
@@ -93,20 +105,28 @@ private:
   }
 
   double heights() const { return m_k.height + m_l.height + 2 * m_root; }
+  double thinness_of_k() const { return m_k.perimeter * m_l.slack * m_inverse_slack; }
+  double thinness_of_l() const { return m_l.perimeter * m_k.slack * m_inverse_slack; }
 
-  // Returns a bound for the sum of the five products, times the product of the heights. The
-  // position where kl cuts ij divides the distance of the feet in the ratio of the heights. It
-  // changes by the error of the feet and by the error of this ratio times their distance.
-  double propagated_errors(double thinness) const
+  // Returns the position of j, from the midpoint of ij, times the length of ij.
+  double end() const { return m_length.ij * m_length.ij / 2; }
+
+  // Returns a bound for the change of the position where kl cuts ij. It divides the distance of the
+  // feet in the ratio of the heights. It changes by the error of the feet and by the error of this
+  // ratio times their distance.
+  double shift() const
   {
-    const double cut = (m_k.foot * m_root + m_l.foot * m_k.height) /
-                       (2 * (m_k.height + m_root)); // from the midpoint of ij, times its length
-    const double shift =
-      4 * m_change * (m_squares + thinness * std::abs(m_k.foot - m_l.foot) * m_root / heights());
-    const double end = m_length.ij * m_length.ij / 2;
-    if(std::abs(cut) > end)
+    const double thinness = thinness_of_k() + thinness_of_l();
+    return 4 * m_change *
+           (m_squares + thinness * std::abs(m_k.foot - m_l.foot) * m_root / heights());
+  }
+
+  // Returns a bound for the sum of the five products, times the product of the heights.
+  double propagated_errors() const
+  {
+    if(std::abs(m_cut) > end())
       return std::numeric_limits<double>::infinity();
-    const double i = end - cut + shift, j = end + cut + shift;
+    const double bound = shift(), i = end() - m_cut + bound, j = end() + m_cut + bound;
     const auto product = [](double length, double error) { return length * length * error; };
     return heights() * i * j * m_error.ij +
            (m_root + m_l.height) *
@@ -117,29 +137,23 @@ private:
 
   // Rounding errors of the formula itself are small changes of the distance of the feet and of
   // both heights.
-  double rounding(double thin_k, double thin_l, double inverse) const
+  double rounding(double inverse) const
   {
     const double sides =
       (m_length.jk + m_length.ki + m_length.il + m_length.lj) * (std::min)(m_length.ij, m_flipped);
-    return 8 + ((m_k.height + m_root) * (thin_k + 4) + (m_l.height + m_root) * (thin_l + 4) +
-                sides * sides) *
+    return 8 + ((m_k.height + m_root) * (thinness_of_k() + 4) +
+                (m_l.height + m_root) * (thinness_of_l() + 4) + sides * sides) *
                  (m_root * inverse);
   }
 
-  const Diamond<double>& m_length;
+  Diamond<double> m_length;
   double m_flipped;
-  const Diamond<double>& m_error;
+  Diamond<double> m_error;
   double m_change;
   Half_diamond m_k, m_l;
-  double m_root, m_squares;
+  double m_root, m_squares, m_inverse_slack;
+  double m_cut; // where kl crosses ij, from its midpoint, times its length
 };
-
-// Returns the length of the other diagonal of a diamond whose lengths have relative errors of at
-// most `error`. The bound is infinite if the error may not be small.
-inline Bounded_length flipped_length(const Diamond<double>& length, const Diamond<double>& error)
-{
-  return Flipped_diagonal(length, error)();
-}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

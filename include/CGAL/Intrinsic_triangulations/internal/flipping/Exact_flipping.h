@@ -87,13 +87,20 @@ public:
 
   Decisions& decisions() { return m_decisions; }
 
+  // Returns the other diagonal of the diamond of `h`.
+  Flipped_diagonal other_diagonal(Halfedge_index h) const
+  {
+    return {diamond(m_tri.length_map(), h, m_mesh), errors_around(h)};
+  }
+
   // Flips the edge of `h`. Returns whether this was possible, as it always is if no length is
   // unknown.
-  bool flip(Halfedge_index h)
+  bool flip(Halfedge_index h) { return flip(h, other_diagonal(h)()); }
+
+  // Flips the edge of `h`, whose length becomes `flipped` unless its error is too large.
+  bool flip(Halfedge_index h, Bounded_length flipped)
   {
     const float error = greatest_error_around(h);
-    Bounded_length flipped =
-      flipped_length(diamond(m_tri.length_map(), h, m_mesh), errors_around(h));
     if(error == input_error)
       if(const double in_plane = length_in_plane(h, flipped.length); in_plane > 0)
         flipped = {in_plane, double(input_error)};

@@ -43,9 +43,9 @@ public:
     const std::size_t limit = m_flips.size() + 16 * outgoing.size();
     flip_between(outgoing, is_one_edge ? 2 : 1, limit);
     while(is_one_edge && outgoing.size() > 4 && m_flips.size() < limit &&
-          is_less_than_pi({m_mesh.next(outgoing[1]),
-                           opposite(m_mesh.next(outgoing[outgoing.size() - 3]))})) {
-      flip(outgoing[1]);
+          is_less_than_pi(
+            {m_mesh.next(outgoing[1]), opposite(m_mesh.next(outgoing[outgoing.size() - 3]))})) {
+      flip(outgoing[1], m_flipping.other_diagonal(outgoing[1]));
       find_fan({outgoing.front(), outgoing.back()}, m_mesh, outgoing);
       flip_between(outgoing, 2, limit);
     }
@@ -72,12 +72,13 @@ private:
     const Fan_ends ends{outgoing.front(), outgoing.back()};
     for(std::size_t i = margin; i + margin < outgoing.size() && m_flips.size() < limit;) {
       const Halfedge_index h = outgoing[i];
-      if(!m_flipping.is_flippable(h)) {
+      const auto diagonal = m_flipping.other_diagonal(h);
+      if(!m_flipping.is_flippable(h, diagonal)) {
         ++i;
         continue;
       }
       const bool is_loop = m_mesh.target(h) == apex;
-      flip(h);
+      flip(h, diagonal);
       if(is_loop || m_mesh.source(h) == apex || m_mesh.target(h) == apex) {
         find_fan(ends, m_mesh, outgoing);
         i = margin;
@@ -88,10 +89,10 @@ private:
     }
   }
 
-  void flip(Halfedge_index h)
+  void flip(Halfedge_index h, const typename Flipping::Diagonal& diagonal)
   {
     const auto record = m_flipping.record(h);
-    m_flipping.flip(h);
+    m_flipping.flip(h, diagonal);
     m_flips.push_back(record);
   }
 

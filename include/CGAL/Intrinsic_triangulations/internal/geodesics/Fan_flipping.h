@@ -37,6 +37,8 @@ class Fan_flipping_by_lengths
 
 public:
   typedef Flip_record<Traits> Record;
+  struct Diagonal
+  {};
 
   explicit Fan_flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
@@ -47,9 +49,10 @@ public:
     return !outgoing.empty() && certainly(internal::is_less_than_pi(
                                   fan_angle(outgoing, m_tri.intrinsic(), length_error())));
   }
+  Diagonal other_diagonal(Halfedge_index) const { return {}; }
   // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
-  bool is_flippable(Halfedge_index h) const { return m_tri.is_flippable(h); }
-  void flip(Halfedge_index h) { m_tri.flip(h); }
+  bool is_flippable(Halfedge_index h, Diagonal) const { return m_tri.is_flippable(h); }
+  void flip(Halfedge_index h, Diagonal) { m_tri.flip(h); }
   Record record(Halfedge_index h) const { return Record(h, m_tri); }
   void undo(const Record& record) { record.undo(m_tri); }
 
@@ -66,6 +69,8 @@ class Exact_fan_flipping
   typedef Intrinsic_triangulation<Traits> Triangulation;
 
 public:
+  typedef Flipped_diagonal Diagonal;
+
   struct Record
   {
     typename Exact_flipping<Traits>::Record flip;
@@ -91,15 +96,21 @@ public:
     return decide(ends, [](auto& decisions, const Fan& fan) { return decisions.fan_sign(fan); });
   }
 
+  Diagonal other_diagonal(Halfedge_index h) const { return m_flipping.other_diagonal(h); }
+
   // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
-  bool is_flippable(Halfedge_index h)
+  bool is_flippable(Halfedge_index h, const Diagonal& diagonal)
   {
-    return m_flipping.can_be_turned(h) && is_convex_at_source(m_tri.mesh().opposite(h));
+    if(!m_flipping.can_be_turned(h))
+      return false;
+    const Uncertain<bool> is_convex = diagonal.is_convex_at_target();
+    return is_certain(is_convex) ? get_certain(is_convex)
+                                 : is_convex_at_source(m_tri.mesh().opposite(h));
   }
 
-  void flip(Halfedge_index h)
+  void flip(Halfedge_index h, const Diagonal& diagonal)
   {
-    m_flipping.flip(h);
+    m_flipping.flip(h, diagonal());
     m_name[Edge_index(h)] = m_next_name;
     m_next_name = (std::min)(m_next_name + 1, nameless);
   }
@@ -116,9 +127,8 @@ private:
   bool is_convex_at_source(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    return decide(
-      {previous_around_source(h, mesh), next_around_source(h, mesh)},
-      [h](auto& decisions, const Fan&) { return decisions.convexity_at_source(h); });
+    return decide({previous_around_source(h, mesh), next_around_source(h, mesh)},
+                  [h](auto& decisions, const Fan&) { return decisions.convexity_at_source(h); });
   }
 
   template <typename Exact_sign>
