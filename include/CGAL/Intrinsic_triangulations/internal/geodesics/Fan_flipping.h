@@ -11,11 +11,13 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Flip_record.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -49,7 +51,9 @@ public:
     return !outgoing.empty() && certainly(internal::is_less_than_pi(
                                   fan_angle(outgoing, m_tri.intrinsic(), length_error())));
   }
+
   Diagonal other_diagonal(Halfedge_index) const { return {}; }
+
   // Returns whether the edge of `h`, inside of a fan with an angle of less than pi, can be flipped.
   bool is_flippable(Halfedge_index h, Diagonal) const { return m_tri.is_flippable(h); }
   void flip(Halfedge_index h, Diagonal) { m_tri.flip(h); }

@@ -37,8 +37,9 @@ Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
 
 // Stores the courses of all halfedges of T2, or computes them when they are read, from the integer
 // coordinates alone. To compute a course, each crossing is followed to an end of its edge of T1.
-// Once this has taken more steps than the number of crossings, all courses are stored. Following
-// takes quadratic time if edges of T1 cross a large part of T2.
+// Once this has taken more steps than the number of crossings, all courses are stored. Crossings of
+// flipped edges count again, because each flip would have updated a course. Following takes
+// quadratic time if edges of T1 cross a large part of T2.
 //
 // Objects that compute courses must not be read by several threads at once.
 template <typename Traits>
