@@ -11,6 +11,14 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <queue>
+#include <set>
+#include <utility>
+#include <vector>
+
 using namespace Test_surfaces;
 
 namespace {
@@ -330,6 +338,36 @@ TEST(Convex_polyhedron, names_vertices_of_negative_curvature)
   }
 }
 
+// A prism has a vertex on an edge that is convex by 1e-16, as lengths and their curvatures of 32
+// digits know. Rounding of its position moves it inside.
+TEST(Convex_polyhedron, may_be_convex_before_rounding_only)
+{
+  const Triangles triangles{{0, 4, 2}, {1, 3, 5}, {2, 4, 5}, {2, 5, 3}, {0, 2, 6},
+                            {2, 3, 6}, {3, 1, 6}, {0, 6, 4}, {4, 6, 5}, {5, 6, 1}};
+  const std::map<std::pair<std::size_t, std::size_t>, double> length{
+    {{0, 2}, 0x1.4fb5ecee36d8ep+0}, {{1, 3}, 0x1.4fb5ecee36d8ep+0}, {{2, 3}, 0x1p+1},
+    {{0, 4}, 0x1.4fb5ecee36d8ep+0}, {{2, 4}, 0x1.0abba0b01d3ecp+0}, {{1, 5}, 0x1.4fb5ecee36d8ep+0},
+    {{2, 5}, 0x1.20a814ab49e34p+1}, {{3, 5}, 0x1.0abba0b01d3ecp+0}, {{4, 5}, 0x1p+1},
+    {{0, 6}, 0x1.1bfea6a19fd5cp+0}, {{1, 6}, 0x1.c802b2bcc0547p-1}, {{2, 6}, 0x1.b7b899f1bebc7p+0},
+    {{3, 6}, 0x1.95d157aaab5ddp+0}, {{4, 6}, 0x1.b7b899f1bebc7p+0}, {{5, 6}, 0x1.95d157aaab5ddp+0}};
+  const Mesh mesh = make_mesh(std::vector<Point>(7, Point(0, 0, 0)), triangles);
+  const auto of = [&](Edge_index e) {
+    const auto ends = std::minmax<std::size_t>(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
+    return length.at({ends.first, ends.second});
+  };
+  const auto lengths = boost::make_function_property_map<Edge_index>(of);
+  const Polyhedron p =
+    IT::convex_polyhedron(mesh, IT::parameters::edge_length_map(lengths).curvature_tolerance(0));
+  EXPECT_EQ(p.kind(), IT::Polyhedron_kind::convex_before_rounding);
+  EXPECT_FALSE(p.certificate().is_convex());
+  EXPECT_TRUE(p.flat_vertices().empty());
+  EXPECT_LT(p.max_edge_error(), 1e-15);
+  // Rounding of lengths may have caused this curvature, so the vertex is flat by default.
+  const Polyhedron rounded = IT::convex_polyhedron(mesh, IT::parameters::edge_length_map(lengths));
+  EXPECT_EQ(rounded.kind(), IT::Polyhedron_kind::convex);
+  EXPECT_EQ(rounded.flat_vertices().size(), 1u);
+}
+
 TEST(Convex_polyhedron, refuses_what_is_no_sphere)
 {
   EXPECT_THROW(IT::convex_polyhedron(square()), IT::Invalid_input);
@@ -431,6 +469,149 @@ TEST(Convex_polyhedron, triangle_folds_to_a_regular_tetrahedron)
   ASSERT_EQ(distance.size(), 6);
   for(double d : distance)
     EXPECT_NEAR(d, 1, 1e-11);
+}
+
+// ---- Regular and Archimedean solids from nets ----
+
+namespace {
+
+typedef std::array<double, 3> Coordinates;
+
+// Adds the points of all signs, and of all even permutations or of all permutations, of `p`.
+void add_orbit(const Coordinates& p, bool has_odd, std::set<Coordinates>& points)
+{
+  for(unsigned int signs = 0; signs < 8; ++signs)
+    for(std::size_t shift = 0; shift < 3; ++shift) {
+      Coordinates q;
+      for(std::size_t c = 0; c < 3; ++c)
+        q[(c + shift) % 3] = (signs >> c & 1u ? -1 : 1) * p[c] + 0.; // no negative zero
+      points.insert(q);
+      if(has_odd)
+        points.insert({q[1], q[0], q[2]});
+    }
+}
+
+// Returns a solid as the hull of orbits of points.
+Mesh solid(const std::vector<Coordinates>& orbits, bool has_odd)
+{
+  std::set<Coordinates> coordinates;
+  for(const Coordinates& p : orbits)
+    add_orbit(p, has_odd, coordinates);
+  std::vector<Point> points;
+  for(const Coordinates& p : coordinates)
+    points.emplace_back(p[0], p[1], p[2]);
+  return convex_hull(points);
+}
+
+// The snub cube has half of the points of all permutations.
+Mesh snub_cube()
+{
+  const double t = 1.8392867552141612;
+  std::vector<Point> points;
+  for(unsigned int signs = 0; signs < 8; ++signs) {
+    const bool is_even = ((signs & 1u) + (signs >> 1 & 1u) + (signs >> 2 & 1u)) % 2 == 0;
+    const auto sign = [signs](unsigned int c) { return signs >> c & 1u ? -1. : 1.; };
+    const double x = sign(0), y = sign(1) / t, z = sign(2) * t;
+    if(is_even)
+      for(const Point& p : {Point(x, y, z), Point(y, z, x), Point(z, x, y)})
+        points.push_back(p);
+    else
+      for(const Point& p : {Point(y, x, z), Point(x, z, y), Point(z, y, x)})
+        points.push_back(p);
+  }
+  return convex_hull(points);
+}
+
+// Cuts the surface of a solid along all edges without a dual spanning tree, unfolds it, and folds
+// it again.
+Polyhedron folded_from_net(const Mesh& mesh)
+{
+  std::map<Halfedge_index, std::size_t> corner; // of the net, at the source
+  std::vector<Point> points;
+  Triangles triangles;
+  std::set<Edge_index> is_joined;
+  std::queue<Halfedge_index> next;
+  const auto place = [&](Halfedge_index h, std::size_t from, std::size_t to) {
+    const Halfedge_index n = mesh.next(h), p = mesh.prev(h);
+    const auto length = [&](Halfedge_index x) {
+      return std::sqrt(
+        CGAL::squared_distance(mesh.point(mesh.source(x)), mesh.point(mesh.target(x))));
+    };
+    const double c = length(h), a = length(n), b = length(p), x = (b * b + c * c - a * a) / (2 * c),
+                 y = std::sqrt(b * b - x * x);
+    typedef CGAL::Kernel_traits<Point>::Kernel::Vector_3 Vector;
+    const Vector along = (points[to] - points[from]) / c;
+    corner[h] = from;
+    corner[n] = to;
+    corner[p] = points.size();
+    points.push_back(points[from] + x * along + y * Vector(-along.y(), along.x(), 0));
+    triangles.push_back({from, to, corner[p]});
+    for(Halfedge_index side : {h, n, p})
+      next.push(mesh.opposite(side));
+  };
+  const Halfedge_index first = mesh.halfedge(*mesh.faces().begin());
+  points = {Point(0, 0, 0), Point(std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(first)),
+                                                                   mesh.point(mesh.target(first)))),
+                                  0, 0)};
+  for(place(first, 0, 1); !next.empty(); next.pop())
+    if(const Halfedge_index h = next.front(); corner.count(h) == 0) {
+      const Halfedge_index o = mesh.opposite(h);
+      is_joined.insert(mesh.edge(h));
+      place(h, corner[mesh.next(o)], corner[o]);
+    }
+  Mesh net = make_mesh(points, triangles);
+  const auto length = net.add_property_map<Edge_index, double>("e:length").first;
+  IT::compute_edge_lengths(net, length);
+  const auto in_net = [&](Halfedge_index h) {
+    return net.halfedge(Vertex_index(unsigned(corner[h])),
+                        Vertex_index(unsigned(corner[mesh.next(h)])));
+  };
+  std::vector<std::pair<Halfedge_index, Halfedge_index>> pairs;
+  for(Edge_index e : mesh.edges())
+    if(is_joined.count(e) == 0)
+      pairs.emplace_back(in_net(mesh.halfedge(e)), in_net(mesh.opposite(mesh.halfedge(e))));
+  IT::Glued_surface glued = IT::glue_boundary(net, length, pairs);
+  return IT::convex_polyhedron(
+    glued.mesh, IT::parameters::edge_length_map(IT::stored_length_map<double>(glued.mesh)));
+}
+
+} // namespace
+
+TEST(Convex_polyhedron, solids_fold_from_nets)
+{
+  const double root = std::sqrt(2.), phi = (1 + std::sqrt(5.)) / 2;
+  const std::pair<Mesh, std::size_t> solids[] = {
+    {tetrahedron(), 4},
+    {octahedron(), 6},
+    {solid({{1, 1, 1}}, false), 8},
+    {solid({{0, 1, phi}}, false), 12},
+    {solid({{1, 1, 1}, {0, 1 / phi, phi}}, false), 20},
+    {solid({{0, 1, 1}}, true), 12},
+    {solid({{root - 1, 1, 1}}, true), 24},
+    {solid({{0, 1, 2}}, true), 24},
+    {solid({{1, 1, 1 + root}}, true), 24},
+    {solid({{1, 1 + root, 1 + 2 * root}}, true), 48},
+    {snub_cube(), 24},
+    {solid({{0, 0, 2 * phi}, {1, phi, phi * phi}}, false), 30},
+    {solid({{0, 1, 3 * phi}, {1, 2 + phi, 2 * phi}, {phi, 2, 2 * phi + 1}}, false), 60},
+    {solid({{0, 1 / phi, 2 + phi}, {1 / phi, phi, 2 * phi}, {phi, 2, phi + 1}}, false), 60},
+    {solid({{1, 1, phi * phi * phi}, {phi * phi, phi, 2 * phi}, {2 + phi, 0, phi * phi}}, false),
+     60}};
+  for(const auto& [mesh, n] : solids) {
+    ASSERT_EQ(mesh.number_of_vertices(), n);
+    const Polyhedron p = folded_from_net(mesh);
+    EXPECT_EQ(p.kind(), IT::Polyhedron_kind::convex);
+    std::vector<double> before;
+    for(const Vertex_index v : mesh.vertices())
+      for(const Vertex_index w : mesh.vertices())
+        if(w < v)
+          before.push_back(std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))));
+    std::sort(before.begin(), before.end());
+    const std::vector<double> after = distances_of(p);
+    ASSERT_EQ(after.size(), before.size());
+    for(std::size_t i = 0; i < after.size(); ++i)
+      EXPECT_NEAR(after[i], before[i], 1e-9) << n;
+  }
 }
 
 TEST(Glue_boundary, refuses_sides_that_are_missing_or_glued_twice)

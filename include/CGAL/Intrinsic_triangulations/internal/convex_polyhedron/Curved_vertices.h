@@ -43,21 +43,17 @@ Metric_surface precise_surface(const Intrinsic_triangulation<Traits>& tri)
 // The greatest error of a curvature that counts: a face of nearly zero area could make it infinite.
 constexpr double greatest_curvature_error() { return 1e-6; }
 
-// Returns for each vertex the greatest change of its curvature by rounding of the input. Lengths
-// have relative errors of one rounding. Positions have errors of one rounding of the largest
-// coordinate, which turn the sides of faces.
-template <typename Traits>
-std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
+// Returns for each vertex the greatest change of its curvature by rounding of lengths or positions
+// of `surface`. Lengths have relative errors of one rounding. Positions have errors of one rounding
+// of `coordinate`, the largest coordinate, which turn the sides of faces.
+template <typename Surface>
+std::vector<double> curvature_errors(const Surface& surface, double coordinate)
 {
   const double unit = rounding_unit<double>();
-  double coordinate = 0;
-  for(const auto& p : tri.input_metric().points)
-    for(double x : p)
-      coordinate = (std::max)(coordinate, std::abs(x));
-  const Delta_complex& mesh = tri.mesh();
+  const auto& mesh = surface.mesh();
   std::vector<double> result(mesh.num_vertices(), 0.);
   for(Face_index f : mesh.faces()) {
-    const Face_metric<double> metric(f, tri.intrinsic());
+    const Face_metric<double> metric(f, surface);
     const double longest = (std::max)({metric.length(0), metric.length(1), metric.length(2)}),
                  height = metric.doubled_area() / longest;
     for(Halfedge_index h : sides(f, mesh))
@@ -68,12 +64,32 @@ std::vector<double> curvature_errors(const Intrinsic_triangulation<Traits>& tri)
   return result;
 }
 
+// Returns the greatest absolute value of a coordinate of the input, zero without positions.
+template <typename Traits>
+double largest_coordinate(const Intrinsic_triangulation<Traits>& tri)
+{
+  double result = 0;
+  for(const auto& p : tri.input_metric().points)
+    for(double x : p)
+      result = (std::max)(result, std::abs(x));
+  return result;
+}
+
 // Stores the surface without its flat vertices, which rest in faces.
 struct Curved_vertices
 {
   Metric_surface surface;
   std::vector<Vertex_index> vertices, flat_vertices; // the remaining and the removed vertices
+  std::size_t number_of_unknown = 0; // curvatures that are smaller than rounding of the input
 };
+
+// Returns the end of the message of a failure.
+inline std::string reason_of_failure(std::size_t number_of_unknown)
+{
+  return number_of_unknown == 0 ? ""
+                                : "; rounding of the input exceeds the curvature of vertices: " +
+                                    std::to_string(number_of_unknown);
+}
 
 inline void check_sphere(const Delta_complex& mesh)
 {
@@ -87,27 +103,33 @@ inline void check_sphere(const Delta_complex& mesh)
 }
 
 // Determines the flat vertices, whose curvatures are at most `tolerance`, or else at most their
-// rounding errors.
+// rounding errors in T2. A negative curvature counts as zero up to the errors in T1, whose lengths
+// or positions are given.
 template <typename Traits>
 Curved_vertices curved_vertices(const Intrinsic_triangulation<Traits>& tri,
                                 std::optional<double> tolerance)
 {
-  Curved_vertices result{precise_surface(tri), {}, {}};
-  const std::vector<double> curvature = result.surface.curvatures();
-  const std::vector<double> error = curvature_errors(tri);
+  Curved_vertices result{precise_surface(tri), {}, {}, 0};
+  const std::vector<double> curvature = result.surface.curvatures(),
+                            in_T1 = curvature_errors(tri.input(), largest_coordinate(tri)),
+                            in_T2 = curvature_errors(tri.intrinsic(), largest_coordinate(tri));
   std::vector<std::size_t> negative;
-  for(Vertex_index v : tri.mesh().vertices())
-    if(const double greatest = tolerance ? *tolerance : error[v.idx()];
-       curvature[v.idx()] < -greatest)
+  for(Vertex_index v : tri.mesh().vertices()) {
+    const double error = tolerance.value_or(in_T2[v.idx()]),
+                 below = tolerance.value_or((std::max)(in_T1[v.idx()], error));
+    if(curvature[v.idx()] < -below)
       negative.push_back(v.idx());
-    else if(curvature[v.idx()] <= greatest)
+    else if(curvature[v.idx()] <= error)
       result.flat_vertices.push_back(v);
+    result.number_of_unknown += std::abs(curvature[v.idx()]) <= in_T1[v.idx()];
+  }
   if(!negative.empty())
     throw Negative_curvature(negative, curvature[negative.front()]);
   for(Vertex_index v : result.flat_vertices)
     if(!result.surface.remove_flat_vertex(v))
       throw Numerical_error("vertex " + std::to_string(v.idx()) +
-                            " is flat and cannot be removed from the triangulation");
+                            " is flat and cannot be removed from the triangulation" +
+                            reason_of_failure(result.number_of_unknown));
   result.vertices = result.surface.collect_garbage();
   return result;
 }

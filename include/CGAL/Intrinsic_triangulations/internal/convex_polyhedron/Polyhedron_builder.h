@@ -47,6 +47,7 @@ public:
     make_Delaunay(tri);
     Curved_vertices curved = curved_vertices(tri, tolerance);
     m_flat_vertices = std::move(curved.flat_vertices);
+    m_number_of_unknown = curved.number_of_unknown;
     Curvature_path path(curved.surface);
     path.follow_to(t_at_end);
     m_last_t = path.t();
@@ -88,7 +89,8 @@ private:
       return;
     std::ostringstream text;
     text << "no convex polyhedron is found; " << (is_flat ? second : first)
-         << "; the curvature inside of it is " << m_last_t << " of its first value";
+         << "; the curvature inside of it is " << m_last_t << " of its first value"
+         << reason_of_failure(m_number_of_unknown);
     throw Numerical_error(text.str());
   }
 
@@ -266,6 +268,7 @@ private:
   double m_greatest_edge_error;          // relative to the length
   Polyhedron_points m_corners, m_points; // the vertices with curvature, and all
   std::vector<Vertex_index> m_flat_vertices;
+  std::size_t m_number_of_unknown = 0; // see `Curved_vertices`
   Polyhedron_certificate m_certificate;
   Polyhedron_kind m_kind = Polyhedron_kind::convex;
   double m_last_t = 1;
