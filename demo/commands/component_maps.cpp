@@ -21,6 +21,14 @@ constexpr std::size_t greatest_table = 40; // in lines on the terminal
 
 } // namespace
 
+std::vector<double> part_of(const std::vector<double>& values, const Component_mesh& component)
+{
+  std::vector<double> result;
+  for(const Mesh::Vertex_index v : component.vertices)
+    result.push_back(values[v]);
+  return result;
+}
+
 Component_maps::Component_maps(Command_run& run)
   : m_run(run), m_components(component_faces(run.input().mesh)), m_joined(run.input())
 {

@@ -20,6 +20,9 @@
 #include <utility>
 #include <vector>
 
+// Returns the values at the vertices of a component.
+std::vector<double> part_of(const std::vector<double>& values, const Component_mesh& component);
+
 // Maps each component of the input separately, and joins the results. Plane images and spheres are
 // arranged side by side.
 class Component_maps

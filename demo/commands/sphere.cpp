@@ -7,6 +7,7 @@
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
 #include "commands/component_maps.h"
+#include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 #include "writing/Mesh_writer.h"
@@ -34,6 +35,7 @@ struct Sphere_options : Output_options
   Sphere_options() : Output_options("ply") {}
 
   std::string precise; // positions in all digits; empty if not wanted
+  std::string radii;   // a property of vertices or a file; empty for no circles
 };
 
 constexpr const char* sphere_help =
@@ -61,6 +63,9 @@ Several components are mapped one by one. Their spheres stand beside each other 
 as "center" in the "components" of the statistics says; positions of --precise are relative to
 it, and vertices without faces stay where they are. --component K and --largest choose one.
 
+With --radii, circles around the vertices are mapped to circles on the sphere. Their angles are
+"radius" in .ply and .vtp, and their centers have the center of mass in the center.
+
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
 
@@ -76,12 +81,16 @@ std::string precise_position(const Spherical_map& map, Mesh::Vertex_index v)
   return text.str();
 }
 
-Spherical_map mapped(Command_run& run, const Mesh& mesh, double epsilon)
+Spherical_map mapped(Command_run& run, const Mesh& mesh, double epsilon,
+                     const std::vector<double>& radii)
 {
   Stage_visitor visitor{run};
+  const auto radius =
+    boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh));
   return DCM::map_to_sphere(mesh,
                             DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
                               .mollification(epsilon)
+                              .vertex_radius_map(radius)
                               .visitor(std::ref(visitor)));
 }
 
@@ -124,6 +133,8 @@ Output_mesh described_mesh(Statistics& statistics, const Spherical_map& map, con
 {
   describe(statistics, map);
   Output_mesh result = sphere_mesh(map, part);
+  if(map.has_radii())
+    add_radii(result, part, [&map](auto v) { return map.circle_radius(v); });
   if(!map.is_flat())
     describe_triangles_on_sphere(statistics, result);
   describe_sizes(statistics, map, part, result);
@@ -162,12 +173,13 @@ void add_files(Command_run& run, const Spherical_map& map, const Map_output& out
 namespace {
 
 // Maps the components. Positions are relative to the center of each sphere.
-int map_components(Command_run& run, const Map_output& output, double epsilon)
+int map_components(Command_run& run, const Map_output& output, double epsilon,
+                   const std::vector<double>& radii)
 {
   Component_maps maps(run);
   std::map<std::size_t, std::string> positions; // of each vertex of the input
   maps.for_each([&](const Component_mesh& component, Statistics& statistics) {
-    const Spherical_map map = mapped(run, component.mesh, epsilon);
+    const Spherical_map map = mapped(run, component.mesh, epsilon, part_of(radii, component));
     const std::string summary = maps.add(component, statistics, map, output);
     if(!output.precise.empty())
       for(const Mesh::Vertex_index v : component.mesh.vertices())
@@ -191,10 +203,12 @@ int sphere(const Common_options& common, const Sphere_options& options)
   Map_output output{options.output, format};
   output.precise = options.precise;
   return attempt(run, [&] {
-    const double epsilon = run.timed("build", [&] { return mollification(run); });
+    const auto [epsilon, radii] = run.timed("build", [&] {
+      return std::make_pair(mollification(run), vertex_radii(options.radii, run.input()));
+    });
     if(component_faces(run.input().mesh).size() > 1)
-      return map_components(run, output, epsilon);
-    return finish(run, output, mapped(run, run.input().mesh, epsilon));
+      return map_components(run, output, epsilon, radii);
+    return finish(run, output, mapped(run, run.input().mesh, epsilon, radii));
   });
 }
 
@@ -209,6 +223,7 @@ void define_sphere(Command_line& line)
   command.add_option(
     "--precise", options.precise,
     "Text file for the positions of the input vertices with 31 digits: index x y z");
+  add_radii(command, options.radii);
   add_keep_going(command, line.common());
   add_components(command, line.common());
   add_common_options(command, line.common());

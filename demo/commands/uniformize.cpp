@@ -35,7 +35,7 @@ constexpr const char* uniformize_help =
   a torus       flat, as with `intrinsic flatten --cones none`
   a cylinder    with two boundaries and no handles: flat, with straight boundaries
   hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
---svg and --tiles are for hyperbolic surfaces, --homogeneous and --radii for these and flat ones.
+--svg and --tiles are for hyperbolic surfaces, --homogeneous for these and flat ones.
 
 Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
 generators of its lattice in the fundamental domain of the modular group, as real and imaginary
@@ -89,15 +89,6 @@ std::string add(Component_maps& maps, const Component_mesh& component, Statistic
   const std::string summary = std::visit(
     [&](const auto& map) { return maps.add(component, statistics, map, output); }, result.map);
   return result.spherical() ? summary : type + ": " + summary;
-}
-
-// Returns the radii at the vertices of a component.
-std::vector<double> part_of(const std::vector<double>& radii, const Component_mesh& component)
-{
-  std::vector<double> result;
-  for(const Mesh::Vertex_index v : component.vertices)
-    result.push_back(radii[v]);
-  return result;
 }
 
 double right_end(const Mesh& mesh)

@@ -182,6 +182,12 @@ class SphereMap(ConformalMap):
         return positions
 
     @property
+    def radii(self) -> Floats:
+        """The angle of the circle at each vertex on the unit sphere, (n,); zero without a circle."""
+        radii: Floats = self._core.radii()
+        return radii
+
+    @property
     def is_disk(self) -> bool:
         """Whether the surface is a disk, and its image a hemisphere."""
         return bool(self._core.is_disk())
@@ -408,20 +414,21 @@ def flatten(
 
 
 def to_sphere(
-    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    V: Any, F: ArrayLike | None = None, *, radii: Any = None, lengths: ArrayLike | None = None,
     mollify: float | str = "auto", progress: Progress | None = None,
 ) -> SphereMap:
     """Map a sphere to the unit sphere, or a disk to a hemisphere, discretely conformally.
 
     Parameters
     ----------
-    V, F, lengths, mollify, progress
+    V, F, radii, lengths, mollify, progress
         As of `flatten()`.
 
     Returns
     -------
     SphereMap
-        Its `positions` (n, 3) are the vertices of an inscribed convex polyhedron.
+        Its `positions` (n, 3) are the vertices of an inscribed convex polyhedron, or the centers of
+        circles.
 
     Examples
     --------
@@ -433,8 +440,9 @@ def to_sphere(
     """
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
+    radius = _one_for_each(on, radii, "radii")
     return attempt(mollify, lambda slack: _checked(
-        SphereMap(on, _core.to_sphere(on, slack, progress))))
+        SphereMap(on, _core.to_sphere(on, radius, slack, progress))))
 
 
 def to_hyperbolic(
@@ -492,7 +500,7 @@ def uniformize(
     Parameters
     ----------
     V, F, radii, lengths, mollify, progress
-        As of `flatten()`. Spheres and disks cannot have radii.
+        As of `flatten()`.
 
     Returns
     -------

@@ -110,14 +110,20 @@ std::unique_ptr<Bound_planar_map> flattened(const Shared_surface& surface,
   });
 }
 
-std::unique_ptr<Bound_spherical_map>
-mapped_to_sphere(const Shared_surface& surface, double mollification, const py::object& progress)
+std::unique_ptr<Bound_spherical_map> mapped_to_sphere(const Shared_surface& surface,
+                                                      const Number_array& radii,
+                                                      double mollification,
+                                                      const py::object& progress)
 {
   Watch watch(progress, "build");
   return released([&] {
-    auto map =
-      with_lengths(*surface, DCM::parameters::mollification(mollification).visitor(std::ref(watch)),
-                   [&](const auto& np) { return DCM::map_to_sphere(surface->mesh, np); });
+    const auto radius =
+      boost::make_iterator_property_map(radii.data(), get(boost::vertex_index, surface->mesh));
+    auto map = with_lengths(*surface,
+                            DCM::parameters::mollification(mollification)
+                              .vertex_radius_map(radius)
+                              .visitor(std::ref(watch)),
+                            [&](const auto& np) { return DCM::map_to_sphere(surface->mesh, np); });
     return std::make_unique<Bound_spherical_map>(
       Bound_spherical_map{surface, std::move(map), watch.iterations()});
   });
@@ -365,6 +371,10 @@ void bind_maps(py::module_& module)
     .def("is_disk", [](const Bound_spherical_map& self) { return self.map.is_disk(); })
     .def("is_flat", [](const Bound_spherical_map& self) { return self.map.is_flat(); })
     .def("positions", &positions_of)
+    .def("radii",
+         [](const Bound_spherical_map& self) {
+           return at_vertices(self, [&](auto v) { return self.map.circle_radius(v); });
+         })
     .def("subdivision", &sphere_subdivision);
   bind_map<DCM::Hyperbolic_conformal_map>(module, "HyperbolicMap")
     .def("area", [](const Bound_hyperbolic_map& self) { return self.map.area(); })

@@ -209,6 +209,17 @@ class Sphere(unittest.TestCase):
         np.testing.assert_allclose(m.positions[border, 2], 0, atol=1e-12)
         self.assertGreater(np.delete(m.positions[:, 2], border).min(), 0)
 
+    def test_circles(self):
+        V = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]], float)
+        F = [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]]
+        m = intrinsic.to_sphere(V, F, radii=np.full(6, 0.5**0.5))  # they touch
+        np.testing.assert_allclose(m.radii, np.pi / 4, rtol=1e-12)
+        same = intrinsic.uniformize(V, F, radii=np.full(6, 0.5**0.5)).map
+        np.testing.assert_array_equal(same.positions, m.positions)
+        np.testing.assert_array_equal(intrinsic.to_sphere(V, F).radii, 0)
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.to_sphere(V, F, radii={0: 1, 1: 1})
+
     def test_torus_is_refused(self):
         with self.assertRaises(intrinsic.InputError):
             intrinsic.to_sphere(*support.meshes()["torus"])
@@ -266,8 +277,6 @@ class Uniform(unittest.TestCase):
         for wrong in ({0: -1}, {1: 10}, {len(V): 0}):
             with self.assertRaises(intrinsic.InputError):
                 intrinsic.to_hyperbolic(V, F, radii=wrong)
-        with self.assertRaises(intrinsic.InputError):
-            intrinsic.uniformize(*support.meshes()["cube"], radii={0: 0.1})
 
     def test_torus_from_lengths(self):
         # A rectangle of 1 x 2 with its sides glued, in 3 x 4 squares of two faces.

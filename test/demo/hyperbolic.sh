@@ -132,9 +132,12 @@ claim "s = json('plate.json')" 'near(s.area, 4 * pi, 1e-9)' "p = ply('plate.ply'
   'near(r[:41:3], [atanh(0.8 * exp(x)) for x in u[:41:3]], 1e-12)'
 expect 0 uniformize plate2.mesh.off -o zero.ply --radii circles.mesh.txt
 cmp plate.ply zero.ply
-echo 0 0.1 >one.mesh.txt
-refuses 'no sphere is known for circles at the vertices' \
-  uniformize regular.mesh.off --radii one.mesh.txt -o plate.ply
+# Circles of a tetrahedron that touch do so on the sphere.
+for v in 0 1 2 3; do echo "$v $(awk 'BEGIN { printf "%.17g", sqrt(2) }')"; done >touching.mesh.txt
+for command in sphere uniformize; do
+  expect 0 $command regular.mesh.off --radii touching.mesh.txt -o plate.ply
+  claim "near(list(ply('plate.ply').vertex['radius'])[:4], [acos(-1 / 3) / 2] * 4, 1e-12)"
+done
 rm zero.ply plate.ply
 
 # A component with boundary has its own genus and area, not those of its double: with geodesic

@@ -33,6 +33,14 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
+// The geometry of the image of a map.
+enum class Image_geometry
+{
+  flat,
+  hyperbolic, // scaled lengths are sinh(x/2) for hyperbolic lengths x
+  spherical   // scaled lengths are chords of the unit sphere
+};
+
 // Holds the data of all maps.
 struct Map_data
 {
@@ -48,7 +56,7 @@ struct Map_data
   std::vector<Vertex_index> input_vertex;
   std::vector<double> log_scale;
   std::array<std::size_t, 3> number_of_flips{0, 0, 0};
-  bool is_hyperbolic = false; // whether lengths are sinh(x/2)
+  Image_geometry geometry = Image_geometry::flat;
   std::shared_ptr<const Factorization_counts> counts = std::make_shared<Factorization_counts>();
 
   bool is_original(Face_index f) const { return f.idx() < number_of_original_faces; }
@@ -71,7 +79,9 @@ struct Map_data
   template <typename FT>
   FT between_centers(const Intrinsic_triangulations::Decorated_length<FT>& edge) const
   {
-    return is_hyperbolic ? edge.hyperbolic_length() : edge.length();
+    return geometry == Image_geometry::hyperbolic  ? edge.hyperbolic_length()
+           : geometry == Image_geometry::spherical ? edge.spherical_length()
+                                                   : edge.length();
   }
 
   // Returns the scaled decorated length of an edge.
@@ -183,14 +193,15 @@ public:
 
   /// returns the radius of the circle at `v` in the image: \f$e^{u}\f$ times the radius that was
   /// given, or zero if no radii were given. For a hyperbolic map it is \f$\tanh(R)/2\f$ if \f$R\f$
-  /// is the hyperbolic radius.
+  /// is the hyperbolic radius; on the sphere, \f$\tan R\f$ if \f$R\f$ is the angle of the circle.
   double scaled_radius(Vertex_index v) const
   {
     return has_radii() ? std::exp(log_scale(v)) * m_data->bc.traits().radius(v) : 0.;
   }
 
   /// returns the length of the edge of `h`, a halfedge of \f$T_3\f$, with the scale factors. For a
-  /// hyperbolic map it is \f$\sinh(x/2)\f$ if \f$x\f$ is the hyperbolic length.
+  /// hyperbolic map it is \f$\sinh(x/2)\f$ if \f$x\f$ is the hyperbolic length. On the sphere it is
+  /// the length of a chord.
   double scaled_length(Halfedge_index h) const { return m_data->scaled_length(h); }
 
   /// returns whether the map keeps its promises, or the reason. It is `Map_status::success` if and

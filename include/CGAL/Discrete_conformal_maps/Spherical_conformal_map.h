@@ -87,6 +87,11 @@ private:
 /// each other become antipodal. The polyhedron of a sphere can also be a flat polygon with two
 /// sides.
 ///
+/// With circles at the vertices, positions are the centers of circles on the sphere, and their
+/// center of mass is the center of the sphere. The vertices of the polyhedron are the poles of the
+/// circles, see \ref dcm_spherical_circles. The certificate counts edges that measurements find
+/// concave.
+///
 /// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
 /// logarithmic scale factor zero.
 ///
@@ -128,6 +133,10 @@ public:
   /// returns the position of `v` on the unit sphere, rounded to `double`.
   /// \pre `is_laid_out()`
   const Point& position(Vertex_index v) const { return m_layout.position[v.idx()]; }
+
+  /// returns the angle between the center and the circle at `v` on the unit sphere. It is zero if
+  /// no radii were given. The center of the circle is `position(v)`.
+  double circle_radius(Vertex_index v) const { return std::atan(scaled_radius(v)); }
 
   /// returns the position of `v` on the unit sphere, in more digits.
   std::array<Extended, 3> precise_position(Vertex_index v) const
@@ -184,8 +193,10 @@ public:
     const std::array<double, 3> weight = homogeneous_weights(on_C);
     std::array<double, 4> result{0, 0, 0, 0};
     for(std::size_t s = 0; s < 3; ++s) {
+      const Vertex_index v = mesh.source(side[s]);
+      const double distance = std::hypot(1, scaled_radius(v)); // of the vertex from the center
       for(std::size_t c = 0; c < 3; ++c)
-        result[c] += weight[s] * position(mesh.source(side[s]))[c];
+        result[c] += weight[s] * distance * position(v)[c];
       result[3] += weight[s];
     }
     return result;

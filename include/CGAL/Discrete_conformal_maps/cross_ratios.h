@@ -10,10 +10,12 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -30,13 +32,45 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
   return map.picture().max_cross_ratio_error();
 }
 
+namespace internal {
+
+// Returns the greatest relative error of a Gram coordinate of T_3, measured on the sphere. It is
+// c L^2 / 2 - (c - 1) for a chord of length L between two centers. Here c is the product of both
+// 1 / cos R, for scaled radii tan R.
+inline double max_inversive_distance_error(const Spherical_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const auto decorated_length = Intrinsic_triangulations::internal::decorated_lengths(
+    map.ideal().traits(), map.ideal().length_map(), mesh);
+  double result = 0;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    const Vertex_index v = mesh.source(h), w = mesh.target(h);
+    const auto edge = scaled(decorated_length(h), map.log_scale(v), map.log_scale(w));
+    const auto p = map.precise_position(v), q = map.precise_position(w);
+    double square = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      square += (p[i] - q[i]).high() * (p[i] - q[i]).high();
+    const double r = edge.source_radius * edge.source_radius,
+                 s = edge.target_radius * edge.target_radius, c = std::sqrt((1 + r) * (1 + s)),
+                 gram = c * square / 2 - (r + s + r * s) / (c + 1);
+    result = greater_error(result, std::abs(gram / edge.gram() - 1));
+  }
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// returns the greatest relative error of a length cross ratio of an edge of \f$T_3\f$. Ratios of
 /// lengths on the sphere are compared with ratios of the ideal polyhedron. Positions have the
 /// digits of `Spherical_conformal_map::stereographic_position()`. Edges do not count if these
-/// digits do not determine the length of a side of their faces. Complexity: linear.
+/// digits do not determine the length of a side of their faces. If there are circles, inversive
+/// distances are compared instead. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
+  if(map.has_radii())
+    return internal::max_inversive_distance_error(map);
   const Delta_complex& mesh = map.ideal().mesh();
   std::vector<std::array<Spherical_conformal_map::Extended, 2>> position;
   for(Vertex_index v : mesh.vertices())

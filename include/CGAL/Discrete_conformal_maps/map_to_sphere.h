@@ -36,6 +36,12 @@ namespace CGAL::Discrete_conformal_maps {
 /// \param g a connected manifold triangle mesh, a sphere or a disk; isolated vertices are ignored
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_radius_map}
+///     \cgalParamDescription{the radii of circles around the vertices, as for `flatten()`; the map
+///       is a decorated discrete conformal map, see \ref dcm_spherical_circles}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
+///     \cgalParamDefault{there are no circles}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{concurrency_tag}
 ///     \cgalParamDescription{whether several threads are used; see \ref dcm_parallel}
 ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
@@ -54,7 +60,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: a few sparse Cholesky factorizations for each step of the minimization, plus \f$O(n
 /// \log n)\f$ in the vertices, flips and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
-///   nor a disk, or there are circles at the vertices
+///   nor a disk. It is also thrown if circles meet, with their vertices, or if a disk with circles
+///   has no vertex inside
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from

@@ -69,6 +69,22 @@ struct Decorated_length
     return sqrt(FT((tangent * tangent + apart) / c));
   }
 
+  /// returns the length \f$2 \sin(x/2)\f$ of the chord between the centers of two circles on the
+  /// unit sphere, at the distance \f$x\f$. Their angles \f$R\f$ satisfy \f$r = \tan R\f$. For radii
+  /// of zero it is the length of the tangent.
+  ///
+  /// With \f$c\f$ the product of both \f$1/\cos R\f$, \f$c \cos x = 1 - \eta\f$. The difference
+  /// \f$c - 1\f$ is \f$(r_i^2 + r_j^2 + r_i^2 r_j^2) / (c + 1)\f$, so that no digit is lost.
+  FT spherical_length() const
+  {
+    using std::sqrt;
+    const FT r = source_radius * source_radius, s = target_radius * target_radius;
+    if(source_radius + target_radius == 0)
+      return tangent;
+    const FT c = sqrt(FT(1 + r)) * sqrt(FT(1 + s));
+    return sqrt(FT(2 * (gram() + (r + s + r * s) / (c + 1)) / c));
+  }
+
   /// returns the same edge from its other end.
   Decorated_length reversed() const { return {tangent, target_radius, source_radius}; }
 };

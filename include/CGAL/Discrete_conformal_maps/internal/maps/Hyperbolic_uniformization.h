@@ -43,7 +43,7 @@ public:
   Hyperbolic_uniformization(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_scale(problem), m_builder(problem)
   {
-    m_builder.set_hyperbolic();
+    m_builder.set_geometry(Image_geometry::hyperbolic);
   }
 
   void find_scale_factors(const Any_minimizer& minimizer)

@@ -51,8 +51,7 @@ public:
     m_data.counts = problem.order()->counts();
   }
 
-  // Records that scaled lengths are sinh(x/2) for hyperbolic lengths x.
-  void set_hyperbolic() { m_data.is_hyperbolic = true; }
+  void set_geometry(Image_geometry geometry) { m_data.geometry = geometry; }
 
   // Stores scale factors at the vertices of the surface itself, and how they were found.
   template <typename Values>

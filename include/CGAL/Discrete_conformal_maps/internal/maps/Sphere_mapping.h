@@ -10,8 +10,9 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Circle_sphere_mapping.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/map_functions.h>
@@ -31,6 +32,20 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// Checks the surface.
+// \throws Invalid_input if the surface is neither a sphere nor a disk
+inline void check_sphere(const Doubled_problem& problem)
+{
+  const auto& types = problem.topology();
+  const auto has_faces = [](const auto& type) { return type.components > 0; };
+  if(std::count_if(types.begin(), types.end(), has_faces) != 1)
+    throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
+  const auto type = std::find_if(types.begin(), types.end(), has_faces);
+  if(type->genus > 0 || type->boundary_loops > 1)
+    throw Intrinsic_triangulations::Invalid_input("the surface is " + description(*type) +
+                                                  ", neither a sphere nor a disk: use uniformize");
+}
+
 // Executes the steps from a closed or doubled surface to its map.
 class Sphere_mapping
 {
@@ -38,13 +53,13 @@ public:
   Sphere_mapping(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas(problem)), m_builder(problem)
   {
-    check();
+    check_sphere(problem);
   }
 
   Spherical_conformal_map run()
   {
     if(has_vertices_inside(m_problem)) {
-      store(unfold());
+      store(best_unfolding(m_problem, m_mass, m_visitor));
       if(m_layout.exists)
         find_lost_faces();
     } else if(!store_polygon<Extended>())
@@ -61,22 +76,6 @@ public:
 private:
   typedef Spherical_conformal_map::Point Point;
 
-  static constexpr std::size_t maximum_number_of_trials = 4;
-
-  // Checks the surface.
-  // \throws Invalid_input if the surface is not a sphere
-  void check() const
-  {
-    const auto& types = m_problem.topology();
-    const auto has_faces = [](const auto& type) { return type.components > 0; };
-    if(std::count_if(types.begin(), types.end(), has_faces) != 1)
-      throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
-    const auto type = std::find_if(types.begin(), types.end(), has_faces);
-    if(type->genus > 0 || type->boundary_loops > 1)
-      throw Intrinsic_triangulations::Invalid_input(
-        "the surface is " + description(*type) + ", neither a sphere nor a disk: use uniformize");
-  }
-
   // Stores a polygon with numbers of this type, and returns whether it is good.
   template <typename FT>
   bool store_polygon()
@@ -89,31 +88,6 @@ private:
     m_layout.lost_in_output = number_of_faces(
       [&](Face_index f) { return polygon.is_original(f) && orientation(f, 0, 1) <= 0; });
     return true;
-  }
-
-  // Returns the first good result, or else the best one. Results with different copies of a disk
-  // cannot be compared: unless the first is good, they have the whole copy.
-  Unfolded_sphere unfold()
-  {
-    const std::vector<Vertex_index> vertices = vertices_at_infinity(m_problem, m_mass);
-    const auto unfolded = [&](Vertex_index v) {
-      return Sphere_unfolding(m_problem, m_mass, v).run(m_visitor);
-    };
-    const auto is_good = [](const Unfolded_sphere& sphere) {
-      return sphere.is_good(tolerance::good_cross_ratio);
-    };
-    Unfolded_sphere best = unfolded(vertices.front());
-    if(m_problem.is_measured())
-      return best; // lengths of the exact surface come next
-    if(!is_good(best) && m_problem.complete())
-      best = unfolded(vertices.front());
-    // Vertices far apart in the order of areas are most likely far apart on the surface.
-    const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
-    for(std::size_t i = stride;
-        !is_good(best) && i < vertices.size() && i < maximum_number_of_trials * stride; i += stride)
-      if(Unfolded_sphere next = unfolded(vertices[i]); next < best)
-        best = std::move(next);
-    return best;
   }
 
   // Stores the result of the unfolding, and its promises.
@@ -279,20 +253,41 @@ private:
   std::vector<Map_promise> m_promises;
 };
 
+// Maps a surface with circles at its vertices.
+// \throws Invalid_input if the surface is neither a sphere nor a disk with a vertex inside
+inline Spherical_conformal_map mapped_with_circles(Doubled_problem& problem,
+                                                   Doubled_problem& without_circles,
+                                                   Any_visitor& visitor)
+{
+  check_sphere(problem);
+  if(!has_vertices_inside(problem))
+    throw Intrinsic_triangulations::Invalid_input(
+      "circles of a disk without inner vertices have no hemisphere: leave out the radii");
+  problem.complete();
+  without_circles.complete();
+  return Circle_sphere_mapping(problem, without_circles, visitor).run();
+}
+
 template <typename Visitor>
 Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                          const Map_parameters& parameters, Visitor visitor)
 {
-  if(Vertex_circles(parameters.radii).exist())
-    throw Intrinsic_triangulations::Invalid_input("no sphere is known for circles at the vertices");
+  const Vertex_circles circles(parameters.radii);
   const std::vector<Vertex_condition> none(input.mesh().num_vertices());
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
+    if(circles.exist()) {
+      // The start needs few digits.
+      Doubled_problem without_circles(surface, none, Flipping::to_Delaunay);
+      without_circles.set_concurrency(parameters.concurrency);
+      Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness, circles);
+      return mapped_with_circles(problem, without_circles, visitor);
+    }
     Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness);
     problem.set_concurrency(parameters.concurrency);
     return Sphere_mapping(problem, visitor).run();
   };
-  return with_digits_as_needed(std::move(input), find);
+  return with_digits_as_needed(std::move(input), find, !circles.exist());
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -85,7 +85,8 @@ public:
     : m_components(surface.mesh()), m_rounds(parameters.number_of_rounds)
   {
     if(Vertex_circles(parameters.radii).exist())
-      throw Intrinsic_triangulations::Invalid_input("no disk is known for circles at the vertices");
+      throw Intrinsic_triangulations::Invalid_input(
+        "circles of a boundary do not have their centers on a circle: use map_to_sphere");
     const Delta_complex& mesh = surface.mesh();
     for(const Boundary_loop& loop : single_boundary_loops(mesh, 3, "a circle")) {
       m_circles.emplace_back();

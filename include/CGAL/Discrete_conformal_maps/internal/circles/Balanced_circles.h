@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CIRCLES_BALANCED_CIRCLES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CIRCLES_BALANCED_CIRCLES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Stores circles on the unit sphere. A circle with center p and angle R is the vector (p / cos R,
+// 1) of Minkowski space.
+class Balanced_circles
+{
+public:
+  typedef std::array<Extended, 3> Point;
+
+  // `mass` has the mass of each vertex; `log_scale` and `position` belong to radii of zero.
+  Balanced_circles(std::vector<double> mass, std::vector<Extended> log_scale,
+                   std::vector<Point> position)
+    : m_mass(std::move(mass)), m_log_scale(std::move(log_scale)), m_pole(std::move(position))
+  {
+    double total = 0;
+    for(const double m : m_mass)
+      total += m;
+    for(double& m : m_mass)
+      m /= total;
+  }
+
+  void assign(std::vector<Extended> log_scale, const std::vector<Extended>& radii,
+              std::vector<Point> position)
+  {
+    m_log_scale = std::move(log_scale);
+    m_pole = std::move(position);
+    for(std::size_t v = 0; v < radii.size(); ++v)
+      m_pole[v] = times(m_pole[v], sqrt(1 + radii[v] * radii[v]));
+  }
+
+  const std::vector<Extended>& log_scale() const { return m_log_scale; }
+  // Returns the point p / cos R, the pole of the plane of the circle.
+  const Point& pole(Vertex_index v) const { return m_pole[v.idx()]; }
+  // Returns the center of a circle.
+  Point position(Vertex_index v) const { return times(pole(v), 1 / norm(pole(v))); }
+
+  // Moves the center of mass of the centers to the center of the sphere, as far as circles stay
+  // smaller than a hemisphere. This point has the least sum of distances from the planes of the
+  // circles, which is convex in hyperbolic space.
+  void balance()
+  {
+    for(int i = 0; i < most_steps; ++i) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      Eigen::Matrix3d Hessian = tolerance::least_curvature * Eigen::Matrix3d::Identity();
+      for(std::size_t v = 0; v < m_mass.size(); ++v) {
+        const Eigen::Vector3d q(m_pole[v][0].high(), m_pole[v][1].high(), m_pole[v][2].high());
+        const Eigen::Vector3d p = q.normalized();
+        sum += m_mass[v] * p;
+        Hessian += m_mass[v] / q.norm() * (Eigen::Matrix3d::Identity() - p * p.transpose());
+      }
+      const Eigen::Vector3d step = Hessian.ldlt().solve(sum);
+      double length = (std::min)(longest_step, step.norm());
+      while(length > tolerance::center && !can_move(step.normalized(), length))
+        length /= 2;
+      if(!(length > tolerance::center))
+        return;
+      move(step.normalized(), length);
+    }
+  }
+
+  // Applies an orthogonal map with these rows.
+  void rotate(const std::array<Point, 3>& row)
+  {
+    for(Point& q : m_pole)
+      q = {dot(row[0], q), dot(row[1], q), dot(row[2], q)};
+  }
+
+  static Extended dot(const Point& a, const Point& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  static Extended norm(const Point& a) { return sqrt(dot(a, a)); }
+  static Point times(const Point& a, const Extended& x) { return {x * a[0], x * a[1], x * a[2]}; }
+
+private:
+  static constexpr double longest_step = 1, least_cosine = 0.05;
+  static constexpr int most_steps = 200;
+
+  // Returns whether circles stay smaller than a hemisphere if a point at this distance becomes the
+  // center.
+  bool can_move(const Eigen::Vector3d& direction, double length) const
+  {
+    return std::all_of(m_pole.begin(), m_pole.end(), [&](const Point& q) {
+      const Eigen::Vector3d p(q[0].high(), q[1].high(), q[2].high());
+      const double time = std::cosh(length) - std::sinh(length) * direction.dot(p),
+                   squared_radius = p.squaredNorm() - 1;
+      return time > 0 && time * time > squared_radius * (least_cosine * least_cosine);
+    });
+  }
+
+  void move(const Eigen::Vector3d& direction, double length)
+  {
+    const Point d{direction[0], direction[1], direction[2]};
+    const Extended x = Extended(length), e = exp(x), cosh = (e + 1 / e) / 2, unit = dot(d, d),
+                   sinh = (e - 1 / e) / 2 / sqrt(unit);
+    for(std::size_t v = 0; v < m_pole.size(); ++v) {
+      Point& q = m_pole[v];
+      const Extended along = dot(d, q), time = cosh - sinh * along,
+                     shift = (cosh - 1) * along / unit - sinh;
+      for(std::size_t c = 0; c < 3; ++c)
+        q[c] = (q[c] + shift * d[c]) / time;
+      m_log_scale[v] += -log(time);
+    }
+  }
+
+  std::vector<double> m_mass; // their sum is one
+  std::vector<Extended> m_log_scale;
+  std::vector<Point> m_pole;
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CIRCLES_BALANCED_CIRCLES_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_BEST_UNFOLDING_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_BEST_UNFOLDING_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Unfolds a sphere from several vertices. Returns the first good result, or else the best one.
+// Results with different copies of a disk cannot be compared: unless the first is good, they have
+// the whole copy. `mass` has the mass of each vertex of the surface.
+inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
+                                      Any_visitor& visitor)
+{
+  constexpr std::size_t maximum_number_of_trials = 4;
+  const std::vector<Vertex_index> vertices = vertices_at_infinity(problem, mass);
+  const auto unfolded = [&](Vertex_index v) {
+    return Sphere_unfolding(problem, mass, v).run(visitor);
+  };
+  const auto is_good = [](const Unfolded_sphere& sphere) {
+    return sphere.is_good(tolerance::good_cross_ratio);
+  };
+  Unfolded_sphere best = unfolded(vertices.front());
+  if(problem.is_measured())
+    return best; // lengths of the exact surface come next
+  if(!is_good(best) && problem.complete())
+    best = unfolded(vertices.front());
+  // Vertices far apart in the order of areas are most likely far apart on the surface.
+  const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
+  for(std::size_t i = stride;
+      !is_good(best) && i < vertices.size() && i < maximum_number_of_trials * stride; i += stride)
+    if(Unfolded_sphere next = unfolded(vertices[i]); next < best)
+      best = std::move(next);
+  return best;
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_BEST_UNFOLDING_H

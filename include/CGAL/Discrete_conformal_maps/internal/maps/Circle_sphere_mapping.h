@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_CIRCLE_SPHERE_MAPPING_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_CIRCLE_SPHERE_MAPPING_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/circles/Circles_on_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Executes the steps from a closed or doubled surface with circles at its vertices to its map.
+class Circle_sphere_mapping
+{
+  typedef Balanced_circles::Point Point;
+
+public:
+  // `problem` is the whole surface with its circles, or its whole double. `without_circles` is the
+  // same surface.
+  Circle_sphere_mapping(Doubled_problem& problem, Doubled_problem& without_circles,
+                        Any_visitor& visitor)
+    : m_problem(problem),
+      m_visitor(visitor),
+      m_mass(vertex_areas(problem)),
+      m_ideal(best_unfolding(without_circles, m_mass, visitor)),
+      m_builder(problem)
+  {
+    m_builder.set_geometry(Image_geometry::spherical);
+    m_layout.is_disk = !problem.has_no_copies();
+    m_layout.at_infinity = m_ideal.layout.at_infinity;
+  }
+
+  Spherical_conformal_map run()
+  {
+    Circles_on_sphere search(m_problem.triangulation().mesh(), tangents(),
+                             m_problem.radii<Extended>(), ideal_circles());
+    m_visitor.start(Flattening_stage::optimize);
+    m_layout.exists = m_ideal.layout.exists && search.run(m_visitor);
+    if(!m_layout.exists)
+      m_builder.set_cause(m_ideal.layout.exists ? "circles do not grow to their radii"
+                                                : m_ideal.cause);
+    store(search);
+    m_problem.drop_surface();
+    m_builder.subdivide(m_visitor);
+    if(m_layout.exists)
+      m_builder.find_crowded([this](Halfedge_index h) { return m_builder.scaled_length(h); });
+    const bool exists = m_layout.exists;
+    auto map = m_builder.template map<Spherical_conformal_map>(std::move(m_layout));
+    if(exists)
+      m_promises.push_back({"cross_ratio", max_cross_ratio_error(map), tolerance::cross_ratio,
+                            Map_status::not_conformal});
+    m_builder.judge(map, search.angle_error(), std::move(m_promises));
+    return map;
+  }
+
+private:
+  std::vector<Extended> tangents() const
+  {
+    const auto length = m_problem.lengths<Extended>(m_problem.triangulation());
+    std::vector<Extended> result;
+    for(Edge_index e : m_problem.triangulation().mesh().edges())
+      result.push_back(get(length, e));
+    return result;
+  }
+
+  // Returns the ideal polyhedron. Copies of vertices are mirror images.
+  Balanced_circles ideal_circles() const
+  {
+    std::vector<Point> position;
+    std::vector<Extended> log_scale;
+    for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
+      const Vertex_index w = m_problem.originals()[v];
+      log_scale.emplace_back(m_ideal.log_scale[w.idx()]);
+      position.push_back(m_ideal.layout.exists ? m_ideal.layout.position_in<Extended>(w)
+                                               : Point{0, 0, 1});
+      if(v >= m_problem.size())
+        position.back()[1] = -position.back()[1];
+    }
+    return {m_problem.expanded(m_mass), std::move(log_scale), std::move(position)};
+  }
+
+  void store(const Circles_on_sphere& search)
+  {
+    Balanced_circles circles = search.circles();
+    if(m_layout.exists) {
+      circles.rotate(frame(circles));
+      store_positions(circles);
+    }
+    const std::vector<Extended>& u = circles.log_scale();
+    std::vector<double> log_scale;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      log_scale.push_back(m_layout.exists ? u[v].high() : m_ideal.log_scale[v]);
+    m_builder.flip(m_layout.exists ? search.flips() : std::vector<Halfedge_index>());
+    Minimization_result minimization = m_ideal.minimization;
+    minimization.iterations += search.newton_steps();
+    m_builder.set_scale_factors(log_scale,
+                                m_layout.exists ? Map_status::success : Map_status::not_converged,
+                                minimization, search.angle_error());
+    m_promises = Defect_errors{search.angle_error(), 0}.promises(m_layout.exists);
+    if(m_layout.exists)
+      add_promises(circles);
+  }
+
+  // Returns the rows of a rotation. It moves the vertex at infinity to (0, 0, -1), and the mirror
+  // plane of a disk to y = 0.
+  std::array<Point, 3> frame(const Balanced_circles& circles) const
+  {
+    const auto unit = [](const Point& a) {
+      return Balanced_circles::times(a, 1 / Balanced_circles::norm(a));
+    };
+    const Point down = circles.position(m_layout.at_infinity), z{-down[0], -down[1], -down[2]};
+    Point y = m_layout.is_disk ? mirror_normal(circles) : farthest_axis(z);
+    const Extended along = Balanced_circles::dot(y, z);
+    y = unit({y[0] - along * z[0], y[1] - along * z[1], y[2] - along * z[2]});
+    return {Point{y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0]},
+            y, z};
+  }
+
+  static Point farthest_axis(const Point& z)
+  {
+    const auto size = [](const Extended& x) { return std::abs(x.high()); };
+    const auto least = std::min_element(
+      z.begin(), z.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+    Point result{0, 0, 0};
+    result[std::size_t(least - z.begin())] = 1;
+    return result;
+  }
+
+  // Returns the sum of the differences between vertices inside and their copies.
+  Point mirror_normal(const Balanced_circles& circles) const
+  {
+    Point result{0, 0, 0};
+    for(std::size_t v = m_problem.size(); v < m_problem.originals().size(); ++v) {
+      const Point copy = circles.position(Vertex_index(Delta_complex::size_type(v))),
+                  p = circles.position(m_problem.originals()[v]);
+      for(std::size_t c = 0; c < 3; ++c)
+        result[c] += p[c] - copy[c];
+    }
+    return result;
+  }
+
+  void store_positions(const Balanced_circles& circles)
+  {
+    for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
+      const Vertex_index w{Delta_complex::size_type(v)};
+      const bool is_isolated = m_problem.triangulation().mesh().is_isolated(w);
+      const Point p = is_isolated ? Point{0, 0, 1} : circles.position(w);
+      m_layout.in_plane.push_back(
+        w == m_layout.at_infinity ? std::array<Extended, 2>{0, 0}
+                                  : std::array<Extended, 2>{p[0] / (1 + p[2]), p[1] / (1 + p[2])});
+      const auto turned = m_layout.position_in<Extended>(w);
+      m_layout.position.push_back({turned[0].high(), turned[1].high(), turned[2].high()});
+    }
+  }
+
+  void add_promises(const Balanced_circles& circles)
+  {
+    const auto add = [&](const char* name, double error, double bound, Map_status status) {
+      m_promises.push_back({name, error, bound, status});
+    };
+    add("convexity", measured_concavity(circles), tolerance::promised_angle,
+        Map_status::not_convex);
+    add("sphere", m_layout.max_inscribed_error(), tolerance::inscribed, Map_status::not_inscribed);
+    if(m_layout.is_disk)
+      add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
+  }
+
+  // Returns the greatest sine by which an edge of T_3 is concave, or one if a face is reversed as
+  // seen from the center. Counts them in the certificate.
+  double measured_concavity(const Balanced_circles& circles)
+  {
+    const Delta_complex& mesh = m_builder.mesh();
+    Convexity_certificate& certificate = m_layout.certificate;
+    double result = 0;
+    for(Halfedge_index h : mesh.halfedges()) {
+      const double sine = concavity(h, circles);
+      certificate.flipped_triangles += sine == 1 && h == mesh.halfedge(mesh.face(h));
+      certificate.concave_edges +=
+        sine > tolerance::promised_angle && h == mesh.halfedge(mesh.edge(h));
+      result = greater_error(result, sine);
+    }
+    m_layout.lost_in_output = certificate.flipped_triangles;
+    return result;
+  }
+
+  double concavity(Halfedge_index h, const Balanced_circles& circles) const
+  {
+    const Delta_complex& mesh = m_builder.mesh();
+    const auto volume = [](const Point& a, const Point& b, const Point& c) {
+      return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    };
+    const Point &a = circles.pole(mesh.source(h)), &b = circles.pole(mesh.target(h)),
+                &c = circles.pole(mesh.source(mesh.prev(h))),
+                &d = circles.pole(mesh.source(mesh.prev(mesh.opposite(h))));
+    const auto from_a = [&a](const Point& p) {
+      const Point v{p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+      return Balanced_circles::times(v, 1 / Balanced_circles::norm(v));
+    };
+    return volume(a, b, c) > 0 ? volume(from_a(b), from_a(c), from_a(d)).high() : 1;
+  }
+
+  double hemisphere_error() const
+  {
+    double result = 0;
+    for(Vertex_index v : m_problem.surface().vertices()) {
+      const double z = m_layout.position[v.idx()][2];
+      result = greater_error(result, m_problem.is_on_boundary(v) ? std::abs(z) : -z);
+    }
+    return result;
+  }
+
+  Doubled_problem& m_problem;
+  Any_visitor& m_visitor;
+  std::vector<double> m_mass;
+  Unfolded_sphere m_ideal;
+  Map_builder m_builder;
+  Spherical_layout m_layout;
+  std::vector<Map_promise> m_promises;
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_CIRCLE_SPHERE_MAPPING_H
