@@ -9,6 +9,7 @@
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 
+#include <Eigen/Eigenvalues>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
