@@ -6,6 +6,8 @@
 
 #include "../Intrinsic_triangulations/testing.h"
 
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Delaunay_filter.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -88,6 +90,74 @@ TYPED_TEST(Wide_numbers, elementary_functions)
     const Number y = ldexp(this->random_number(30), int(x.exponent()));
     EXPECT_LE(this->error(atan2(y, x), atan2(big(y), big(x))), 200);
   }
+}
+
+TYPED_TEST(Wide_numbers, zero_has_an_order_in_every_window)
+{
+  typedef Wide_number<TypeParam> Number;
+  for(const Number& x : {exp(Number(3000.)), exp(Number(-3000.))}) {
+    EXPECT_TRUE(Number(0.) < x && x > 0. && -x < 0. && Number(0.) > -x);
+    EXPECT_TRUE(-x < x && x != 0. && !(Number(0.) >= x));
+  }
+}
+
+TYPED_TEST(Wide_numbers, angles_of_corners_beyond_the_range_of_double)
+{
+  typedef Wide_number<TypeParam> Number;
+  typedef DCM::internal::Corner<Number> Corner;
+  const Big pi = boost::math::constants::pi<Big>();
+  for(const Number& x : {exp(Number(3000.)), exp(Number(-3000.))}) {
+    EXPECT_LE(this->error(Corner{0., x}.angle(), pi / 2), 200);
+    EXPECT_LE(this->error(Corner{-x, 0.}.angle(), pi), 200);
+    EXPECT_EQ((Corner{x, 0.}.angle()), 0.);
+  }
+  for(int i = 0; i < 100; ++i) {
+    const double target = this->m_random.get_double(-4, 4);
+    DCM::internal::Angle_difference<Number> difference{Number(target)};
+    Big rest = 2 * pi - Big(target);
+    for(int k = 0; k < 10; ++k) {
+      const Number sine = abs(this->random_number(5000));
+      const Corner corner{ldexp(this->random_number(20), int(sine.exponent())), sine};
+      difference.subtract(corner, difference.rounded_angle(corner));
+      rest -= atan2(big(corner.sine), big(corner.cosine));
+    }
+    EXPECT_NEAR(difference.value(), static_cast<double>(rest), 1e-14);
+  }
+}
+
+// The filter is certain for most random edges, and never wrong: close to a tie, it fails.
+TYPED_TEST(Wide_numbers, filtered_Delaunay_decisions_agree_with_many_digits)
+{
+  typedef DCM::internal::Delaunay_filter<TypeParam> Filter;
+  const auto filtered = [](const auto& x) {
+    typedef std::decay_t<decltype(x.ij)> Number;
+    return DCM::internal::Delaunay_filter<Number>::is_Delaunay(x);
+  };
+  EXPECT_EQ(Filter::is_useful, (std::is_same_v<TypeParam, Extended>));
+  int certain = 0, close = 0;
+  for(int i = 0; i < 2000; ++i) {
+    const int shift = this->m_random.get_int(-5000, 5000), range = i % 4 == 0 ? 2000 : 4;
+    const auto length = [&] { return ldexp(abs(this->random_number(range)), shift); };
+    CGAL::Intrinsic_triangulations::Diamond<Wide_number<TypeParam>> edge{
+      length(), length(), length(), length(), length()};
+    Big k = big(edge.jk) * big(edge.ki), l = big(edge.il) * big(edge.lj);
+    const Big outer = (big(edge.jk) * big(edge.jk) + big(edge.ki) * big(edge.ki)) / k +
+                      (big(edge.il) * big(edge.il) + big(edge.lj) * big(edge.lj)) / l;
+    Big square = big(edge.ij) * big(edge.ij), inner = square / k + square / l;
+    const bool is_tie = i % 4 == 2;
+    if(is_tie) { // this makes both sides equal, up to the rounding of a square root
+      edge.ij *= Wide_number<TypeParam>(static_cast<double>(Big(sqrt(Big(outer / inner)))));
+      square = big(edge.ij) * big(edge.ij), inner = square / k + square / l;
+    }
+    const auto decision = filtered(edge);
+    if(CGAL::is_certain(decision)) {
+      ++certain;
+      close += is_tie ? 1 : 0;
+      EXPECT_EQ(CGAL::get_certain(decision), inner <= outer);
+    }
+  }
+  EXPECT_GE(certain, 900);
+  EXPECT_EQ(close, 0);
 }
 
 TYPED_TEST(Wide_numbers, no_number_is_lost_among_infinities)

@@ -80,8 +80,10 @@ public:
     : Base(Penner_surface<FT>(complex, length, flipping, std::move(radii)),
            flipping == Flipping::none)
   {
-    for(auto v = 0 * target_defect.size(); v < target_defect.size(); ++v)
+    for(auto v = 0 * target_defect.size(); v < target_defect.size(); ++v) {
       m_target_defect.push_back(FT(target_defect[v]));
+      m_without_faces.emplace_back(m_target_defect.back());
+    }
     this->evaluate(Vector::Zero(Eigen::Index(m_target_defect.size())));
   }
 
@@ -134,7 +136,7 @@ public:
   // Returns the derivative by one variable, after some have been moved.
   double derivative(Vertex_index v) const
   {
-    internal::Angle_difference<FT> defect(m_target_defect[v.idx()]);
+    internal::Angle_difference<FT> defect = m_without_faces[v.idx()];
     for_each_outgoing_halfedge(v, mesh(), [&](Halfedge_index h) {
       const auto corner = Base::triangle({h, mesh().next(h), mesh().prev(h)}).corner(0);
       defect.subtract(corner, internal::Angle_difference<FT>::rounded_angle(corner));
@@ -158,8 +160,7 @@ private:
 
   void sum_angles()
   {
-    std::vector<internal::Angle_difference<FT>> defect(m_target_defect.begin(),
-                                                       m_target_defect.end());
+    std::vector<internal::Angle_difference<FT>> defect = m_without_faces;
     for(Halfedge_index h : mesh().halfedges())
       defect[mesh().source(h).idx()].subtract(Base::corner(h), Base::rounded_angle(h));
     for(Vertex_index v : mesh().vertices())
@@ -167,6 +168,7 @@ private:
   }
 
   std::vector<FT> m_target_defect;
+  std::vector<internal::Angle_difference<FT>> m_without_faces; // defects minus their targets
 };
 
 /// \ingroup PkgDiscreteConformalMapsEnergy

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Delaunay_filter.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
@@ -117,7 +118,7 @@ public:
     set_scale_factors(u);
     if(m_flipping == Flipping::none)
       return;
-    if(has_radii())
+    if(has_radii() || internal::Delaunay_filter<FT>::is_useful)
       return flip_to_Delaunay([this](Halfedge_index h) { return this->is_Delaunay(h); });
     const auto condition = m_geometry.is_locally_Delaunay_object();
     flip_to_Delaunay([&](Halfedge_index h) { return condition(scaled_diamond(h)); });
@@ -184,6 +185,13 @@ private:
 
   bool is_Delaunay(Halfedge_index h) const
   {
+    if constexpr(internal::Delaunay_filter<FT>::is_useful)
+      if(!has_radii()) {
+        const Uncertain<bool> rounded =
+          internal::Delaunay_filter<FT>::is_Delaunay(scaled_diamond(h));
+        if(is_certain(rounded))
+          return get_certain(rounded);
+      }
     return m_surface.of_diamond(m_geometry.is_locally_Delaunay_object(), h, m_scaled_length,
                                 m_scaled_radius);
   }

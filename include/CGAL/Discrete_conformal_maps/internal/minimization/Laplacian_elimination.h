@@ -63,9 +63,12 @@ public:
         sum += e.weight;
       if(!(sum > 0 && std::isfinite(static_cast<double>(sum))))
         return false;
+      for(Entry& e : m_row[k])
+        e.part = e.weight / sum;
+      const FT ground_part = m_ground[k] / sum;
       for(const Entry& e : m_row[k]) {
-        m_ground[e.column] += e.weight * (m_ground[k] / sum);
-        add_star(k, e, sum);
+        m_ground[e.column] += e.weight * ground_part;
+        add_star(k, e);
       }
     }
     return true;
@@ -79,12 +82,12 @@ public:
       b.push_back(FT(right_side[i]));
     for(std::size_t k = 0; k < m_order.size(); ++k)
       for(const Entry& e : m_row[k])
-        b[e.column] += e.weight / m_sum[k] * b[k];
+        b[e.column] += e.part * b[k];
     Solution result(std::size_t(right_side.size()), FT(0));
     for(std::size_t k = m_order.size(); k-- > 0;) {
       b[k] /= m_sum[k];
       for(const Entry& e : m_row[k])
-        b[k] += e.weight / m_sum[k] * b[e.column];
+        b[k] += e.part * b[e.column];
       result[std::size_t(m_order[k])] = b[k];
     }
     return result;
@@ -94,7 +97,7 @@ private:
   struct Entry
   {
     std::size_t column;
-    FT weight;
+    FT weight, part; // of the sum of all weights of its row, once this row is eliminated
   };
   typedef std::vector<Entry> Row; // in ascending order
 
@@ -127,7 +130,7 @@ private:
         if(const std::size_t other = place[std::size_t(i.row())]; other == none)
           m_ground[k] += weight;
         else if(other > k)
-          m_row[k].push_back({other, weight});
+          m_row[k].push_back({other, weight, FT(0)});
       }
       std::sort(m_row[k].begin(), m_row[k].end(),
                 [](const Entry& a, const Entry& b) { return a.column < b.column; });
@@ -135,7 +138,7 @@ private:
   }
 
   // Joins the neighbor `e` of the variable `k` to the neighbors after it.
-  void add_star(std::size_t k, const Entry& e, const FT& sum)
+  void add_star(std::size_t k, const Entry& e)
   {
     Row& row = m_row[e.column];
     Row joined;
@@ -145,10 +148,10 @@ private:
         continue;
       while(present != row.end() && present->column < other.column)
         joined.push_back(*present++);
-      FT weight = e.weight * (other.weight / sum);
+      FT weight = e.weight * other.part;
       if(present != row.end() && present->column == other.column)
         weight += present++->weight;
-      joined.push_back({other.column, weight});
+      joined.push_back({other.column, weight, FT(0)});
     }
     joined.insert(joined.end(), present, row.end());
     row = std::move(joined);

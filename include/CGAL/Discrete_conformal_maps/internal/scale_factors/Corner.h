@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -143,6 +144,38 @@ private:
   static constexpr double pi() { return boost::math::constants::pi<double>(); }
 
   double m_angle, m_rest;
+};
+
+// Angles need no separate exponents: both sides of a corner have the same.
+template <typename Mantissa>
+class Angle_difference<Wide_number<Mantissa>> : public Angle_difference<Mantissa>
+{
+  typedef Angle_difference<Mantissa> Base;
+  typedef Wide_number<Mantissa> FT;
+
+public:
+  explicit Angle_difference(const FT& angle) : Base(angle.in_range_of_mantissa()) {}
+
+  static double rounded_angle(const Corner<FT>& corner)
+  {
+    return Base::rounded_angle(without_exponent(corner));
+  }
+
+  void subtract(const Corner<FT>& corner, double rounded_angle)
+  {
+    Base::subtract(without_exponent(corner), rounded_angle);
+  }
+  void add_supplement(const Corner<FT>& corner, double rounded_angle)
+  {
+    Base::add_supplement(without_exponent(corner), rounded_angle);
+  }
+
+private:
+  static Corner<Mantissa> without_exponent(const Corner<FT>& corner)
+  {
+    const auto [cosine, sine] = in_common_unit(corner.cosine, corner.sine);
+    return {cosine, sine};
+  }
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

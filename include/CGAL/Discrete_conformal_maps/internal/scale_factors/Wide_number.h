@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -90,6 +91,17 @@ public:
   Wide_number& operator*=(const Wide_number& y) { return *this = *this * y; }
   Wide_number& operator/=(const Wide_number& y) { return *this = *this / y; }
 
+  // Returns a quotient, which is zero or infinite beyond the range of `double`.
+  friend double rounded_quotient(const Wide_number& x, const Wide_number& y)
+  {
+    const double quotient = x.leading_part() / y.leading_part();
+    constexpr std::int64_t limit = 5; // beyond the range, whatever the mantissas are
+    return x.m_window == y.m_window
+             ? quotient
+             : std::ldexp(quotient, static_cast<int>(
+                                      window * std::clamp(x.m_window - y.m_window, -limit, limit)));
+  }
+
   friend bool operator<(const Wide_number& x, const Wide_number& y) { return x.order(y) < 0; }
   friend bool operator>(const Wide_number& x, const Wide_number& y) { return x.order(y) > 0; }
   friend bool operator<=(const Wide_number& x, const Wide_number& y) { return x.order(y) <= 0; }
@@ -140,15 +152,36 @@ public:
   friend Wide_number atan2(const Wide_number& y, const Wide_number& x)
   {
     using std::atan2;
-    const std::int64_t last = (std::max)(y.m_window, x.m_window);
+    const auto [rise, run] = in_common_unit(y, x);
+    return Wide_number(atan2(rise, run), 0);
+  }
+
+  // Returns both numbers, times a common power of two with which the greater one is in the range of
+  // `Mantissa`. The other can become zero.
+  friend std::array<Mantissa, 2> in_common_unit(const Wide_number& x, const Wide_number& y)
+  {
+    if(x.m_window == y.m_window)
+      return {x.m_mantissa, y.m_mantissa};
+    const std::int64_t last = x.leading_part() == 0   ? y.m_window
+                              : y.leading_part() == 0 ? x.m_window
+                                                      : (std::max)(x.m_window, y.m_window);
     const auto scaled = [&](const Wide_number& z) {
       return in_window(z.m_mantissa, z.m_window - last).in_range_of_mantissa();
     };
-    return Wide_number(atan2(scaled(y), scaled(x)), 0);
+    return {scaled(x), scaled(y)};
   }
 
 private:
   static constexpr int window = 512;
+
+  struct Window
+  {
+    std::int64_t index;
+  };
+  Wide_number(const Mantissa& mantissa, Window w) : m_mantissa(mantissa), m_window(w.index)
+  {
+    normalize();
+  }
 
   static Mantissa ln_two()
   {
@@ -158,11 +191,7 @@ private:
   // Returns `mantissa` times 2^(512 k).
   static Wide_number in_window(const Mantissa& mantissa, std::int64_t k)
   {
-    Wide_number result;
-    result.m_mantissa = mantissa;
-    result.m_window = k;
-    result.normalize();
-    return result;
+    return Wide_number(mantissa, Window{k});
   }
 
   // Normalizes the mantissa, which changes nothing in nearly all cases.
@@ -201,16 +230,33 @@ private:
     return is_finite() && other.leading_part() != 0 && m_window < other.m_window - 1;
   }
 
-  // Returns the sign of the difference, or NaN if it is undefined.
+  // Returns a number with the sign of the difference, or NaN if it is undefined. Numbers in
+  // different windows differ in size, unless one is zero.
   double order(const Wide_number& other) const
   {
     if(!is_finite() || !other.is_finite())
       return leading_part() == other.leading_part() ? 0 : leading_part() - other.leading_part();
-    return (*this - other).leading_part();
+    if(m_window == other.m_window)
+      return static_cast<double>(Mantissa(m_mantissa - other.m_mantissa));
+    const bool is_greater =
+      other.leading_part() == 0 || (leading_part() != 0 && m_window > other.m_window);
+    return is_greater ? leading_part() : -other.leading_part();
   }
 
   Mantissa m_mantissa;
   std::int64_t m_window;
+};
+
+// Selects a number type for logarithms of numbers of type `FT`. They need no separate exponents.
+template <typename FT>
+struct Logarithm_of
+{
+  typedef FT type;
+};
+template <typename Mantissa>
+struct Logarithm_of<Wide_number<Mantissa>>
+{
+  typedef Mantissa type;
 };
 
 template <typename Mantissa>
