@@ -31,7 +31,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -40,6 +39,14 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Stores scale factors that a search with bounded differences has found, if it has. Stores the work
+// of all such searches, and of precise searches. The next problem for the same map continues.
+struct Bounded_searches
+{
+  std::vector<Extended> found;
+  std::size_t work = 0, precise_work = 0;
+};
 
 // The scale factors of a doubled problem at the vertices of the surface itself, with faces of the
 // geometry of `Triangle`.
@@ -55,7 +62,15 @@ public:
   Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
   // Returns whether the scale factors were found with bounded differences of neighbors.
-  bool has_bounded_differences() const { return m_bounds_differences; }
+  bool has_bounded_differences() const { return !m_bounded.found.empty(); }
+  const Bounded_searches& bounded_searches() const { return m_bounded; }
+
+  // Begins with another search with bounded differences, from the scale factors found before.
+  void continue_searches(const Bounded_searches& searches)
+  {
+    m_bounded = searches;
+    m_resumed = searches.found;
+  }
 
   // Takes scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
@@ -74,11 +89,13 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    m_start = precise_values<Extended>();
-    if(m_bounds_differences)
-      bound_differences(minimizer, tolerance, visitor);
-    if(!m_bounds_differences)
+    const bool is_resumed = !m_resumed.empty();
+    m_start = is_resumed ? std::exchange(m_resumed, {}) : precise_values<Extended>();
+    if(!has_bounded_differences() || !bounds_differences(visitor)) {
+      if(is_resumed)
+        m_start = precise_values<Extended>();
       minimize_from_start(minimizer, tolerance, visitor);
+    }
     m_start.clear();
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
@@ -91,6 +108,7 @@ public:
   {
     if(!m_problem.has_needles())
       return;
+    m_bounded.precise_work = tolerance::work_with_more_digits - tolerance::work_to_sharpen;
     if(!is_more_extended())
       sharpen_in<Extended>(visitor);
     if(!can_be_laid_out())
@@ -129,40 +147,38 @@ private:
   {
     bool (Scale_factors::*is_needed)(double tolerance) const;
     void (Scale_factors::*run)(const Any_minimizer&, double tolerance, Any_visitor&);
-    bool bends_boundaries = false;
+    bool starts_beyond_range = false, bends_boundaries = false;
   };
 
   void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
-    // The searches are tried in this order. Some are skipped beyond the range of `double`.
+    // The searches are tried in this order.
     static constexpr Search searches[] = {
       {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
-      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},
-      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_most_digits, &Scale_factors::minimize_in<More_extended>},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, true},
-      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true},
-      {&Scale_factors::is_lost, &Scale_factors::bound_differences}};
-    constexpr std::size_t first_beyond_range = 6;
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, false, true},
+      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range, true},
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true, true}};
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
     m_max_curvature_error = std::numeric_limits<double>::infinity();
     const bool is_in_range =
       !Triangle<double>::has_similar_ones || m_problem.has_precise_lengths() || !is_beyond_range();
-    for(std::size_t i = is_in_range ? 0 : first_beyond_range; i < std::size(searches); ++i) {
-      if((this->*searches[i].is_needed)(tolerance)) {
-        if(searches[i].bends_boundaries) {
+    for(const Search& search : searches) {
+      if((is_in_range || search.starts_beyond_range) && (this->*search.is_needed)(tolerance)) {
+        if(search.bends_boundaries) {
           m_problem.bend_straight_boundaries();
           tolerance = tolerance::promised_angle;
         }
-        (this->*searches[i].run)(minimizer, tolerance, visitor);
+        (this->*search.run)(minimizer, tolerance, visitor);
       }
-      if(is_within(tolerance) || m_bounds_differences)
+      if(is_within(tolerance) || (is_far_off(tolerance) && bounds_differences(visitor)))
         return;
     }
+    if(is_lost(tolerance))
+      bounds_differences(visitor);
   }
 
   // Minimizes in `double`, if it resolves the minimum. The result is measured with all digits.
@@ -207,19 +223,21 @@ private:
   }
 
   // Searches from the start, on the exact surface, with bounded differences of neighbors; once in
-  // each minimization. If no scale factors are found, nothing has changed but the numbers of steps.
-  // If they are, the next minimization begins with this search.
-  void bound_differences(const Any_minimizer&, double, Any_visitor& visitor)
+  // each minimization. Returns whether scale factors are found. If not, nothing has changed but the
+  // numbers of steps. If they are, the next minimization begins with this search.
+  bool bounds_differences(Any_visitor& visitor)
   {
-    m_bounds_differences = false;
+    m_bounded.found.clear();
     if constexpr(Triangle<double>::has_similar_ones)
-      if(!m_start.empty()) {
+      if(!m_start.empty() && m_bounded.work <= tolerance::work_with_bounded_differences) {
         Doubled_problem problem = m_problem;
         const auto values = std::tuple(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
                                        m_max_curvature_error, m_rounding_error);
-        m_bounds_differences = is_found_with_bounds(visitor);
+        const bool is_found = is_found_with_bounds(visitor);
         m_start.clear();
-        if(!m_bounds_differences) {
+        if(is_found)
+          m_bounded.found = precise_values<Extended>();
+        else {
           m_problem = std::move(problem);
           const Minimization_result last = m_result;
           std::tie(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
@@ -229,6 +247,7 @@ private:
           static_cast<Factorization_counts&>(m_result) = last;
         }
       }
+    return has_bounded_differences();
   }
   bool is_found_with_bounds(Any_visitor& visitor)
   {
@@ -251,9 +270,10 @@ private:
   {
     try {
       energy.evaluate(Vector::Zero(m_u.size()));
-      note_last(energy,
-                Difference_bounded_newton<Energy<FT>>(energy, domain())
-                  .run(tolerance::gradient, tolerance::steps_with_bounded_differences, visitor));
+      note_last(energy, Difference_bounded_newton<Energy<FT>>(energy, domain())
+                          .run(tolerance::gradient, tolerance::steps_with_bounded_differences,
+                               tolerance::work_with_bounded_differences - m_bounded.work, visitor));
+      m_bounded.work += energy.work();
       if(m_status != Map_status::success && m_max_curvature_error <= tolerance::lost_curvature)
         descend(energy, tolerance::gradient, visitor);
     } catch(const Intrinsic_triangulations::Error&) {
@@ -376,8 +396,11 @@ private:
   template <typename FT>
   void descend(Energy<FT>& energy, double gradient_tolerance, Any_visitor& visitor)
   {
-    note_last(energy, Precise_newton_iteration<Energy<FT>>(energy, domain())
-                        .run(gradient_tolerance, tolerance::steps_with_more_digits, visitor));
+    Precise_newton_iteration<Energy<FT>> newton(energy, domain());
+    const std::size_t work = (std::min)(m_bounded.precise_work, tolerance::work_with_more_digits);
+    note_last(energy, newton.run(gradient_tolerance, tolerance::steps_with_more_digits,
+                                 tolerance::work_with_more_digits - work, visitor));
+    m_bounded.precise_work += newton.work();
   }
 
   template <typename FT>
@@ -431,7 +454,8 @@ private:
   }
 
   std::vector<Extended> m_start; // empty if a search with bounded differences has used it
-  bool m_bounds_differences = false;
+  Bounded_searches m_bounded;
+  std::vector<Extended> m_resumed; // scale factors of a problem before, until they are used
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal
