@@ -20,6 +20,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Bounded_searches.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_values.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
@@ -39,14 +40,6 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
-
-// Stores scale factors that a search with bounded differences has found, if it has. Stores the work
-// of all such searches, and of precise searches. The next problem for the same map continues.
-struct Bounded_searches
-{
-  std::vector<Extended> found;
-  std::size_t work = 0, precise_work = 0;
-};
 
 // The scale factors of a doubled problem at the vertices of the surface itself, with faces of the
 // geometry of `Triangle`.
@@ -280,14 +273,6 @@ private:
       return false;
     }
     return m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
-  }
-
-  // Returns whether the error of curvatures moves no side in the plane by more than promised.
-  bool can_be_laid_out() const
-  {
-    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
-    return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
-           tolerance::promised_length * shortest;
   }
 
   template <typename FT>
