@@ -62,8 +62,8 @@ private:
 // Computes the hyperideal polyhedron of a decorated sphere, as circles on the unit sphere. It is
 // unique up to Moebius transformations (Schlenker 1998), and rigid. Radii grow from zero, for which
 // the ideal polyhedron is known, to their values; Newton's method follows the angle defects. The
-// transformations are the kernel of the Hessian. If the circles at the corners of a face are fixed,
-// the energy is convex, as in the plane from a point inside the face.
+// transformations are the kernel of the Hessian. Fixed circles at the corners of a face exclude
+// them. Then the Hessian is as in the plane, seen from a point inside the face.
 class Circles_on_sphere
 {
   typedef Eigen::VectorXd Vector;

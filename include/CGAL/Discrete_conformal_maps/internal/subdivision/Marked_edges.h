@@ -140,6 +140,7 @@ private:
   {
     FT here;
     Face_location<FT> location;
+    Vertex_index vertex = {}; // of the subdivision; null at an end of the edge
   };
 
   static constexpr size_type no_twin = static_cast<size_type>(-1);
@@ -208,6 +209,15 @@ private:
     return !m_twin.empty() && m_twin[crossing_of_A] == crossing_of_C;
   }
 
+  bool are_twins(const Mark<FT>& mark, const Node& other) const
+  {
+    if(m_twin.empty() || !other.vertex.is_valid())
+      return false;
+    const auto [a, c] = std::minmax(mark.vertex, other.vertex); // crossings of A come first
+    const size_type first = m_mesh.num_vertices();
+    return are_twins(a.idx() - first, c.idx() - first - size_type(m_twin.size()));
+  }
+
   // Returns whether `a` comes before `c` on a halfedge of B. This halfedge leads to the left of the
   // halfedge of A.
   template <typename Crossing_of_A, typename Crossing_of_C>
@@ -263,8 +273,8 @@ private:
       const Mark<FT>& m = m_marks[i];
       if(m.family != family)
         continue;
-      locate(first, i, left, {m.here, face_location(reversed(m.across), other)});
-      left = {m.here, face_location(m.across, other)};
+      locate(first, i, left, {m.here, face_location(reversed(m.across), other), m.vertex});
+      left = {m.here, face_location(m.across, other), m.vertex};
       first = i + 1;
     }
     locate(first, end, left, {FT(1), corner(opposite(h))});
@@ -272,13 +282,21 @@ private:
 
   void locate(size_type first, size_type last, const Node& left, const Node& right)
   {
+    for(size_type i = first; i < last; ++i)
+      m_marks[i].other =
+        Face_location<FT>(left.location.first, between(left.location.second, right.location.second,
+                                                       position(m_marks[i], left, right)));
+  }
+
+  // Returns the position of a mark between two nodes of the other family. Twins are the same point,
+  // even if rounding makes them different.
+  FT position(const Mark<FT>& mark, const Node& left, const Node& right) const
+  {
     const FT width = right.here - left.here;
-    for(size_type i = first; i < last; ++i) {
-      const FT t = width > 0 ? FT((m_marks[i].here - left.here) / width) : FT(0);
-      const FT inside = std::clamp(t, FT(0), FT(1)); // twins can be in the opposite order
-      m_marks[i].other = Face_location<FT>(
-        left.location.first, between(left.location.second, right.location.second, inside));
-    }
+    return are_twins(mark, left)    ? FT(0)
+           : are_twins(mark, right) ? FT(1)
+           : width > 0              ? std::clamp(FT((mark.here - left.here) / width), FT(0), FT(1))
+                                    : FT(0);
   }
 
   Edge_location<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
