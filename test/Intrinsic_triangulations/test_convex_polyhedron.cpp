@@ -352,8 +352,8 @@ TEST(Convex_polyhedron, may_be_convex_before_rounding_only)
     {{3, 6}, 0x1.95d157aaab5ddp+0}, {{4, 6}, 0x1.b7b899f1bebc7p+0}, {{5, 6}, 0x1.95d157aaab5ddp+0}};
   const Mesh mesh = make_mesh(std::vector<Point>(7, Point(0, 0, 0)), triangles);
   const auto of = [&](Edge_index e) {
-    const auto ends = std::minmax<std::size_t>(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
-    return length.at({ends.first, ends.second});
+    const std::size_t v = mesh.vertex(e, 0).idx(), w = mesh.vertex(e, 1).idx();
+    return length.at(std::minmax(v, w));
   };
   const auto lengths = boost::make_function_property_map<Edge_index>(of);
   const Polyhedron p =
