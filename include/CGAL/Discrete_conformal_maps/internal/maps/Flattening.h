@@ -56,10 +56,6 @@ public:
   // Starts from scale factors at the vertices of the input.
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
-  // Continues the searches with bounded differences for a problem on the same surface.
-  void continue_searches(const Bounded_searches& searches) { m_scale.continue_searches(searches); }
-  const Bounded_searches& bounded_searches() const { return m_scale.bounded_searches(); }
-
   // Finds scale factors. Cones are placed first, at the first call, for a finite bound of scale
   // factors.
   void find_scale_factors(const Any_minimizer& minimizer, const Cone_choice& choice)
@@ -363,38 +359,22 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
                                Map_parameters parameters, Visitor visitor)
 {
   const Shape shape(input, parameters);
+  shape.prescribe(parameters.conditions);
   const Vertex_circles circles(parameters.radii);
-  Shape last_shape = shape;
-  Bounded_searches searches;
-  const auto search = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                          Exactness exactness) {
-    Shape own_shape = searches.found.empty() ? shape : last_shape;
-    own_shape.prescribe(parameters.conditions);
+  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                        Exactness exactness) {
+    Shape own_shape = shape;
     Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
                             exactness, circles);
     problem.set_concurrency(parameters.concurrency);
     Flattening flattening(problem, visitor);
     flattening.start_from(parameters.log_scale);
-    flattening.continue_searches(searches);
     flattening.attempt([&] {
       own_shape.solve(problem, flattening, [&] {
         flattening.find_scale_factors(minimizer_of(parameters), parameters.cones);
       });
     });
-    searches = flattening.bounded_searches();
-    last_shape = own_shape;
     return flattening.finish(Named_layout{parameters.layout}, own_shape);
-  };
-  // Scale factors found before may be too imprecise for needles. Then the search starts again.
-  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                        Exactness exactness) {
-    if(!searches.found.empty()) {
-      auto map = search(surface, exactness);
-      if(map.status() == Map_status::success)
-        return map;
-      searches = Bounded_searches();
-    }
-    return search(std::move(surface), exactness);
   };
   if(!parameters.has_exact_decisions)
     return with_digits_as_needed(std::move(input), find, !circles.exist());

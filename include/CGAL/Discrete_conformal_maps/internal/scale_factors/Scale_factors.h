@@ -20,7 +20,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Precise_newton_iteration.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/reduce_gradient.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Bounded_searches.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_values.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
@@ -32,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -55,15 +55,7 @@ public:
   Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
   // Returns whether the scale factors were found with bounded differences of neighbors.
-  bool has_bounded_differences() const { return !m_bounded.found.empty(); }
-  const Bounded_searches& bounded_searches() const { return m_bounded; }
-
-  // Begins with another search with bounded differences, from the scale factors found before.
-  void continue_searches(const Bounded_searches& searches)
-  {
-    m_bounded = searches;
-    m_resumed = searches.found;
-  }
+  bool has_bounded_differences() const { return m_bounds_differences; }
 
   // Takes scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
@@ -82,13 +74,11 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    const bool is_resumed = !m_resumed.empty();
-    m_start = is_resumed ? std::exchange(m_resumed, {}) : precise_values<Extended>();
-    if(!has_bounded_differences() || !bounds_differences(visitor)) {
-      if(is_resumed)
-        m_start = precise_values<Extended>();
+    m_start = precise_values<Extended>();
+    if(m_bounds_differences)
+      bound_differences(minimizer, tolerance, visitor);
+    if(!m_bounds_differences)
       minimize_from_start(minimizer, tolerance, visitor);
-    }
     m_start.clear();
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
@@ -101,7 +91,6 @@ public:
   {
     if(!m_problem.has_needles())
       return;
-    m_bounded.precise_work = tolerance::work_with_more_digits - tolerance::work_to_sharpen;
     if(!is_more_extended())
       sharpen_in<Extended>(visitor);
     if(!can_be_laid_out())
@@ -140,38 +129,40 @@ private:
   {
     bool (Scale_factors::*is_needed)(double tolerance) const;
     void (Scale_factors::*run)(const Any_minimizer&, double tolerance, Any_visitor&);
-    bool starts_beyond_range = false, bends_boundaries = false;
+    bool bends_boundaries = false;
   };
 
   void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
-    // The searches are tried in this order.
+    // The searches are tried in this order. Some are skipped beyond the range of `double`.
     static constexpr Search searches[] = {
       {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
+      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},
+      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_most_digits, &Scale_factors::minimize_in<More_extended>},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, false, true},
-      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range, true},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true, true}};
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, true},
+      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range},
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true},
+      {&Scale_factors::is_lost, &Scale_factors::bound_differences}};
+    constexpr std::size_t first_beyond_range = 6;
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
     m_max_curvature_error = std::numeric_limits<double>::infinity();
     const bool is_in_range =
       !Triangle<double>::has_similar_ones || m_problem.has_precise_lengths() || !is_beyond_range();
-    for(const Search& search : searches) {
-      if((is_in_range || search.starts_beyond_range) && (this->*search.is_needed)(tolerance)) {
-        if(search.bends_boundaries) {
+    for(std::size_t i = is_in_range ? 0 : first_beyond_range; i < std::size(searches); ++i) {
+      if((this->*searches[i].is_needed)(tolerance)) {
+        if(searches[i].bends_boundaries) {
           m_problem.bend_straight_boundaries();
           tolerance = tolerance::promised_angle;
         }
-        (this->*search.run)(minimizer, tolerance, visitor);
+        (this->*searches[i].run)(minimizer, tolerance, visitor);
       }
-      if(is_within(tolerance) || (is_far_off(tolerance) && bounds_differences(visitor)))
+      if(is_within(tolerance) || m_bounds_differences)
         return;
     }
-    if(is_lost(tolerance))
-      bounds_differences(visitor);
   }
 
   // Minimizes in `double`, if it resolves the minimum. The result is measured with all digits.
@@ -216,21 +207,19 @@ private:
   }
 
   // Searches from the start, on the exact surface, with bounded differences of neighbors; once in
-  // each minimization. Returns whether scale factors are found. If not, nothing has changed but the
-  // numbers of steps. If they are, the next minimization begins with this search.
-  bool bounds_differences(Any_visitor& visitor)
+  // each minimization. If no scale factors are found, nothing has changed but the numbers of steps.
+  // If they are, the next minimization begins with this search.
+  void bound_differences(const Any_minimizer&, double, Any_visitor& visitor)
   {
-    m_bounded.found.clear();
+    m_bounds_differences = false;
     if constexpr(Triangle<double>::has_similar_ones)
-      if(!m_start.empty() && m_bounded.work <= tolerance::work_with_bounded_differences) {
+      if(!m_start.empty()) {
         Doubled_problem problem = m_problem;
         const auto values = std::tuple(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
                                        m_max_curvature_error, m_rounding_error);
-        const bool is_found = is_found_with_bounds(visitor);
+        m_bounds_differences = is_found_with_bounds(visitor);
         m_start.clear();
-        if(is_found)
-          m_bounded.found = precise_values<Extended>();
-        else {
+        if(!m_bounds_differences) {
           m_problem = std::move(problem);
           const Minimization_result last = m_result;
           std::tie(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
@@ -240,7 +229,6 @@ private:
           static_cast<Factorization_counts&>(m_result) = last;
         }
       }
-    return has_bounded_differences();
   }
   bool is_found_with_bounds(Any_visitor& visitor)
   {
@@ -263,16 +251,23 @@ private:
   {
     try {
       energy.evaluate(Vector::Zero(m_u.size()));
-      note_last(energy, Difference_bounded_newton<Energy<FT>>(energy, domain())
-                          .run(tolerance::gradient, tolerance::steps_with_bounded_differences,
-                               tolerance::work_with_bounded_differences - m_bounded.work, visitor));
-      m_bounded.work += energy.work();
+      note_last(energy,
+                Difference_bounded_newton<Energy<FT>>(energy, domain())
+                  .run(tolerance::gradient, tolerance::steps_with_bounded_differences, visitor));
       if(m_status != Map_status::success && m_max_curvature_error <= tolerance::lost_curvature)
         descend(energy, tolerance::gradient, visitor);
     } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
     return m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
+  }
+
+  // Returns whether the error of curvatures moves no side in the plane by more than promised.
+  bool can_be_laid_out() const
+  {
+    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
+    return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
+           tolerance::promised_length * shortest;
   }
 
   template <typename FT>
@@ -381,11 +376,8 @@ private:
   template <typename FT>
   void descend(Energy<FT>& energy, double gradient_tolerance, Any_visitor& visitor)
   {
-    Precise_newton_iteration<Energy<FT>> newton(energy, domain());
-    const std::size_t work = (std::min)(m_bounded.precise_work, tolerance::work_with_more_digits);
-    note_last(energy, newton.run(gradient_tolerance, tolerance::steps_with_more_digits,
-                                 tolerance::work_with_more_digits - work, visitor));
-    m_bounded.precise_work += newton.work();
+    note_last(energy, Precise_newton_iteration<Energy<FT>>(energy, domain())
+                        .run(gradient_tolerance, tolerance::steps_with_more_digits, visitor));
   }
 
   template <typename FT>
@@ -439,8 +431,7 @@ private:
   }
 
   std::vector<Extended> m_start; // empty if a search with bounded differences has used it
-  Bounded_searches m_bounded;
-  std::vector<Extended> m_resumed; // scale factors of a problem before, until they are used
+  bool m_bounds_differences = false;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

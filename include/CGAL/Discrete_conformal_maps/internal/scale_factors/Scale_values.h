@@ -146,14 +146,6 @@ protected:
            std::isfinite(m_max_curvature_error);
   }
 
-  // Returns whether the error of curvatures moves no side in the plane by more than promised.
-  bool can_be_laid_out() const
-  {
-    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
-    return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
-           tolerance::promised_length * shortest;
-  }
-
   Doubled_problem& m_problem;
   Vector m_u;
   std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;

@@ -134,8 +134,7 @@ public:
     energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
     const Minimization_result last =
       Precise_newton_iteration<Energy>(energy, domain, m_bound)
-        .run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
-             tolerance::work_with_more_digits, visitor);
+        .run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits, visitor);
     m_u = energy.scale_factors();
     add_result(last);
     m_angle_error = angle_error(energy.gradient());
