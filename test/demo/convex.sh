@@ -32,7 +32,7 @@ rm cube.obj cube.json
 printf '1 2 3 2\n4 5 7 99\n' >wrong.txt
 refuses 'line 2' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 3 14\n' >wrong.txt
-refuses 'vertex 14: the mesh has 14' convex cross.mesh.off --glue wrong.txt -o x.off
+refuses 'vertex 14: the mesh has 14, counted from 0' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 2 3\n' >wrong.txt
 refuses 'the surface would not be oriented; the sides are to run in opposite directions around the net' \
   convex cross.mesh.off --glue wrong.txt -o x.off

@@ -12,7 +12,7 @@ import struct
 import sys
 import zlib
 from collections import Counter, defaultdict
-from math import acosh, atan2, atanh, degrees, dist, exp, fsum, hypot, log, pi, sin, sqrt
+from math import acos, acosh, atan2, atanh, degrees, dist, exp, fsum, hypot, log, pi, sin, sqrt
 
 
 class Named(dict):
