@@ -281,6 +281,7 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
       Doubled_problem without_circles(surface, none, Flipping::to_Delaunay);
       without_circles.set_concurrency(parameters.concurrency);
       Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness, circles);
+      problem.set_concurrency(parameters.concurrency);
       return mapped_with_circles(problem, without_circles, visitor);
     }
     Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness);

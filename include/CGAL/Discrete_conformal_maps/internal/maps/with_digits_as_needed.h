@@ -45,13 +45,15 @@ auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> i
                            const Find& find, bool measurable = true)
 {
   typedef decltype(find(std::move(input), Exactness::none)) Map;
+  if(!has_exact_metric(input))
+    return find(std::move(input), Exactness::none);
   const auto found = [&](Exactness exactness) {
     return find(Intrinsic_triangulations::Intrinsic_triangulation<>(input), exactness);
   };
   std::optional<Map> rounded;
-  if(!(has_unknown_angles(input) && has_exact_metric(input))) {
+  if(!has_unknown_angles(input)) {
     rounded = found(Exactness::none);
-    if(!may_need_digits(*rounded) || !has_exact_metric(input))
+    if(!may_need_digits(*rounded))
       return std::move(*rounded);
   } else
     try {
