@@ -44,10 +44,8 @@ DEFINED_TABLES = [
 
 
 def text_of(path):
-    """Returns sentences and tables, on their lines, without code, formulas and the table of make_tables.py."""
-    text = path.read_text().replace("/*!", "").replace("*/", "")
-    text = make_tables.SUMMARY_BLOCK.sub(lambda block: "\n" * block[0].count("\n"), text)
-    return check_prose.prepared(text)
+    """Returns sentences and tables, on their lines, without code and formulas."""
+    return check_prose.prepared(path.read_text().replace("/*!", "").replace("*/", ""))
 
 
 def figures_in_sentences(path):
@@ -92,19 +90,18 @@ def orphans(pages):
             yield f"{name}: scripts/make_tables.py does not make it"
 
 
-def other_summaries():
-    """Returns files whose summary differs from the tables."""
-    summary = make_tables.summary()
-    for path in [make_tables.ROOT / "README.md", make_tables.path_of(make_tables.SUMMARY_FILE)]:
-        if path.exists() and summary not in path.read_text():
-            yield f"{path.relative_to(make_tables.ROOT)}: the summary differs from the tables"
+def other_summary():
+    """Returns the file of the summary if it differs from the tables."""
+    path = make_tables.path_of(make_tables.SUMMARY_FILE)
+    if path.exists() and path.read_text() != make_tables.summary() + "\n":
+        yield f"{path.relative_to(make_tables.ROOT)}: the summary differs from the tables"
 
 
 def main():
     if len(sys.argv) > 1:
         make_tables.ROOT = Path(sys.argv[1]).resolve()
     pages = sorted(make_tables.ROOT.glob("doc/*/*.txt"))
-    found = [*orphans(pages), *other_summaries()]
+    found = [*orphans(pages), *other_summary()]
     for page in [*pages, make_tables.ROOT / "README.md"]:
         for line, message in sorted([*figures_in_sentences(page), *typed_tables(page)]):
             found.append(f"{page.relative_to(make_tables.ROOT)}:{line}: {message}")

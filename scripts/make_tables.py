@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Builds and runs benchmarks, and writes their tables into doc/PACKAGE/tables, from where pages of the
-manual include them, and the table of README.md. Without names of tables all are made, except long ones. A
+manual include them, and a summary of them. Without names of tables all are made, except long ones. A
 table is replaced only if its benchmark succeeds."""
 
 import argparse
@@ -90,7 +90,7 @@ RUNS = [
     Run(f"{IS}/topology", "benchmark_topology {meshes}/cheese.off 0.01 0.02 0.05 0.1", "cheese of CGAL's data"),
 ]
 
-# Rows of README.md: a task, what it is compared with, a table, and a row and a column of it for each side.
+# Rows of the summary: a task, what it is compared with, a table, and a row and a column of it for each side.
 SUMMARY = [
     ("Delaunay flips of the armadillo", "CGAL's `Intrinsic_Delaunay_triangulation_3`, which keeps no correspondence",
      f"{IT}/Delaunay", ("armadillo", "construction and flips (ms)"), ("armadillo", "CGAL (ms)")),
@@ -106,7 +106,6 @@ SUMMARY = [
      f"{IS}/quality_means", ("geometric mean", "default"), ("geometric mean", "quadrics")),
 ]
 SUMMARY_FILE = f"{IT}/summary"
-SUMMARY_BLOCK = re.compile(r"(?<=<!-- scripts/make_tables.py writes this table. -->\n\n).*?(?=\n\n<!-- end -->)", re.S)
 
 
 def path_of(file):
@@ -184,18 +183,11 @@ def cell_of(file, row, column):
 
 
 def summary():
-    """Returns the table of README.md."""
+    """Returns the summary of all comparisons."""
     table = ["| task | compared with | here | other |", "| --- | --- | ---: | ---: |"]
     for task, other, file, *sides in SUMMARY:
         table.append(f"| {task} | {other} | " + " | ".join(cell_of(file, *side) for side in sides) + " |")
     return "\n".join(table)
-
-
-def write_summary():
-    """Writes the table of README.md, and the same table for the manual."""
-    readme = ROOT / "README.md"
-    write(readme, SUMMARY_BLOCK.sub(lambda _: summary(), readme.read_text()))
-    write(path_of(SUMMARY_FILE), summary() + "\n")
 
 
 def make(run, build):
@@ -233,7 +225,7 @@ def main():
         print("\n".join(name + (" (long)" if run.long else "") for run in RUNS for name in run.names()))
         return 0
     succeeded = [make(run, arguments.build.resolve()) for run in runs]
-    write_summary()
+    write(path_of(SUMMARY_FILE), summary() + "\n")
     return 0 if all(succeeded) else 1
 
 
