@@ -239,7 +239,16 @@ def blocks_of_header(path):
 
 
 LITERAL = re.compile(r"\"((?:[^\"\\\n]|\\.)*)\"")
-RAW_LITERAL = re.compile(r"R\"(\w*)\(.*?\)\1\"", re.S)
+RAW_LITERAL = re.compile(r"R\"(\w*)\((.*?)\)\1\"", re.S)
+HELP_ROW = re.compile(r"^ {2,4}\S.*? {2,}")
+
+
+def blocks_of_help(text):
+    """Blocks of raw string literals, the help of commands: paragraphs, and rows of lists without examples."""
+    for literal in RAW_LITERAL.finditer(text):
+        first = text.count("\n", 0, literal.start()) + 1
+        lines = [HELP_ROW.sub("- ", line) for line in literal[2].split("\n") if not line.startswith("  intrinsic ")]
+        yield from blocks_of(enumerate(lines, first), False)
 
 
 def blocks_of_source(path):
@@ -303,7 +312,7 @@ def violations(path):
     if path.suffix in [".txt", ".md"]:
         blocks = blocks_of_text(path)
     elif "demo" in path.relative_to(ROOT).parts[:1]:
-        blocks = blocks_of_source(path)
+        blocks = [*blocks_of_help(path.read_text()), *blocks_of_source(path)]
     else:
         blocks = blocks_of_header(path) + blocks_of_source(path)
     if path.suffix in [".h", ".cpp"]:

@@ -27,9 +27,8 @@ constexpr const char* examples_help =
   intrinsic pack bunny.obj -o packing.ply --circles packing.svg
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
-Colors, normals, texture coordinates and functions at the vertices of a mesh, and the groups and
-materials of faces of .obj files, are carried to the meshes that are written, if their format
-supports them.
+Written meshes have the colors, normals, texture coordinates and functions of the input, if their
+format supports them. Groups and materials of faces are kept from .obj to .obj.
 
 Edges must be between 2^-127 and 2^127 (5.9e-39 and 1.7e38) long.
 
@@ -99,8 +98,8 @@ void add_input_options(CLI::App& command, Common_options& options)
 {
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, relative to the "
-             "mean edge length. Done by itself if almost flat triangles make a computation fail, "
-             "but not with --exact or --strict",
+             "mean edge length. Commands do so by themselves if almost flat triangles make a "
+             "computation fail, except with --exact or --strict",
              number_from_to(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
                    "Repair defects of the mesh where possible and report it; indices may change");

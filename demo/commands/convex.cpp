@@ -40,20 +40,22 @@ struct Convex_options : Output_options
 
 constexpr const char* convex_help =
   R"(The mesh must be a sphere without vertices of negative curvature; it need not be convex.
-Exactly one convex polyhedron has its surface, which may be a polygon with two sides: "flat" in
-the statistics.
+Exactly one convex polyhedron has its surface. It may be a polygon with two sides: "flat" in the
+statistics.
 
-The output has the vertices of the mesh, in their order; those without curvature lie on faces and
-edges. Its triangles are those of the polyhedron. Whether it is convex is decided exactly for the
-positions that are written, flat vertices aside: "kind" in the statistics is "convex", "polygon", or
-"convex_before_rounding" if only rounding makes edges concave. --subdivision writes the common
-subdivision of the mesh and the polyhedron, on the polyhedron; .ply and .vtp have for each vertex
-its place on the mesh (input_x, input_y, input_z), and of edges and faces of which they are parts.
+The output has the vertices of the mesh, in their order. Vertices without curvature lie on faces and
+edges of the polyhedron. Convexity is decided exactly for the written positions, without flat
+vertices. "kind" in the statistics is "convex", "polygon", or "convex_before_rounding" if only
+rounding makes edges concave. --subdivision writes the common subdivision of the mesh and the
+polyhedron, on the polyhedron. Its vertices have their positions on the mesh in .ply and .vtp
+(input_x, input_y, input_z). Its edges and faces have the edge or face of both that contains them.
 
-With --glue, the mesh is a net: one or more polygons, the sides of which are glued. Each line of the
-file has four numbers of vertices, a b c d: the side from a to b is glued to that from c to d, a to
-c and b to d. Words after # are comments. Glued vertices become one, with the number of the first
-among those that are left; vertex_map in the statistics has these numbers.
+With --glue, the mesh is a net: one or more polygons whose sides are glued. Each line of the file
+has four vertices, a b c d. It glues the side from a to b to the side from c to d, a to c and b to
+d. Words after # are comments.
+
+Glued vertices become one vertex. "vertex_map" in the statistics has its index, for each vertex of
+the net.
 
 Examples:
   intrinsic convex dented.off -o convex.off
@@ -200,8 +202,8 @@ void define_convex(Command_line& line)
                      "File for the common subdivision on the polyhedron");
   command
     .add_option("--flat", options.flatness,
-                "Curvature in radians up to which vertices count as flat; by default what rounding "
-                "can come to")
+                "Curvature in radians up to which vertices count as flat; by default the rounding "
+                "error")
     ->transform(number_from_to(0., 1.));
   add_save(command, line.common());
   add_statistics(command, line.common());

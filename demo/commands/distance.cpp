@@ -61,25 +61,28 @@ struct Distance_options : Output_options
 };
 
 constexpr const char* distance_help =
-  R"(Distances are exact by default (lengths of shortest paths, up to rounding), as long as that is
-expected to take less than two seconds: up to 65,000 vertices with one source, more with several.
-Beyond that, for triangles that are not a surface, with --signed and with --method heat, they are
-approximate: heat has an error of about two percent on average on evenly distributed vertices, and
-more on coarse or uneven ones. The last line and the statistics name the method; with heat they have
-an estimate of the error, from exact distances to the nearest vertices. A warning says where a tenth
-of these are wrong by more than 10 %. The distance of a vertex that no source can reach is -1.
+  R"(Distances are exact, as lengths of shortest paths up to rounding, if this is expected to take
+less than two seconds. Up to 65,000 vertices with one source are within this time, and more with
+several sources. Otherwise the heat method approximates distances. Heat is also used with --signed,
+with --method heat, and for triangles that are not a surface.
 
-A file of --curve is written by path, or has polylines of another program: elements l of .obj,
-edges of .ply, Lines of .vtp with ascii numbers, the points of .xyz. Its points are moved to the
-surface and joined by shortest paths. With --signed, distances are negative on the left of the
-curve, as inside a loop that runs counterclockwise; gaps and single segments of the wrong
-direction are bridged.
+The error of heat is about two percent on average on evenly distributed vertices, and greater on
+coarse or uneven meshes. The last line and the statistics name the method. With heat they have an
+estimate of the error, from exact distances to the nearest vertices. A warning is printed if a tenth
+of these vertices have errors of more than 10 %. The distance of a vertex that no source reaches
+is -1.
 
-The triangles need not form a surface: a soup with edges of three or more faces, vertices of
-several fans and any orientation has a tufted cover. With --neighbors, points without faces are
-triangulated with their neighbors.
+A file of --curve is written by `intrinsic path`, or has polylines of another program. These are
+elements l of .obj, edges of .ply, Lines of .vtp with ascii numbers, or the points of .xyz. Points
+are moved to the surface and joined by shortest paths. With --signed, distances are negative on the
+left of the curve: inside a loop that runs counterclockwise. Gaps, and single segments of the wrong
+direction, are bridged.
 
-Example:
+The triangles need not form a surface: edges may have three or more faces, vertices may have several
+fans, and orientations may differ. Distances are then computed on a tufted cover. With --neighbors,
+points without faces are triangulated with their neighbors.
+
+Examples:
   intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply
   intrinsic distance bunny.obj --curve loop.obj --signed -o distance.vtp)";
 

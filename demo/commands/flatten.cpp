@@ -42,91 +42,90 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 constexpr const char* flatten_help =
-  R"(The map is discretely conformal. Without --boundary, vertices on the boundary have the scale
-factor one. An edge of the boundary keeps its length if the triangulation of the map has it as an
-edge. Others are flipped across, in the mesh glued to its mirror image: their images are
-polylines, and have other lengths. A surface without boundary is cut through its cones.
+  R"(The map is discretely conformal. By default, vertices on the boundary have the scale factor
+one. An edge of the boundary keeps its length if it is an edge of the triangulation of the map.
+Other edges of the boundary are flipped, in the mesh glued to its mirror image. Their images are
+polylines of other lengths. A surface without boundary is cut through its cones.
 
 Values of --boundary:
-  free       scale factors of vertices on the boundary are one (the default)
+  free       vertices on the boundary have the scale factor one (the default)
   straight   all exterior angles are zero; cones are placed inside
-  scale      --boundary-values FILE prescribes the logarithms of their scale factors
-  curvature  --boundary-values FILE prescribes their exterior angles
-  rectangle  each component is mapped to a rectangle; its corners are as far apart along the
-             boundary as possible with a sum of angles of at least nine tenths of that of the
-             four sharpest vertices
+  scale      --boundary-values FILE prescribes the logarithms of scale factors
+  curvature  --boundary-values FILE prescribes exterior angles
+  rectangle  each component is mapped to a rectangle. The corners are as far apart along the
+             boundary as possible. Their exterior angles add up to at least nine tenths of the sum
+             at the four sharpest vertices
   disk       the boundary of each component is mapped to a circle
-Rectangles and disks are for components with one boundary. They have no cones unless --cones is
-given, as handles require, and then only inside.
+For rectangles and disks, each component must have one boundary. Cones are then placed only with
+--cones, and only inside; components with handles need them.
 
-Cones are placed one by one where scale factors are greatest. With --cones exchanged, they are then
-dropped and moved while a linear estimate stays within the bound: often fewer cones, for more time.
---max-area-distortion X bounds areas, and is the same as --max-log-scale log(X)/2.
+Cones are placed one by one at the vertices with the greatest scale factors. With --cones exchanged,
+they are then dropped and moved while a linear estimate stays within the bound. This often leaves
+fewer cones, and takes more time. --max-area-distortion X is the bound --max-log-scale log(X)/2.
 
-With --radii, circles around the vertices are mapped to circles: the map is a decorated conformal
+With --radii, circles around the vertices are mapped to circles. The map is a decorated conformal
 map, which keeps inversive distances instead of lengths. Circles of neighbors may touch, but not
-meet. .ply and .vtp have their radii in the plane, as "radius", and zero at other vertices. A
-property of the vertices in the mesh is found by its name, as "radius" of `intrinsic pack`.
+meet. .ply and .vtp have the radii in the plane as "radius", zero at other vertices. Radii can also
+be a property of the vertices of the mesh, given by its name, such as "radius" of `intrinsic pack`.
 
-A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
-follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,
-and straight on the boundary; and they have no circle. In the file of --cones the values are
-angle defects, 2 pi less the sum of angles; an empty one makes a torus flat. All curvatures must
-add up to 2 pi times the Euler characteristic, unless scale factors are prescribed somewhere.
+A FILE has lines "index value": a vertex, counted from 0, and an angle in radians, a logarithm or a
+radius. A # begins a comment. Vertices that are not listed have no circle and the curvature zero:
+they are flat inside, and straight on the boundary. Values of --cones are angle defects, 2 pi minus
+the sum of angles; an empty file makes a torus flat. All curvatures must add up to 2 pi times the
+Euler characteristic, unless scale factors are prescribed somewhere.
 
-The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
-flat triangulation. The texture coordinates u, v at the corners of its faces are lengths in the
-plane, not limited to one. Charts of components are side by side. With --linear (the default,
-which every program reads) they are interpolated linearly; the map itself is projective on each
-face, and exact with --homogeneous: three numbers u w, v w, w, to be divided after linear
-interpolation.
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the flat
+triangulation. Texture coordinates u, v at the corners of its faces are lengths in the plane, not
+limited to one. Charts of components stand side by side. With --linear, the default, which every
+program reads, texture coordinates are interpolated linearly. The map itself is projective on each
+face. With --homogeneous it is exact: u w, v w and w are interpolated linearly, and then divided.
   .obj  "vt u v", or "vt uw vw w"
-  .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its
-        corners
-  .vtp  a property with that name of points, which are repeated along seams
-.ply and .vtp have for each vertex the input vertex (-1 if it is none), whether it is a cone and
-its logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat
-face or edge they are a part. Edges with is_seam 1 are cut open.
+  .ply  a list "texcoord" or "homogeneous_texcoord" of each face, with all numbers of its corners
+  .vtp  a property of points with this name; points are repeated along seams
 
-With --exact, the flips to the intrinsic Delaunay triangulation are decided exactly, on the
-surface of the positions, whose lengths and curvature errors have 32 digits, and the map is
-certified: "certified" in the statistics says whether this triangulation is Delaunay, the flat one
-is ideal Delaunay with the scale factors as they are, and all crossings are in order, without a
-tolerance. "greatest_excess", "exchanged_crossings", "undecided" and "undecided_crossings" are
-what fails: rounding decides ties.
+In .ply and .vtp, vertices have their input vertex (or -1), whether they are cones, and their
+logarithmic scale factor. Faces, and edges in .ply, have the input, intrinsic and flat face or edge
+that contains them. Edges with is_seam 1 are cut open.
+
+With --exact, flips to the intrinsic Delaunay triangulation are decided exactly, on the surface of
+the positions. Its lengths and curvature errors have 32 digits. "certified" in the statistics is
+true if the map is a success and exact decisions, without a tolerance, confirm three facts. This
+triangulation is Delaunay. The flat triangulation is ideal Delaunay with the rounded scale factors.
+All crossings are in order. Otherwise "greatest_excess", "exchanged_crossings", "undecided" and
+"undecided_crossings" have the reason: rounding decides ties.
 
 Solvers:
   newton  Newton's method
   ceres   L-BFGS of the Ceres Solver: as accurate, with fewer factorizations and more evaluations
-  cetm    Newton's method in the triangulation of the mesh, without flips, for comparison.
-          The scale factors depend on the triangulation and often do not exist; the error names the
+  cetm    Newton's method in the triangulation of the mesh, without flips, for comparison. Scale
+          factors depend on the triangulation and often do not exist. The error names the
           violated condition, triangle_inequality or no_minimum.
 
 Layouts, which differ by rounding only:
-  least-squares  face by face, then errors of all sides are distributed
+  least-squares  face by face; then errors of all sides are distributed
   spectral       the function with the least conformal energy: twice the time, often less error
-  incremental    face by face: errors add up on the way; half of the time
+  incremental    face by face: errors add up; half of the time
 
-The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order
-of .obj and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh.
-Its product with values at the vertices of the mesh (positions, colors, logarithmic scale
-factors) has the values at the vertices of the output, linear on the faces of the mesh. Each row
-has one to three weights, sum one. Rows of vertices of the mesh come first, in their order, so the
-matrix starts with the identity.
+The file of --matrix has a sparse matrix. Its rows belong to the vertices of the output, in the
+order of .obj and .ply (.vtp repeats vertices along seams). Its columns belong to the vertices of
+the mesh. It maps values at vertices of the mesh, such as colors, to values at vertices of the
+output, linearly on each face. Each row has one to three weights with the sum one. Rows of vertices
+of the mesh come first, in their order, so the matrix begins with the identity.
 
-The image can cover parts of the plane more than once. "overlap_area" in the statistics, and the
-last line, have the area of these parts, and "overlapping_charts" the pairs of charts that overlap:
-a chart has two equal numbers if it overlaps itself. With --no-overlap charts are cut along edges of
-the flat triangulation until none does, and packed. With --unit-square all texture coordinates are
-multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
+The image can cover parts of the plane more than once. The last line and "overlap_area" in the
+statistics have the area of these parts. "overlapping_charts" has pairs of charts that overlap; both
+numbers are equal if a chart overlaps itself. With --no-overlap, charts are cut along edges of the
+flat triangulation until no chart overlaps itself, and packed. With --unit-square, all texture
+coordinates are multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
 
-A map that misses a promise (curvatures, exterior angles, the shape of its boundary, length cross
-ratios, orientation) is not written, and the message says what can be tried. With
---keep-going it is written, with exit code 3; "promises" in the statistics has all errors.
+A map that misses a promise is not written, and the message names what can be tried. Promises are
+about curvatures, exterior angles, the shape of the boundary, length cross ratios and orientation.
+With --keep-going the map is written, with exit code 3. "promises" in the statistics has all errors.
+
 Texture coordinates are rounded such that no triangle is flipped. "flipped_triangles" in the
-statistics counts those for which this fails; it leaves out slivers, triangles with heights in space
-of up to 16 units in the last place of their coordinates, which "flipped_slivers" counts.
-"flipped_faces" has the first ten faces with one or the other.
+statistics counts triangles for which this fails. Slivers are counted by "flipped_slivers" instead:
+triangles with heights in space of up to 16 units in the last place of their coordinates.
+"flipped_faces" has the first ten faces with either.
 
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3

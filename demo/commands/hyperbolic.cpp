@@ -29,22 +29,27 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 namespace {
 
 constexpr const char* hyperbolic_help =
-  R"(Every component must have genus two or more, or sufficiently many boundaries or cones; for
-others there is `intrinsic uniformize`. --component K and --largest choose one. Boundaries become
-geodesics. The double of the surface is laid out; the output is the part of the mesh.
+  R"(Every component must have genus two or more, or sufficiently many boundaries or cones; use
+`intrinsic uniformize` for others. --component K and --largest select one component. Boundaries
+become geodesics. The double of a surface with boundary is laid out; the output is the part of the
+mesh.
 
 The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With
---homogeneous they are x t, y t, t, in Klein's disk, where the map is exact. With --radii, circles
+--homogeneous they are x t, y t, t in Klein's disk, in which the map is exact. With --radii, circles
 are mapped to circles, and "radius" in .ply and .vtp is hyperbolic.
 
-Statistics: the area, which is 2 pi (2 genus - 2 + boundaries); for each component its genus,
-boundaries and area, and the motions z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of
-its domain, or of that of its double, as real and imaginary parts of a and b; a relation, the order
-in which their product is the identity (from 1, negative for inverse ones), and its error as they
-are written; these motions with all known digits, where the layout needed more than 16, and the
-error of their relation. max_gluing_error is that of the corners of the domain; radius
-is the greatest distance from its center: in double precision, positions at a distance d have
-errors of about 1e-16 exp(d).
+Keys of the statistics:
+  area              2 pi (2 genus - 2 + boundaries) without cones
+  groups            for each component its genus, boundaries and area, and these keys of its domain,
+                    or of the domain of its double:
+    generators      motions z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides, as real and
+                    imaginary parts of a and b
+    relation        order in which their product is the identity, counted from 1, negative for
+                    inverses, and its error as written
+    precise_...     the same with all known digits, if the layout needed more than 16
+  max_gluing_error  greatest error at the corners of the domain
+  radius            greatest distance from the center. In double precision, positions at a
+                    distance d have errors of about 1e-16 exp(d)
 
 Example:
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";

@@ -40,14 +40,13 @@ constexpr const char* operators_help =
   PREFIX_connection_laplacian.mtx  connection Laplacian (v x v, complex Hermitian)
   PREFIX_gradient.mtx              values at vertices to vectors on faces (2f x v)
   PREFIX_divergence.mtx            vectors on faces to integrals at vertices (v x 2f)
-Rows and columns of vertices are in the order of the input, inserted vertices after them. Those of
-faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
-writes.
+Rows and columns of vertices are in the order of the input; inserted vertices follow. Each face has
+two rows or columns. The file of --save has the order of faces and the frames of tangent vectors.
 
-The triangles need not form a surface, and with --neighbors there may be points alone. Then f
-counts faces of the tufted cover, which has two for each triangle, and there is a further file:
-  PREFIX_cover_vertices.mtx        values at vertices to those at vertices of the cover (c x v)
-The connection Laplacian is c x c.
+The triangles need not form a surface, and with --neighbors the input may be points. Then f counts
+faces of the tufted cover, two for each triangle, and a further file is written:
+  PREFIX_cover_vertices.mtx        values at vertices to values at vertices of the cover (c x v)
+The connection Laplacian is then c x c.
 
 Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";

@@ -29,12 +29,12 @@ struct Pack_options : Output_options
 constexpr const char* pack_help =
   R"(The mesh must be a sphere or a disk in which vertices determine edges and faces. Only its
 connectivity counts. The circles of two vertices touch if an edge joins them. Circles of a sphere
-are on the unit sphere, and those of a disk in the unit disk, which the circles of its boundary
-touch.
+are on the unit sphere. Circles of a disk are in the unit disk, and circles of its boundary touch
+the unit circle.
 
 The output is the mesh with its vertices at the centers of their circles. .ply and .vtp have the
-radii: of a circle on the sphere, the angle between the center and the circle. --circles draws the
-circles in the plane: those of a sphere by stereographic projection.
+radii; on the sphere, the radius is the angle between the center and the circle. --circles draws the
+circles in the plane, circles of a sphere by stereographic projection.
 
 Example:
   intrinsic pack bunny.obj -o packing.ply --circles packing.svg --stats packing.json)";

@@ -50,17 +50,16 @@ struct Path_options : Output_options
 };
 
 constexpr const char* path_help =
-  R"(The path is shortest, up to rounding. With --flips it is a geodesic: the shortest path along
-edges from vertex to vertex, through all --via, is shortened in its homotopy class, and with
---loop a loop. With --homology there are as many loops as are needed for every closed curve to be
-homologous to a combination of them. The status, in the statistics and in the last line on standard
-error:
+  R"(From --from to --to, the path is shortest, up to rounding. With --flips, the shortest path
+along edges through all --via is shortened to a geodesic in its homotopy class; with --loop, a loop.
+With --homology, every closed curve is homologous to a combination of the loops. The statistics and
+the last line on standard error have the status:
   shortest             no path is shorter
   geodesic             no small change shortens it
   blocked              it crosses itself, and is geodesic elsewhere
   straightest          it has the requested length
   stopped_at_boundary  it ends at the boundary
-The statistics have all its places on the mesh and, after flips, its edges in the intrinsic
+The statistics have all points of the path and, after flips, its edges in the intrinsic
 triangulation that --save writes.
 
 Examples:

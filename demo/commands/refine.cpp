@@ -29,29 +29,34 @@ struct Refine_options : Subdivision_options
 };
 
 constexpr const char* refine_help =
-  R"(The result is Delaunay and is written with exit code 0 whatever the status, which is in the
-statistics and in the last line on standard error:
+  R"(The result is Delaunay, and is written with exit code 0 for every status. The statistics and
+the last line on standard error have the status:
   bounds_met              every face obeys the bounds
-  bounds_met_but_excused  faces that violate the bound on angles are excused by small-angle vertices
-  insertion_limit         --max-insertions was reached; some faces violate the bounds. Lower
+  bounds_met_but_excused  small-angle vertices excuse all faces that violate the bound on angles
+  insertion_limit         --max-insertions was reached, and some faces violate the bounds. Lower
                           --min-angle, or raise --max-insertions
-  no_room                 floating point coordinates are too coarse for the faces that are left
-On closed meshes without small-angle vertices and constrained edges, refinement to at most 30
-degrees is proven to terminate, in exact arithmetic; with boundary this is an open question, but
-25 degrees were reached on all meshes of CGAL. With greater angles it need not terminate: hence the
-smaller default of --max-insertions. If rounded lengths do not suffice, refinement restarts
-with exact decisions; the last line and "exact_decisions" in the statistics report this. With
---exact the decisions are exact from the beginning, and the result is certified: the statistics
-have "certified", whether it is geodesic and exactly Delaunay, "ties", the number of edges whose
-flip is Delaunay too, "undecided", the number of edges and vertices for which a decision involves
-more than twelve independent square roots, and "decisions", the number of decisions at each stage.
-A result that is not certified is written, too; the last line says so.
+  no_room                 no floating-point coordinates are left for a vertex. Lower --min-angle
 
-Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
-input edge with an intrinsic edge, 2 inserted vertex.
+Refinement to at most 30 degrees is proven to terminate in exact arithmetic, on closed meshes
+without small-angle vertices and constrained edges. With boundary this is an open question;
+25 degrees were reached on all meshes of CGAL. Beyond 30 degrees it need not terminate, so the
+default of --max-insertions is smaller.
 
-With --simplicial the output is an ordinary mesh, for other programs: its vertices lie on the
-surface, its edges are straight in space, and their property "length" is the length on the
+If rounded lengths do not suffice, refinement restarts with exact decisions. The last line and
+"exact_decisions" in the statistics report this. With --exact, decisions are exact from the
+beginning, and the result is certified. The statistics then have these keys:
+  certified  whether the triangulation is geodesic and exactly Delaunay
+  ties       number of edges whose flip is Delaunay too
+  undecided  number of edges and vertices whose decision involves more than twelve independent
+             square roots
+  decisions  number of decisions at each stage
+A result that is not certified is written too; the last line reports it.
+
+Vertices of the output have the property "kind" in .ply and .vtp. It is 0 for an input vertex, 1 for
+a crossing of an input edge with an intrinsic edge, and 2 for an inserted vertex.
+
+With --simplicial, the output is an ordinary mesh for other programs. Its vertices lie on the
+surface, and its edges are straight in space. The property "length" of an edge is its length on the
 surface. Seams of a texture stay edges, unless the output is .off.
 
 Examples:

@@ -66,60 +66,64 @@ struct Simplify_options : Output_options
 };
 
 constexpr const char* simplify_help =
-  R"(Vertices are removed one by one, the one of least cost first. The result is an intrinsic
-Delaunay triangulation of a surface whose distances are close to those of the mesh; vertices keep
-their positions. The cost of a removal is a length: the distance by which curvature and area,
-with their weights, have been moved, times their part of the whole. Changes of area cost, too, at
-the boundary most, so that corners of flat parts stay. With --weight, weights that are not given
-are zero, and the last line names those in force. With a weight of color (in
-.ply, .off and .obj) or of any function at the vertices (properties in .ply, by their names), its
-Laplacian is moved too, so that more vertices stay where its gradient changes. --error is the
-greatest cost of a removal. If no vertex can be removed, simplification ends early, with exit
-code 0 and the status "nothing_removable" in the statistics. Vertices without faces stay;
+  R"(Vertices are removed one by one, always the vertex with the least cost. The result is an
+intrinsic Delaunay triangulation of a surface whose distances are close to distances on the mesh.
+Vertices keep their positions. The cost of a removal is a length. It is the distance by which
+curvature and area have been moved, with their weights, times their part of the whole. Changes of
+area cost too, most at the boundary, so that corners of flat parts stay.
+
+With --weight, weights that are not given are zero; the last line names all weights. Color (in .ply,
+.off and .obj) and functions at the vertices (properties in .ply, by their names) can have weights.
+Their Laplacians are moved too, so that more vertices stay where their gradients change.
+
+--error is the greatest cost of a removal. If no vertex can be removed, simplification ends early,
+with exit code 0 and the status "nothing_removable" in the statistics. Vertices without faces stay;
 --vertices and --ratio do not count them.
 
-With --min-angle, vertices are finally inserted into the coarse triangulation until its angles
-obey the bound, except at small-angle vertices, as by `intrinsic refine`. All output is about the
-refined coarse triangulation.
+With --min-angle, vertices are finally inserted into the coarse triangulation until its angles obey
+the bound, except at small-angle vertices, as by `intrinsic refine`. All output is about the refined
+coarse triangulation.
 
-With --close-loops and --pinch-handles the topology is simplified first: boundary loops up to a
-length are closed, and handles are cut along closed curves of edges up to a length, the shortest
-first, and closed on both sides, each by a disk of triangles around a new vertex. The rest of the
-mesh does not change. Faces of the disks have -1 as "input_face"; in the output their vertex is
-in the middle of the others, but lengths are those of the disk. Lengths are in the units of the
-mesh.
+With --close-loops and --pinch-handles, the topology is simplified first. Boundary loops up to a
+length are closed. Handles are cut along closed curves of edges up to a length, the shortest first,
+and closed on both sides. A loop is closed by a disk of triangles around a new vertex. The rest of
+the mesh does not change. Faces of disks have -1 as "input_face". In the output, the new vertex is
+in the middle of the boundary of its disk; lengths of the disk differ from this picture. All lengths
+are in the units of the mesh.
 
-With --exact, the refinement before and the intrinsic Delaunay triangulation from which vertices
-are removed are decided exactly and certified, as by `intrinsic delaunay --exact`. Removals
-change the surface by rounded numbers, and are decided in floating point.
+With --exact, the refinement before, and the intrinsic Delaunay triangulation from which vertices
+are removed, are decided exactly and certified, as by `intrinsic delaunay --exact`. Removals change
+the surface by rounded numbers, and are decided in floating point.
 
-The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp
-faces have the properties "coarse_face" and "input_face", and a color by which adjacent coarse
-faces differ; in .ply edges have "coarse_edge" and "input_edge", or -1, and .vtp has the coarse
-edges as polylines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input
-vertex, 1 crossing of a coarse edge with an edge, 2 inserted vertex, 3 bend of a coarse edge
-inside a face. With --refine more edges lead to the inserted vertices, within the
-faces of the mesh.
+The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp,
+faces have the properties "coarse_face" and "input_face", and a color that differs between adjacent
+coarse faces. Edges in .ply have "coarse_edge" and "input_edge", or -1; .vtp has the coarse edges as
+polylines. Vertices have "coarse_vertex", or -1, and "kind":
+  0  input vertex
+  1  crossing of a coarse edge with an edge
+  2  inserted vertex
+  3  bend of a coarse edge inside a face
+With --refine, more edges lead to the inserted vertices, within the faces of the mesh.
 
-The file of --coarse has the coarse triangulation as an ordinary mesh, for other programs: vertices
-where they are on the mesh, edges straight, faces flat. Vertices have the property "input_vertex"
-in .ply and .vtp, -1 for those that were inserted because there were loops or several edges with
-the same ends. They have the functions, colors and normals of the mesh, but faces have neither its
-texture coordinates nor its groups. The coarse triangulation is close to the mesh in its lengths,
-not in space. The last line and "coarse_mesh" in the statistics have the deviation, the greatest
-distance of a vertex of the mesh from the coarse mesh and of the middle of a coarse edge or face
-from the mesh, and the numbers of faces that are flipped or without area and of pairs of faces that
-intersect.
+The file of --coarse has the coarse triangulation as an ordinary mesh for other programs. Its
+vertices are at their positions on the mesh, edges are straight, and faces are flat. In .ply and
+.vtp, vertices have the property "input_vertex". It is -1 for vertices inserted because of loops or
+several edges with the same ends. Vertices have the functions, colors and normals of the mesh; faces
+have neither texture coordinates nor groups. The coarse triangulation is close to the mesh in its
+lengths, not in space. The last line and "coarse_mesh" in the statistics have the deviation. One
+number is the greatest distance of a vertex of the mesh from the coarse mesh. The other is the
+greatest distance of the middle of a coarse edge or face from the mesh. They also count faces that
+are flipped or have no area, and pairs of faces that intersect.
 
 P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its
-rows are barycentric coordinates: not negative, with sum 1. With L levels there are L matrices,
-P_1.mtx to P_L.mtx, each from one level to the one before; the vertices of the levels are those of
-the mesh that are left, in their order. Vertices inserted by --refine follow those of the mesh;
-they can be coarse vertices, but have no rows in the first matrix. Those of --min-angle are the
-last of the coarse vertices.
+rows are barycentric coordinates: not negative, with sum 1. With L levels, the L matrices P_1.mtx to
+P_L.mtx each lead from one level to the level before. The vertices of a level are the remaining
+vertices of the mesh, in their order. Vertices inserted by --refine follow them; they can be coarse
+vertices, but have no rows in the first matrix. Vertices inserted by --min-angle are the last coarse
+vertices.
 
---save writes all levels and the operations between them, with --refine after the mesh with the
-inserted vertices.
+--save writes all levels and the operations between them. With --refine, the mesh with the inserted
+vertices comes first.
 
 Examples:
   intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --prolongation P.mtx
@@ -680,9 +684,9 @@ void define_simplify(Command_line& line)
   command
     .add_option(
       "--weight", options.weights,
-      "NAME=W: the share of curvature, area, area_change, boundary_change, color or a property of "
-      "vertices in the cost. Others have no share. Without --weight it is curvature=1, "
-      "area=2, area_change=6 and boundary_change=12")
+      "NAME=W: the weight of curvature, area, area_change, boundary_change, color or a property of "
+      "vertices in the cost. Other weights are zero. Without --weight, curvature=1, area=2, "
+      "area_change=6 and boundary_change=12")
     ->allow_extra_args(false);
   command
     .add_option("--levels", options.number_of_levels,
@@ -690,7 +694,7 @@ void define_simplify(Command_line& line)
     ->transform(integer_from_to(1, 100))
     ->capture_default_str();
   add_number(command, "--refine", options.refinement.minimum_angle,
-             "Refine to this angle in degrees first, so that there are vertices to choose from",
+             "Refine to this angle in degrees first: coarse parts get vertices to choose from",
              number_from_to(0., 30.));
   add_number(command, "--min-angle", options.coarse_minimum_angle,
              "Insert vertices into the coarse triangulation until all its angles have this many "

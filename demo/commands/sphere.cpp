@@ -39,32 +39,34 @@ struct Sphere_options : Output_options
 };
 
 constexpr const char* sphere_help =
-  R"(Each component must be a sphere or a disk. The image is a convex polyhedron with
-vertices on the unit sphere, discretely conformal to the mesh, that has its center of mass (with
-areas of the mesh) in the center; or one half of such a polyhedron, with the boundary on the
-equator. Convexity is decided exactly. A disk without vertices inside becomes a convex polygon in
-the equator, in the plane z = 0: "flat" in the statistics.
+  R"(Each component must be a sphere or a disk. The image of a sphere is a convex polyhedron
+with vertices on the unit sphere, discretely conformal to the mesh. Its center of mass, weighted by
+areas of the mesh, is the center of the sphere. The image of a disk is one half of such a
+polyhedron, with the boundary on the equator. Convexity is decided exactly. A disk without vertices
+inside becomes a convex polygon in the equator, in the plane z = 0: "flat" in the statistics.
 
 The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
-polyhedron, projected to the sphere. .ply and .vtp have for each vertex the input vertex (-1 if it
-is none) and its logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and
-homogeneous coordinates on the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces;
-of faces (and in .ply of edges) of which input, intrinsic and sphere face or edge they are a part.
-A disk has its image in the unit disk as texture coordinates.
+polyhedron, projected to the sphere. Vertices have these properties in .ply and .vtp:
+  input_vertex                          input vertex, or -1
+  log_scale                             logarithmic scale factor
+  input_x, input_y, input_z             position on the mesh
+  homogeneous_x, ..._y, ..._z, ..._w    homogeneous coordinates on the polyhedron, linear on faces
+Faces, and edges in .ply, have the input, intrinsic and sphere face or edge that contains them. A
+disk has its image in the unit disk as texture coordinates.
 
-Long limbs have small images. By rounding of the output, triangles can lose their convexity or be
-flipped: lost_in_output in the statistics counts them. --precise writes the positions of the input
-vertices with 31 digits, all of which hold: the points are on the unit sphere up to 1e-31.
+Long limbs have small images. Rounding of the output can flip triangles, or make edges concave:
+lost_in_output in the statistics counts such triangles. --precise writes the positions of the input
+vertices with 31 digits, on the unit sphere up to 1e-31.
 
-Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
-zero. If the image is not convex, nothing is written but with --keep-going.
+Vertices without faces have the position (0, 0, 1), or (1, 0, 0) beside a disk, with homogeneous
+coordinates zero. If the image is not convex, it is written only with --keep-going.
 
 Several components are mapped one by one. Their spheres stand beside each other along the x axis,
-as "center" in the "components" of the statistics says; positions of --precise are relative to
-it, and vertices without faces stay where they are. --component K and --largest choose one.
+with the "center" in the "components" of the statistics. Positions of --precise are relative to it.
+Vertices without faces do not move. --component K and --largest select one component.
 
 With --radii, circles around the vertices are mapped to circles on the sphere. Their angles are
-"radius" in .ply and .vtp, and their centers have the center of mass in the center.
+"radius" in .ply and .vtp. The center of mass of their centers is the center of the sphere.
 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";

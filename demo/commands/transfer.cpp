@@ -39,15 +39,15 @@ struct Transfer_options
 };
 
 constexpr const char* transfer_help =
-  R"(With --points each line of the output has two places, FACE:a,b,c on the mesh and on the
-intrinsic triangulation; with --back such lines are read. With --data the output has a value for
-each vertex of the other triangulation, in lines "index value": those of the piecewise linear
-function that is closest in the L2 norm, which has the same integral. Faces and vertices of the
-intrinsic triangulation are those that --save writes. The statistics have the greatest error of
-points or values after the way there and back.
+  R"(With --points, each line of the output has two positions FACE:a,b,c: on the mesh and on the
+intrinsic triangulation. With --back, such lines are read. With --data, the output has a value for
+each vertex of the other triangulation, in lines "index value". These are the values of the closest
+piecewise linear function in the L2 norm, which has the same integral. Faces and vertices of the
+intrinsic triangulation are numbered as in the file of --save. The statistics have the greatest
+error of points or values after mapping them to the other triangulation and back.
 
 Examples:
-  intrinsic transfer bunny.obj --points points.txt -o places.txt
+  intrinsic transfer bunny.obj --points points.txt -o mapped.txt
   intrinsic transfer bunny.obj --data heights.txt --min-angle 25 -o refined.txt --stats s.json)";
 
 using Correspondence = IT::Correspondence<Triangulation::Traits>;

@@ -35,18 +35,18 @@ constexpr const char* uniformize_help =
   a torus       flat, as with `intrinsic flatten --cones none`
   a cylinder    with two boundaries and no handles: flat, with straight boundaries
   hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
---svg and --tiles are for hyperbolic surfaces, --homogeneous for these and flat ones.
+--svg and --tiles are for hyperbolic surfaces, --homogeneous for hyperbolic and flat surfaces.
 
-Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
-generators of its lattice in the fundamental domain of the modular group, as real and imaginary
-part; of a cylinder the height over the circumference, as imaginary part.
+The statistics have the keys of these commands, and "modulus" as real and imaginary part. For a
+torus, it is the quotient tau of the generators of its lattice, in the fundamental domain of the
+modular group. For a cylinder, its imaginary part is the height over the circumference.
 
 Several components are mapped one by one and written into one mesh, in which the vertices of the
-input keep their indices. Their textures stand beside each other, and unit spheres stand in a row,
-to the right of the mesh if other components are there. "components" in the statistics has what
-each became: the keys above, its number, sizes and first face, and of a sphere its center. If one
-has no map, nothing is written, or, with --keep-going, only the others. --component K and --largest
-choose one; --view, --picture and --svg show only one.
+input keep their indices. Textures stand beside each other. Unit spheres stand in a row, to the
+right of the mesh if it has other components. "components" in the statistics has the keys of each
+component, its number, sizes and first face, and the center of a sphere. If a component has no map,
+nothing is written, or, with --keep-going, only the others. --component K and --largest select one
+component; --view, --picture and --svg show only one.
 
 Example:
   intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";

@@ -19,15 +19,15 @@ struct View_options
 };
 
 constexpr const char* view_help =
-  R"(The page is one file that opens in any browser with WebGL 2, without a network. It shows the
-meshes side by side, turned together, with their defects in red. Clicking on a point shows its
-place. The page explains the keys.
+  R"(The page is one file for any browser with WebGL 2, without a network. It shows the meshes side
+by side, turned together, with their defects in red. A click on a point shows its position. The page
+explains the keys.
 
-All other commands write such a page with --view FILE.html: the surface with the edges of its
-triangulations, colored by scale factors, distances or curvature, by functions of the input, or
-by faces; its image in the plane, on the sphere or in the Poincare disk; with a checkerboard, by
-projective or linear interpolation; histograms of angles, and the statistics. Pages of large
-meshes draw intrinsic edges without the common subdivision, as with --direct.
+Most other commands write such a page with --view FILE.html. It shows the surface with the edges of
+its triangulations, and its image in the plane, on the sphere or in the Poincare disk. Colors show
+scale factors, distances, curvature, functions of the input, or faces. A checkerboard shows texture
+coordinates, by projective or linear interpolation. Histograms of angles and the statistics follow.
+Pages of large meshes draw intrinsic edges without the common subdivision, as with --direct.
 
 Example:
   intrinsic view bunny.obj scan.stl -o meshes.html)";
