@@ -24,19 +24,20 @@ namespace CGAL::Discrete_conformal_maps {
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy under lower bounds of its variables (Section 4.4.4).
 ///
-/// Every step leads towards the minimum, under the bounds, of the quadratic model of the energy. A
+/// Every step leads towards the minimum of the quadratic model of the energy under the bounds. The
 /// set of active bounds determines this minimum. Line search, damping and factorizations are as in
-/// `Newton_minimizer`. Convergence is quadratic once the active set stays. All points are within
-/// the bounds. A variable whose bound is active at the minimum is bitwise equal to the bound.
+/// `Newton_minimizer`. Convergence is quadratic once the active set does not change. All visited
+/// points satisfy the bounds. A variable whose bound is active at the minimum is bitwise equal to
+/// the bound.
 ///
 /// Results are bitwise reproducible.
 class Bounded_Newton_minimizer
 {
 public:
   /// makes a minimizer.
-  /// \param gradient_tolerance the greatest derivative at the minimum. For a variable at its bound,
-  ///   the derivative may be as far below zero. The rounding error of the gradient replaces it if
-  ///   it is greater
+  /// \param gradient_tolerance the greatest absolute value of a derivative at the minimum, or the
+  ///   rounding error of the gradient if that is greater. At an active bound, only negative
+  ///   derivatives count
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Bounded_Newton_minimizer(double gradient_tolerance = internal::tolerance::gradient,
@@ -46,8 +47,8 @@ public:
     CGAL_precondition(gradient_tolerance >= 0);
   }
 
-  /// minimizes `energy`, starting from `u`. An iteration takes an evaluation of the energy, and a
-  /// sparse Cholesky factorization for each active set that is tried, most often one or two.
+  /// minimizes `energy`, starting from `u`. An iteration evaluates the energy once, and factorizes
+  /// a sparse matrix for each active set that it tries, mostly one or two.
   /// \tparam Energy a model of `ConvexEnergy`
   /// \tparam Visitor a model of `MinimizationVisitor`
   /// \param energy the energy; afterwards it has been evaluated at `u`
@@ -55,7 +56,7 @@ public:
   ///   the visited point with the least gradient (max norm, without positive entries at bounds).
   /// \param lower_bound the bounds; minus infinity for none
   /// \param domain which variables are fixed; their bounds are ignored
-  /// \param visitor sees every step; if it throws, `u` is the best point so far
+  /// \param visitor is notified of every step; if it throws, `u` is the best point so far
   /// \pre `u` and `lower_bound` have the size of the energy, and `domain` has no components.
   template <typename Energy, typename Visitor>
   Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,

@@ -25,21 +25,22 @@ using Ceres_steps = Ceres_iteration<Energy, Visitor>;
 /// Hessian is the identity at the start.
 ///
 /// It takes about twenty steps with two or three factorizations; `Newton_minimizer` takes seven of
-/// each. Its line search compares values of the energy. If these cancel, the gradients on both
-/// sides give their difference. So the gradient becomes as small as with Newton's method.
+/// each. Its line search compares values of the energy. If these cancel, it computes their
+/// difference from the gradients at both points. So the gradient becomes as small as with Newton's
+/// method.
 ///
 /// The header needs the Ceres Solver: the component and target `Ceres` of the package.
 ///
-/// An iteration takes one or a few evaluations of the energy, with its value and gradient. After
-/// thirty iterations, or if it gets stuck, the Hessian is factorized again.
+/// An iteration evaluates the energy and its gradient once or a few times. The Hessian is
+/// factorized again after thirty iterations, and if no step makes progress.
 ///
 /// \cgalModels `ConvexMinimizer`
 class Ceres_minimizer : public internal::Iterative_minimizer<internal::Ceres_steps>
 {
 public:
   /// makes a minimizer.
-  /// \param gradient_tolerance the energy counts as minimized if no entry of the gradient is
-  ///   greater. The rounding error of the gradient replaces it if it is greater
+  /// \param gradient_tolerance the greatest absolute value of an entry of the gradient at the
+  ///   minimum, or the rounding error of the gradient if that is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Ceres_minimizer(double gradient_tolerance = internal::tolerance::gradient,

@@ -26,17 +26,18 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
-/// the convex energy whose minimum is the scale factors with prescribed angle defects (Section
+/// a convex energy. Its minimum is at the scale factors with the prescribed angle defects (Section
 /// 4.3.2).
 ///
 /// Faces are Euclidean triangles with the scaled lengths, or hyperbolic triangles with sides
 /// \f$x\f$ for scaled lengths \f$\sinh(x/2)\f$. Both have the same ideal Delaunay triangulation.
-/// `Hyperbolic_conformal_energy` has hyperbolic faces; it is strictly convex, also along constants.
+/// `Hyperbolic_conformal_energy` has hyperbolic faces. It is strictly convex in all directions,
+/// also if one number is added to all variables.
 ///
-/// It is twice continuously differentiable on the whole space, so that minimizers ignore the flips.
-/// In a fixed triangulation, with Euclidean faces, it is the energy of \cgalCite{SSP08}. If the
-/// scaled lengths of a face violate the triangle inequality, its part of the energy is linear. A
-/// minimum with such faces is no metric, and a minimum need not exist.
+/// It is twice continuously differentiable on the whole space, so minimizers need not know the
+/// flips. In a fixed triangulation, with Euclidean faces, it is the energy of \cgalCite{SSP08}. If
+/// the scaled lengths of a face violate the triangle inequality, its part of the energy is linear.
+/// A minimum with such faces defines no metric. A minimum need not exist.
 ///
 /// With circles at the vertices, radii are multiplied by \f$e^u\f$, and the energy is the one of
 /// \cgalCite{BL23}. Lengths are distances of centers. With Euclidean faces, the second derivatives
@@ -91,13 +92,14 @@ public:
   /// returns the number of variables, one for each vertex.
   std::size_t size() const;
 
-  /// sets whether several threads are used: `CGAL::Sequential_tag`, as at first,
-  /// `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. All values stay bitwise the same.
+  /// sets whether several threads are used: `CGAL::Sequential_tag`, the default,
+  /// `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. Values do not depend on it,
+  /// bitwise.
   template <typename ConcurrencyTag>
   void set_concurrency(const ConcurrencyTag& tag);
 
-  /// moves to the point `x`. If a scaled length is beyond the range of its number type, the
-  /// gradient is NaN. Complexity: linear in the vertices, edges and flips.
+  /// moves to the point `x`. If a scaled length exceeds the range of its number type, the gradient
+  /// is NaN. Complexity: linear in the vertices, edges and flips.
   void evaluate(const Vector& x);
 
   /// makes the current point the origin: its variable is zero.
@@ -129,7 +131,7 @@ public:
   std::size_t number_of_flat_faces() const { return Base::flat_faces(); }
 
   /// returns the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces.
-  /// Complexity: linear. \pre there are no circles: with circles only the derivatives are known
+  /// Complexity: linear. \pre there are no circles: with circles, only the derivatives are known
   FT value() const;
 
 #ifndef DOXYGEN_RUNNING

@@ -14,10 +14,10 @@ namespace CGAL::Discrete_conformal_maps {
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// the results of exact predicates about an inscribed polyhedron.
 ///
-/// The vertices are the images of points in the plane, and one of infinity, under the inverse of a
-/// stereographic projection. An edge is convex if and only if the edge of the plane is Delaunay.
-/// The images need not be known for this, and Moebius transformations do not change it. Decisions
-/// hold for the stored positions in the plane, without a tolerance.
+/// An inverse stereographic projection maps points of the plane, and infinity, to the vertices. An
+/// edge is convex if and only if the edge in the plane is Delaunay. So decisions need no positions
+/// on the sphere, and do not depend on Moebius transformations. They hold for the stored positions
+/// in the plane, without a tolerance.
 struct Convexity_certificate
 {
   std::size_t concave_edges = 0;     ///< edges that are not convex; edges in flat faces are convex

@@ -111,11 +111,11 @@ struct Map_outcome
 /// the common part of all discrete conformal maps: three triangulations with the correspondence of
 /// each to the next, and scale factors (Section 4.2).
 ///
-/// \f$T_1\f$ is the input. A component with boundary is doubled, as far as edges of \f$T_2\f$ and
-///   \f$T_3\f$ across the boundary reach. Elements of its second copy follow the elements of the
-///   input; the boundary is shared. \f$T_2\f$ is the intrinsic Delaunay triangulation of \f$T_1\f$.
-///   \f$T_3\f$ is the ideal Delaunay triangulation of \f$T_2\f$ with the scale factors. The paper
-///   writes \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$.
+/// \f$T_1\f$ is the input. A component with boundary is doubled. Of its second copy, only the part
+///   exists that edges of \f$T_2\f$ and \f$T_3\f$ across the boundary reach. Elements of its second
+///   copy follow the elements of the input; the boundary is shared. \f$T_2\f$ is the intrinsic
+///   Delaunay triangulation of \f$T_1\f$. \f$T_3\f$ is the ideal Delaunay triangulation of
+///   \f$T_2\f$ with the scale factors. The paper writes \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$.
 class Discrete_conformal_map
 {
 public:
@@ -156,8 +156,8 @@ public:
   {
     return *m_data->correspondence_bc;
   }
-  /// returns a layer as a model of `IntrinsicSurface`. Lengths of \f$T_3\f$ are for scale factors
-  /// of zero.
+  /// returns the triangulation `layer` as a model of `IntrinsicSurface`. Lengths of \f$T_3\f$ are
+  /// for scale factors of zero.
   auto surface(Layer layer) const
   {
     return layer == Layer::A   ? m_data->ab.input()
@@ -168,11 +168,11 @@ public:
   /// existing part of its second copy.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
-  /// returns whether the face `f` of \f$T_1\f$ is one of the input, not of its second copy.
+  /// returns whether the face `f` of \f$T_1\f$ belongs to the input, not to its second copy.
   bool is_original(Face_index f) const { return m_data->is_original(f); }
 
-  /// returns whether `h`, a halfedge of `subdivision()`, is a side of a face that is part of the
-  /// input, not of its second copy.
+  /// returns whether `h`, a halfedge of `subdivision()`, is a side of a face that lies in the
+  /// input, not in its second copy.
   bool is_original(Halfedge_index h) const { return m_data->is_original(h); }
 
   /// \deprecated Use `is_original()`.
@@ -182,7 +182,7 @@ public:
     return is_original(i);
   }
 
-  /// returns the vertex of the input that `v` is, or whose second copy `v` is.
+  /// returns `v` if it is a vertex of the input, otherwise the vertex whose second copy it is.
   Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
 
   /// returns the logarithmic scale factor at `v`.
@@ -214,7 +214,7 @@ public:
   /// returns the message of the numerical error that ended the computation; empty if none has.
   const std::string& cause() const { return m_outcome.cause; }
 
-  /// returns how the minimization of the energy has ended.
+  /// returns the outcome of the minimization of the energy.
   const Minimization_result& minimization() const { return m_outcome.minimization; }
 
   /// returns the numbers of factorizations of all stages: of cones, `Newton_minimizer` or
@@ -225,7 +225,7 @@ public:
   double max_curvature_error() const { return m_outcome.max_curvature_error; }
 
   /// returns the faces of the input with a part whose image is too small for positions of type
-  /// `double`, in ascending order. Corners that are apart on the surface have the same position, or
+  /// `double`, in ascending order. Different corners of such a part have the same position, or its
   /// sides have wrong lengths. Most maps have no such faces.
   ///
   /// A long strip that is mapped to a disk has such faces: its ends shrink by a factor of
@@ -233,7 +233,7 @@ public:
   /// of the picture alone, and does not affect the scale factors, \f$T_3\f$ and the map to it.
   const std::vector<Face_index>& crowded_faces() const { return m_outcome.crowded_faces; }
 
-  /// returns the number of flips from the triangulation before it to `layer`: from \f$T_1\f$ to
+  /// returns the number of flips from the previous triangulation to `layer`: from \f$T_1\f$ to
   /// \f$T_2\f$, or from \f$T_2\f$ to \f$T_3\f$. Zero for \f$T_1\f$.
   std::size_t number_of_flips(Layer layer) const
   {

@@ -79,7 +79,7 @@ private:
 /// triangulation. Then `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with
 /// the scale factors. No angle opposite to the boundary may be obtuse. Otherwise the error says to
 /// use `flatten()`, whose result has a common subdivision. With `Flipping::none`, the map belongs
-/// to the given triangulation, and exists for meshes with triangles that are not too bad.
+/// to the given triangulation. It often exists if triangles have good angles.
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with points, such as `Surface_mesh` or
 ///   `Seam_mesh`
@@ -129,8 +129,8 @@ public:
   /// \return
   ///   - `OK`;
   ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`.
-  ///     With `Flipping::to_Delaunay` an edge had to be flipped. With `Flipping::none` no scale
-  ///     factors exist. Or faces in the plane are smaller than rounding;
+  ///     With `Flipping::to_Delaunay` an edge had to be flipped; with `Flipping::none` no scale
+  ///     factors exist. Faces in the plane that are smaller than rounding are another reason;
   ///   - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` as their names say;
   ///   - `ERROR_WRONG_PARAMETER` if `flatten()` refuses the input, because an edge has no length,
   ///     for example;

@@ -15,9 +15,9 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// a motion of the hyperbolic plane in the Poincare disk: the Moebius transformation
-/// \f$ z \mapsto (a z + b) / (\bar b z + \bar a) \f$ with \f$|a|^2 - |b|^2 = 1\f$. The opposite
-/// matrix is the same motion.
+/// a motion of the hyperbolic plane in the Poincare disk: the Moebius transformation \f$ z \mapsto
+/// (a z + b) / (\bar b z + \bar a) \f$ with \f$|a|^2 - |b|^2 = 1\f$. A matrix and its negative are
+/// the same motion.
 ///
 /// Relative errors of entries add up in products. A motion that moves the origin by the distance
 /// \f$d\f$ has errors of about \f$\epsilon e^d\f$ at its image, for a rounding unit \f$\epsilon\f$.
@@ -95,7 +95,8 @@ public:
     return {2 * (p * r - q * s), 2 * (p * s + q * r), p * p + q * q + r * r + s * s};
   }
 
-  /// returns the greatest entry of the difference from the identity, as a matrix or its opposite.
+  /// returns the greatest entry of the difference from the identity, for the matrix or its
+  /// negative.
   double distance_to_identity() const
   {
     using std::abs;

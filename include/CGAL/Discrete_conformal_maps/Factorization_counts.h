@@ -12,7 +12,7 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// the numbers of steps that solved sparse linear systems.
+/// counts the steps that solve sparse linear systems.
 struct Factorization_counts
 {
   std::size_t factorizations = 0;    ///< the number of numeric factorizations

@@ -12,7 +12,7 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// a part of the work of `flatten()`, `uniformize_hyperbolic()` or `map_to_sphere()`.
+/// a stage of `flatten()`, `uniformize_hyperbolic()` or `map_to_sphere()`.
 enum class Flattening_stage
 {
   cones,    ///< cones are placed, for a map to the plane
@@ -28,7 +28,7 @@ enum class Flattening_stage
 /// \cgalModels `FlatteningVisitor`
 struct Default_flattening_visitor : Default_minimization_visitor
 {
-  /// is called when a part of the work begins.
+  /// is called when a stage begins.
   void start(Flattening_stage /* stage */) {}
 };
 

@@ -43,25 +43,25 @@ struct Fuchsian_group
   std::size_t genus = 0; ///< the genus of the closed surface
   double area = 0;       ///< its area
 
-  /// two motions for each handle. Each moves the fundamental domain to an image beside it, across
-  /// one of the open edges. Without cones, they generate the group.
+  /// two motions for each handle. Each moves the fundamental domain across one of its sides, to an
+  /// adjacent image. Without cones, they generate the group.
   std::vector<Disk_motion<>> generators;
 
-  /// these motions with all known digits. Empty if cones exist, or if the surface was laid out in
-  /// double precision.
+  /// the generators with all known digits. Empty if cones exist, or if double precision was
+  /// sufficient.
   std::vector<Disk_motion<Precise_number>> precise_generators;
 
   /// the number of known decimal digits of `precise_generators`. With fewer digits, the product of
   /// `relation` has a greater error; more digits do not reduce it.
   int known_digits = 0;
 
-  /// The product of these letters, from left to right, is the identity. Each generator occurs once,
-  /// and once as inverse. Empty if cones exist.
+  /// the generators and inverses whose product, from left to right, is the identity. Each generator
+  /// occurs once, and so does its inverse. Empty if cones exist.
   std::vector<Letter> relation;
 
-  /// the distance of this product of `generators` from the identity.
+  /// the distance of the product of `relation` from the identity, for `generators`.
   double relation_error = 0;
-  /// the distance of this product of `precise_generators` from the identity, if they exist.
+  /// the same distance for `precise_generators`, if they exist.
   double precise_relation_error = 0;
 };
 
@@ -191,8 +191,8 @@ public:
     return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
-  /// returns the greatest distance of a product of gluing motions around a vertex without cone from
-  /// the identity, seen from the origin.
+  /// returns the greatest gluing error: the distance from the identity of the product of gluing
+  /// motions around a vertex without cone, moved to the origin.
   double max_gluing_error() const { return m_layout.max_gluing_error; }
 
   /// returns the greatest distance of a vertex from the origin.
@@ -224,7 +224,7 @@ public:
   }
 
   /// returns the point of the Poincare disk that belongs to a vector in the cone over the
-  /// hyperboloid. Its absolute value is less than 1 also if rounding would make it 1.
+  /// hyperboloid. Its absolute value is less than 1, even if rounding would make it 1.
   static std::complex<double> to_disk(const std::array<double, 3>& p)
   {
     const double square = p[2] * p[2] - p[0] * p[0] - p[1] * p[1];

@@ -45,8 +45,8 @@ public:
   /// returns whether `v` is a vertex of the input.
   bool is_of_input(Vertex_index v) const { return v.idx() < m_number_of_input_vertices; }
 
-  /// returns `v` as a convex combination of vertices of the input: of the two ends of an edge if it
-  /// lies on one. Complexity: constant.
+  /// returns `v` as a convex combination of vertices of the input. If `v` lies on an edge, these
+  /// are its two ends. Complexity: constant.
   Intrinsic_triangulations::Vertex_weights<double> input_weights(Vertex_index v) const
   {
     if(is_of_input(v))
@@ -86,7 +86,7 @@ bool is_seam(const Map& map, const Input_part& part, Edge_index e)
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// the corners of the faces of an input part. Adjacent corners at a vertex, without a seam between
-/// them, are one corner: their images are one point. Computed in each face they can differ by
+/// them, are one corner with one image. Computed in each face, their images could differ by
 /// rounding.
 class Texture_corners
 {

@@ -10,12 +10,12 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// the methods that lay out flat faces, cut open, in the plane. Up to rounding, all results differ
-/// by motions only.
+/// the methods that lay out a flat surface, cut open, in the plane. Up to rounding, their results
+/// differ by rigid motions only.
 enum class Layout
 {
-  /// face by face; then points are shifted to minimize the sum of squared relative errors of the
-  /// sides of all faces
+  /// face by face. Then points are moved to minimize the sum of squared relative errors of all
+  /// sides
   least_squares,
   /// spectral \cgalCite{MTAD08}: the non-constant function with the least conformal energy relative
   /// to its mean square on the boundary. Inverse iteration starts from faces laid out one by one

@@ -47,14 +47,14 @@ inline const char* to_string(Minimization_status status)
 /// the result of a minimization.
 struct Minimization_result : Factorization_counts
 {
-  Minimization_status status = Minimization_status::converged; ///< how it ended
+  Minimization_status status = Minimization_status::converged; ///< the outcome
   std::size_t iterations = 0;                                  ///< the number of steps taken
   std::size_t evaluations = 0; ///< the number of evaluations of the energy
   double gradient_norm = 0;    ///< the greatest entry of the final gradient
   double gradient_error =
     0; ///< the rounding error of this gradient: of its computation, and of the stored point
 
-  /// returns the result of this minimization as the continuation of another one: numbers are added.
+  /// returns the result of both minimizations if this one continued `first`: counts are added.
   Minimization_result after(const Minimization_result& first) const
   {
     Minimization_result result = *this;

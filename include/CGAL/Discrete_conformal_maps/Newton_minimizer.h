@@ -24,28 +24,27 @@ using Newton_steps = Newton_iteration<Energy, Visitor>;
 /// minimizes a convex energy by Newton's method with a sparse Cholesky factorization.
 ///
 /// The line search uses the slope of the energy, never its values, which cancel near the minimum.
-/// An energy may become linear far from its minimum. If the Hessian is singular or nearly singular,
-/// it is damped, so that steps remain small. The damping vanishes at the minimum, and convergence
-/// is quadratic. The fill-reducing order of the factorization is kept while it is good. The
-/// symbolic factorization is kept while the pattern of the Hessian stays. CHOLMOD factorizes if the
-/// macro `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined, Eigen otherwise.
+/// Far from its minimum, an energy may be linear. A singular or nearly singular Hessian is damped,
+/// so that steps remain small. The damping vanishes at the minimum, and convergence is quadratic.
+/// The fill-reducing order of the factorization is reused while it is good. The symbolic
+/// factorization is reused while the pattern of the Hessian does not change. CHOLMOD factorizes if
+/// the macro `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined, Eigen otherwise.
 ///
-/// About ten iterations are usual. An energy is almost a linear program if its slopes change
-/// sharply at many points, at distances far below the distance from start to minimum. It can take
-/// hundreds of iterations.
+/// About ten iterations are usual. Hundreds can be necessary if the energy resembles a linear
+/// program: its slopes change sharply at many points between start and minimum.
 ///
 /// Results are bitwise reproducible.
 ///
-/// An iteration takes a sparse Cholesky factorization, or two if the Hessian is damped. It takes
-/// one evaluation of the energy, rarely more, at most 40.
+/// An iteration takes a sparse Cholesky factorization, or two if the Hessian is damped. It
+/// evaluates the energy once, rarely more often, at most 40 times.
 ///
 /// \cgalModels `ConvexMinimizer`
 class Newton_minimizer : public internal::Iterative_minimizer<internal::Newton_steps>
 {
 public:
   /// makes a minimizer.
-  /// \param gradient_tolerance the energy counts as minimized if no entry of the gradient is
-  ///   greater. The rounding error of the gradient replaces it if it is greater
+  /// \param gradient_tolerance the greatest absolute value of an entry of the gradient at the
+  ///   minimum, or the rounding error of the gradient if that is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Newton_minimizer(double gradient_tolerance = internal::tolerance::gradient,

@@ -35,8 +35,8 @@ enum class Flipping
 /// (Section 4.1.2), or in a fixed triangulation. It consists of connectivity and Penner lengths
 /// \f$\ell = e^{\lambda/2}\f$, without correspondence.
 ///
-/// Ptolemy flips and scaling commute. So few flips lead from one set of scale factors to the next.
-/// Flips compute sums, products and quotients of positive numbers, and lose no digits.
+/// Ptolemy flips and scaling commute. So few flips are needed if scale factors change. Flips lose
+/// no digits: they compute sums, products and quotients of positive numbers.
 ///
 /// With circles at the vertices \cgalCite{BL23} the polyhedron is hyperideal, and the triangulation
 /// is weighted Delaunay. Its lengths are lengths of tangents
@@ -105,7 +105,7 @@ public:
   /// returns the number of all flips so far.
   std::size_t number_of_flips() const { return flips().size(); }
 
-  /// sets other scale factors and, unless the triangulation is fixed, flips to their Delaunay
+  /// sets the scale factors and, unless the triangulation is fixed, flips to their Delaunay
   /// triangulation. Complexity: linear in the vertices, edges and flips.
   /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
@@ -152,7 +152,7 @@ public:
   }
 #endif
 
-  /// sets other scale factors, and keeps the triangulation.
+  /// sets the scale factors, and keeps the triangulation.
   /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
   void set_scale_factors(const std::vector<FT>& u)

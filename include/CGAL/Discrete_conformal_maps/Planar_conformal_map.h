@@ -22,12 +22,13 @@ namespace CGAL::Discrete_conformal_maps {
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// a discrete conformal map of a surface to the plane (Section 4.3). It has three triangulations
 /// with the correspondence of each to the next, scale factors, and the faces of \f$T_3\f$ in the
-/// plane. With a fixed triangulation, all three are the same. The faces of \f$T_3\f$ are flat, and
-/// are laid out side by side except at seams.
+/// plane. With a fixed triangulation, all three are the same. The faces of \f$T_3\f$ are flat.
+/// Adjacent faces are laid out side by side, except at seams.
 ///
 /// Every component of the input is one chart. Without prescribed scale factors and placed cones, it
-/// has the same area as the component. Charts stand side by side and do not overlap each other. The
-/// smallest rectangle around each is parallel to the axes, and the first one starts at the origin.
+/// has the same area as the component. Charts stand side by side and do not overlap each other.
+/// Their smallest rectangles are parallel to the axes, and the first rectangle begins at the
+/// origin.
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:

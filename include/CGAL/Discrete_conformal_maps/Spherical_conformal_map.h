@@ -83,9 +83,9 @@ private:
 /// The image of a disk is the upper hemisphere, and its boundary is the equator. A vertex of the
 /// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the image
 /// is a flat polygon in the plane of the equator (`is_flat()`). 32 digits may be too few to
-/// distinguish its vertices around the center of mass. Then the two ends that are farthest from
-/// each other become antipodal. The polyhedron of a sphere can also be a flat polygon with two
-/// sides.
+/// distinguish its vertices around the center of mass. Then the two ends of the disk that are
+/// farthest from each other become antipodal. The polyhedron of a sphere can also be a flat polygon
+/// with two sides.
 ///
 /// With circles at the vertices, positions are the centers of circles on the sphere, and their
 /// center of mass is the center of the sphere. The vertices of the polyhedron are the poles of the
@@ -96,8 +96,8 @@ private:
 /// logarithmic scale factor zero.
 ///
 /// Images of long limbs can be smaller than the spacing of numbers of type `double`;
-/// `lost_in_output()` counts the triangles concerned. The map stores positions with 32 digits.
-/// Differences of positions have 32 digits relative to the image of infinity.
+/// `lost_in_output()` counts such triangles. The map stores positions with 32 digits. Differences
+/// of positions have 32 digits relative to the image of infinity.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -176,10 +176,10 @@ public:
   double max_inscribed_error() const { return m_layout.max_inscribed_error(); }
 
   /// returns the number of vertices that violate a bound of Section 4.4.3. Their scale factors are
-  /// too small; or, at neighbors of the vertex at infinity, too great.
+  /// too small or, at neighbors of the vertex at infinity, too great.
   std::size_t bound_violations() const { return m_layout.bound_violations; }
 
-  /// returns whether more digits than `double` has were needed.
+  /// returns whether `double` had too few digits.
   bool is_extended() const { return m_layout.is_extended; }
 
   /// returns the homogeneous coordinates of a point of the polyhedron, as a vector

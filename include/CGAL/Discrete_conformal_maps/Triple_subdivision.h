@@ -29,8 +29,8 @@ using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_point;
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// the three triangulations of a surface (Figure 4.1). The letters are the superscripts in the
-/// paper.
+/// the three triangulations of a surface (Figure 4.1): \f$T_1\f$, \f$T_2\f$ and \f$T_3\f$. The
+/// paper has these letters as superscripts.
 enum class Layer
 {
   A, ///< \f$T_1\f$, the input

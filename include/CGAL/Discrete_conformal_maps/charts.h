@@ -36,7 +36,7 @@ struct Overlapping_charts
 };
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// the parts of the image of a surface in the plane that are not one-to-one.
+/// the overlaps of the image of a surface in the plane.
 struct Chart_overlap
 {
   std::size_t number_of_charts = 0;       ///< the number of charts
@@ -209,8 +209,8 @@ inline Chart_overlap find_overlap(const Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// puts the charts of a map beside each other. Each lies in the smallest rectangle that holds it,
-/// and these rectangles do not overlap. `flatten()` packs components in this way. Complexity:
+/// moves the charts of a map beside each other. Each lies in the smallest rectangle that contains
+/// it, and these rectangles do not overlap. `flatten()` packs components in this way. Complexity:
 /// \f$O(n \log n)\f$.
 /// \pre `map.is_laid_out()`
 inline void pack_charts(Planar_conformal_map& map)

@@ -134,9 +134,9 @@ constexpr bool has_corners()
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// adds the common subdivision of the three triangulations of a map, as far as it belongs to the
-/// input, to a mesh of any type. The map is projective on each of its faces. So this mesh with
-/// homogeneous texture coordinates is the whole map.
+/// adds the common subdivision of the three triangulations of a map to a mesh of any type. Only the
+/// part of the input is added, not its second copy. The map is projective on each face. So this
+/// mesh with homogeneous texture coordinates is the whole map.
 ///
 /// The vertices of the input come first, in their order, then crossings. Faces are convex polygons,
 /// with the orientation of the input. Images are rounded such that no face is reversed, if that is
@@ -162,15 +162,15 @@ constexpr bool has_corners()
 ///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
-///     \cgalParamDescription{gets for each vertex of `out` the vertex of the input that it is;
-///       null if there is none}
+///     \cgalParamDescription{gets the vertex of the input for each vertex of `out`; null for
+///       crossings}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
 ///                    value, or `std::array<Vertex_index, 3>` for all three triangulations}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge that contains it; null if there
-///       is none}
+///     \cgalParamDescription{gets the edge that contains each edge of `out`; null if no edge
+///       contains it}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
@@ -196,7 +196,7 @@ constexpr bool has_corners()
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws No_texture_coordinates if there are to be texture coordinates of a map that is not laid
+/// \throws No_texture_coordinates if texture coordinates are requested of a map that is not laid
 ///         out; nothing is written then
 template <typename Map, typename Graph,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -24,7 +24,7 @@ namespace CGAL::Discrete_conformal_maps {
 /// prescribed or placed greedily.
 ///
 /// `Planar_conformal_map::status()` is the outcome, measured on the result (see \ref dcm_status). A
-/// map that is no success has the best scale factors found, and a layout if there is one.
+/// map that is no success has the best scale factors found, and a layout if one exists.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -73,8 +73,8 @@ namespace CGAL::Discrete_conformal_maps {
 ///     \cgalParamDefault{`Newton_minimizer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{initial_log_scale_map}
-///     \cgalParamDescription{the start of the minimization; fewer steps are needed from a start
-///       close to the result}
+///     \cgalParamDescription{the start of the minimization; a start close to the result saves
+///       steps}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{zero everywhere}
 ///   \cgalParamNEnd
@@ -115,9 +115,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: a sparse Cholesky factorization for each step of the minimization, plus \f$O(n \log
 /// n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a prescription
-///   is impossible. The error names the element, and for curvatures the excess. It is also thrown
-///   if circles meet, with their vertices, or if exact decisions are requested with circles.
-///   Another reason is a `maximum_area_distortion` that is not greater than 1
+///   is impossible. The error names the element, and for curvatures the excess. Other reasons are
+///   circles that meet, exact decisions with circles, and a `maximum_area_distortion` of at most 1
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from

@@ -20,13 +20,13 @@ namespace CGAL::Discrete_conformal_maps {
 /// maps every component of a surface to a disk, discretely conformally: its boundary vertices lie
 /// on a circle.
 ///
-/// The exterior angles of a polygon in a circle depend on the lengths of its edges, and these on
-/// the angles. So the surface is flattened in rounds, each with the angles for the lengths before,
-/// until angles change by at most \f$10^{-10}\f$. Anderson's method \cgalCite{And65} accelerates
-/// the rounds. The `minimization()` of the result is the last one. If scale factors are far apart,
-/// the search starts from `map_to_sphere()`; a disk without inner vertices then needs no search. If
-/// no edge of \f$T_2\f$ and \f$T_3\f$ crosses the boundary, both images of a disk without cones
-/// agree up to a Moebius transformation.
+/// The exterior angles of a polygon in a circle depend on the lengths of its edges, which depend on
+/// the angles. So the surface is flattened in rounds. Each round takes its angles from the lengths
+/// of the previous round, until angles change by at most \f$10^{-10}\f$. Anderson's method
+/// \cgalCite{And65} accelerates the rounds. The `minimization()` of the result is the last one. If
+/// scale factors are far apart, the search starts from `map_to_sphere()`; a disk without inner
+/// vertices then needs no search. If no edge of \f$T_2\f$ and \f$T_3\f$ crosses the boundary, both
+/// images of a disk without cones agree up to a Moebius transformation.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

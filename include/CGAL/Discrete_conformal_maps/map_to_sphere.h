@@ -28,8 +28,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// returned. `Spherical_conformal_map::status()` is `Map_status::success` only if it is convex and
 /// its length cross ratios have errors of at most \f$10^{-8}\f$ (see \ref dcm_status). A map that
 /// is no success may have no positions: see `Spherical_conformal_map::is_laid_out()`. The polygon
-/// of a disk without inner vertices needs no minimization. It has 106 binary digits; its status is
-/// `Map_status::layout_collapsed` if these do not distinguish its vertices.
+/// of a disk without inner vertices needs no minimization. Its status is
+/// `Map_status::layout_collapsed` if 106 binary digits do not distinguish its vertices.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -60,8 +60,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: a few sparse Cholesky factorizations for each step of the minimization, plus \f$O(n
 /// \log n)\f$ in the vertices, flips and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
-///   nor a disk. It is also thrown if circles meet, with their vertices, or if a disk with circles
-///   has no vertex inside
+///   nor a disk. Other reasons are circles that meet, and a disk with circles but without a vertex
+///   inside
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from

@@ -23,7 +23,7 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// is thrown if the faces of an input have no texture coordinates: a map is not projective on them,
+/// is thrown if faces of the input have no texture coordinates: the map is not projective on them,
 /// or is not laid out.
 class No_texture_coordinates : public Intrinsic_triangulations::Error
 {

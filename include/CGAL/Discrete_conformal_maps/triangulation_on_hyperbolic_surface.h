@@ -76,10 +76,10 @@ anchor_of(Face_index f,
 /// The function exists if CGAL has the package `Triangulation_on_hyperbolic_surface_2`, since
 /// version 6.1.
 ///
-/// Cross ratios of edges are rounded. They follow from lengths around the edge in double precision,
-/// so that distances from the origin of the disk do not count. The anchor is the first face, with
-/// its positions in the disk. CGAL derives all other positions from cross ratios, and adds up their
-/// errors. With an exact number type, the numbers are exactly these roundings.
+/// Cross ratios of edges are rounded. They are computed from lengths around the edge in double
+/// precision, so they do not lose digits far from the origin of the disk. The anchor is the first
+/// face, with its positions in the disk. CGAL derives all other positions from cross ratios, and
+/// their errors add up. An exact number type represents the rounded numbers.
 ///
 /// \tparam Traits a model of `HyperbolicSurfaceTraits_2`, whose `FT` is constructed from `double`
 /// \param map a map that is laid out
@@ -87,7 +87,7 @@ anchor_of(Face_index f,
 ///
 /// Complexity: linear, except for checks of CGAL.
 /// \throws Intrinsic_triangulations::Invalid_input if the component has cones, which hyperbolic
-///   surfaces of CGAL have not
+///   surfaces of CGAL cannot have
 /// \pre `map.is_laid_out()`
 template <typename Traits>
 CGAL::Triangulation_on_hyperbolic_surface_2<Traits>

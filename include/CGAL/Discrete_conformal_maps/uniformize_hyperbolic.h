@@ -68,8 +68,7 @@ namespace CGAL::Discrete_conformal_maps {
 /// Complexity: a sparse Cholesky factorization for each step of the minimization, plus \f$O(n \log
 /// n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a component
-///   cannot be hyperbolic with these conditions. It is also thrown if circles meet, with their
-///   vertices
+///   cannot be hyperbolic with these conditions. Another reason is circles that meet
 /// \throws Intrinsic_triangulations::Numerical_error if \f$T_2\f$ cannot be computed
 /// \throws Intrinsic_triangulations::Overflow_error if integers have too few digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
