@@ -191,8 +191,8 @@ public:
     return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
-  /// returns the greatest gluing error: the distance from the identity of the product of gluing
-  /// motions around a vertex without cone, moved to the origin.
+  /// returns the greatest gluing error of a vertex without cone. The product of the gluing motions
+  /// around it should be the identity; the error is `Disk_motion::distance_to_identity()`.
   double max_gluing_error() const { return m_layout.max_gluing_error; }
 
   /// returns the greatest distance of a vertex from the origin.

@@ -17,7 +17,7 @@ namespace CGAL::Intrinsic_simplification {
 /// the composition of two maps. Each is a `Surface_map`, a `Correspondence_map` or a
 /// `Composed_map`. The object refers to both.
 ///
-/// Between levels of one surface use `Surface_map`, which has curves and subdivisions too.
+/// Between levels of one surface, use `Surface_map`, which also has curves and subdivisions.
 template <typename First, typename Second>
 class Composed_map
 {
@@ -38,8 +38,8 @@ public:
   /// returns the surface on which the second map ends.
   decltype(auto) coarse() const { return m_second.coarse(); }
 
-  /// returns the vertex of the coarse surface that is the vertex `v` of the fine one; null if there
-  /// is none. Complexity: logarithmic.
+  /// returns the vertex of the coarse surface that corresponds to the vertex `v` of the fine
+  /// surface; null if it has been removed. Complexity: logarithmic.
   Vertex_index coarse_vertex(Vertex_index v) const
   {
     const Vertex_index between = m_first.coarse_vertex(v);

@@ -14,11 +14,11 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// the identity of a surface as a map between its triangulations. It leads from \f$T_1\f$, called
-/// fine, to \f$T_2\f$, called coarse, whichever has more vertices. It has the names of
-/// `Surface_map`. So `Composed_map` composes maps by integer coordinates and maps by a history.
+/// the identity of a surface as a map between its two triangulations. It calls \f$T_1\f$ fine and
+/// \f$T_2\f$ coarse, whichever has more vertices. Its members have the names of `Surface_map`, so
+/// that a `Composed_map` can contain both.
 ///
-/// The object refers to the triangulation and is valid until that changes.
+/// The object refers to the triangulation, and is valid until the triangulation changes.
 class Correspondence_map
 {
 public:

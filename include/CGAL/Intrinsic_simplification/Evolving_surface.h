@@ -84,8 +84,7 @@ public:
   }
 
   /// computes the flattened star of `v`. Complexity: linear in the degree of `v`.
-  /// \returns whether `v` can be removed. Only an attempt shows whether a vertex with a loop is
-  ///   separable
+  /// \returns whether `v` can be removed. For a vertex with a loop, only `remove()` decides it
   Removal_status flatten(Vertex_index v, Flattened_star& star) const
   {
     return is_protected(v) ? Removal_status::protected_vertex : star.flatten(v, m_surface);
@@ -104,9 +103,9 @@ public:
     flip_waiting_edges([](Vertex_index) {});
   }
 
-  /// flips edges until all are Delaunay by exact decisions about the metric of `tri`, from which
-  /// the surface was made. It makes both Delaunay by the same flips, and copies the lengths of
-  /// `tri`. Complexity: linear in the edges and flips.
+  /// flips edges until all are Delaunay, by exact decisions about the metric of `tri`, from which
+  /// the surface was made. Both get the same flips, and the surface gets the lengths of `tri`.
+  /// Complexity: linear in the edges and flips.
   /// \throws the exceptions of `Intrinsic_triangulations::make_Delaunay()`. Afterwards the surface
   ///   is valid.
   /// \pre the triangulation \f$T_2\f$ of `tri` is the triangulation of the surface, with the same
@@ -121,10 +120,10 @@ public:
   }
 
   /// removes the center of `star` (Section 5.1). It scales the center, flips its edges until three
-  /// are left, removes it, and makes the changed edges Delaunay. Complexity: linear in the degree
-  /// of the center and the flips, for bounded degrees.
+  /// are left, and removes it. Then it flips changed edges until they are Delaunay. Complexity:
+  /// linear in the degree of the center and the flips, for bounded degrees.
   /// \param star the flattened star; its scale factor is refined
-  /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
+  /// \param touch is called with each vertex whose star may have changed, possibly more than once
   /// \returns whether the vertex has been removed. Otherwise the surface has not changed.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
   ///   Intrinsic_triangulations::Numerical_error as `make_Delaunay()`, if a million flips plus a

@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// an edge that leaves the center of a star. Lengths and directions are before the center is
+/// an edge that leaves the center of a star, with its length and direction before the center is
 /// flattened.
 struct Star_halfedge
 {
@@ -33,8 +33,8 @@ struct Star_halfedge
   double length;                       ///< the length of the edge
   std::complex<double> direction;      ///< its direction at the center, of length one
   std::complex<double> direction_back; ///< the direction of the opposite halfedge at the neighbor
-  /// the change by flattening of the angle at the neighbor in the two faces of the outgoing
-  /// halfedge. The curvature of the neighbor changes by its negative
+  /// the change of the angle at the neighbor, in the two faces of the outgoing halfedge, by
+  /// flattening. The curvature of the neighbor changes by its negative
   double angle_change;
   /// the share of this outgoing halfedge in the total change (Equation 5.7). Shares are equal if
   /// the center is already flat, and zero for loops
@@ -48,8 +48,8 @@ struct Star_halfedge
 ///
 /// The center gets the scale factor \f$u\f$: the length of an edge is multiplied by \f$e^{u/2}\f$
 /// for each end at the center. The other edges of the star keep their lengths. The sum of angles at
-/// the center decreases strictly with \f$u\f$, so there is at most one solution. Then the sum is
-/// \f$2\pi\f$ at an interior vertex, and \f$\pi\f$ on the boundary, which becomes straight.
+/// the center decreases strictly with \f$u\f$. So at most one \f$u\f$ makes it \f$2\pi\f$ at an
+/// interior vertex, or \f$\pi\f$ on the boundary, which becomes straight.
 ///
 /// An object can be reused for other vertices; it keeps its memory.
 class Flattened_star
@@ -71,8 +71,8 @@ public:
     return Removal_status::possible;
   }
 
-  /// computes the scale factor up to rounding. Angle changes and weights do not change. Complexity:
-  /// see `flatten()`.
+  /// computes the scale factor up to rounding. Angle changes and shares stay as they were.
+  /// Complexity: see `flatten()`.
   /// \returns whether the center can be flattened after all
   bool sharpen() { return solve(internal::angle_rounding(size())); }
 
@@ -82,7 +82,7 @@ public:
   /// returns whether the center is on the boundary.
   bool is_border() const { return m_is_border; }
 
-  /// returns whether an edge joins the center with itself.
+  /// returns whether an edge is a loop at the center.
   bool has_loop() const { return m_has_loop; }
 
   /// returns the number of outgoing halfedges; a loop counts twice.

@@ -38,13 +38,14 @@ using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::pi;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space
-/// of its source. Its lengths can be changed, unlike lengths of an
-/// `Intrinsic_triangulations::Intrinsic_triangulation`.
+/// a Delta-complex with edge lengths, and with the direction of every halfedge in the tangent space
+/// of its source. Unlike in an `Intrinsic_triangulations::Intrinsic_triangulation`, lengths can be
+/// changed.
 ///
-/// Directions are complex numbers. They start as in `Intrinsic_triangulations::Tangent_frames`.
-/// When an edge replaces another one, or lengths change, a halfedge gets a direction between its
-/// two neighbors, in the proportion of the two corners. The frame of a vertex does not change.
+/// Directions are complex numbers. At first they are the directions of
+/// `Intrinsic_triangulations::Tangent_frames`. After a flip or a change of lengths, a halfedge gets
+/// a direction between its two neighbors. The angles of the two corners determine the proportion.
+/// The frame of a vertex does not change.
 ///
 /// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
 /// \cgalModels `IntrinsicSurface`
@@ -210,8 +211,8 @@ public:
   /// changes the direction of `h`.
   void set_direction(Halfedge_index h, const std::complex<double>& z) { m_direction[h] = z; }
 
-  /// directs `h` between its neighbors at its source in the proportion of the two corners. The
-  /// direction of a border edge does not change. Complexity: constant.
+  /// directs `h` between its neighbors at its source, in the proportion of the angles of the two
+  /// corners. The direction of a border edge does not change. Complexity: constant.
   void place_between_neighbors(Halfedge_index h)
   {
     const Halfedge_index o = opposite(h);

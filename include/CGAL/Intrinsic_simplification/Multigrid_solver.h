@@ -100,7 +100,7 @@ public:
 
   /// solves for one right-hand side. Complexity: linear for each iteration.
   /// \param b the right-hand side
-  /// \param tolerance the error at which to stop
+  /// \param tolerance the estimated relative error at which to stop
   /// \param maximum_number_of_iterations the greatest number of V-cycles
   Multigrid_result solve(Vector b, double tolerance = 1e-10,
                          std::size_t maximum_number_of_iterations = 200) const

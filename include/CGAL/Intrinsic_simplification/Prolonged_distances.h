@@ -58,8 +58,8 @@ prolonged_distances_from(Vertex_index source, const Surface_map& map,
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// approximates the geodesic distances between all pairs of vertices of a fine level by \f$P D
 /// P^T\f$. The matrix \f$D\f$ has exact distances between vertices of a coarse level. The distance
-/// of a vertex from itself is zero only for vertices of the coarse level. Distances that are short
-/// compared to coarse edges are too large.
+/// of a vertex from itself is zero only for vertices of the coarse level. Distances much shorter
+/// than coarse edges are too large.
 ///
 /// Memory: \f$8 n_c^2\f$ bytes for \f$n_c\f$ coarse vertices, plus the prolongation.
 class Prolonged_distances

@@ -58,7 +58,7 @@ public:
   /// appends a scaling.
   /// \param v the vertex
   /// \param factor the factor of the barycentric coordinate
-  /// \param has_corners whether the scaling has an effect: with `false`, it gets no corners
+  /// \param has_corners whether the scaling has an effect; with `false`, it has no corners
   /// \param mesh the mesh
   /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be
   ///   indexed
@@ -115,7 +115,7 @@ public:
   /// returns one more than the greatest index of a face from an insertion, or 0.
   std::size_t end_of_inserted_faces() const { return m_end_of_inserted_faces; }
 
-  /// discards all operations but the first `t`.
+  /// discards all operations except the first `t`.
   void truncate(Time t)
   {
     for(; size() > t; m_operations.pop_back())

@@ -20,8 +20,8 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a copy of an evolving surface at one time. Its elements have indices without gaps, in the order
-/// of the indices of the surface. Several levels make a hierarchy.
+/// a copy of an evolving surface at one time. Indices of its elements have no gaps, and have the
+/// order of the evolving surface. Several levels make a hierarchy.
 /// \cgalModels `IntrinsicSurface`
 class Surface_level
 {
@@ -29,12 +29,12 @@ public:
   /// the type of the map of edge lengths.
   typedef Intrinsic_surface::Length_map Length_map;
 
-  /// copies the current state. Complexity: linear in the indices that have been used for elements.
+  /// copies the current state. Complexity: linear in the greatest index of an element.
   explicit Surface_level(const Evolving_surface& surface)
     : Surface_level(surface, surface.history().size())
   {}
 
-  /// copies a surface. Complexity: linear in the indices that have been used for elements.
+  /// copies a surface. Complexity: linear in the greatest index of an element.
   /// \param surface a model of `IntrinsicSurface`; removed elements leave gaps in the indices
   /// \param time the number of operations before it
   template <typename Surface>

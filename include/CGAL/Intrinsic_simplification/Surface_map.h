@@ -30,9 +30,9 @@ class Face_cutter;
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the bijective map between two levels of an evolving surface (Section 5.2.1).
 ///
-/// A point is carried only through those operations between the levels that change its face. A list
-/// for each face has these operations. The map is continuous, and projective on pieces. A vertex of
-/// both levels is mapped exactly to itself, and a point of a boundary to a point of the boundary.
+/// A point is carried through the operations that change its face; each face has a list of them.
+/// The map is continuous, and projective on pieces. A vertex of both levels is mapped exactly to
+/// itself, and a point of a boundary to a point of the boundary.
 ///
 /// The object refers to the history and to both levels. Memory: 4 bytes for each face and operation
 /// on it.
@@ -67,8 +67,8 @@ public:
   /// returns the coarse level.
   const Surface_level& coarse() const { return m_coarse; }
 
-  /// returns the vertex of the coarse level that is the vertex `v` of the fine level; null if it
-  /// has been removed. Complexity: logarithmic.
+  /// returns the vertex of the coarse level that corresponds to the vertex `v` of the fine level;
+  /// null if it has been removed. Complexity: logarithmic.
   Vertex_index coarse_vertex(Vertex_index v) const
   {
     return m_coarse.level_vertex(m_fine.surface_vertex(v));

@@ -31,7 +31,7 @@ public:
     : Face_corner(mesh.face(h), Intrinsic_triangulations::side_number(h, mesh))
   {}
 
-  /// makes the corner of `f` with this index among the barycentric coordinates.
+  /// makes the corner of `f` with the given index of its barycentric coordinate.
   /// \throws Intrinsic_triangulations::Overflow_error if there are more than \f$2^{30}\f$ faces
   Face_corner(Face_index f, std::size_t index)
     : m_code(4 * static_cast<std::uint32_t>(f) + static_cast<std::uint32_t>(index))
@@ -87,7 +87,7 @@ struct Vertex_change
   static constexpr int code = 2; ///< the index of the type in files, and the first of four
   bool is_insertion;             ///< whether the vertex is inserted
   bool is_border;                ///< whether the vertex is on the boundary
-  /// the corners of the faces around the vertex, at the vertex; on the boundary, the third is none
+  /// the corners of the faces at the vertex; on the boundary, the third corner is null
   std::array<Face_corner, 3> corners;
   Face_corner
     whole; ///< the corner of the whole face that is the target of the first outgoing halfedge
@@ -97,8 +97,8 @@ struct Vertex_change
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a change of a surface, with all data that carries points through it, in 32 bytes: a `Scaling`, a
-/// `Flip` or a `Vertex_change`.
+/// a change of a surface in 32 bytes: a `Scaling`, a `Flip` or a `Vertex_change`. It has all data
+/// to map points.
 class Surface_operation
 {
 public:

@@ -51,16 +51,16 @@ enum class Level
 /// So the polygons have straight sides on the fine surface. With the last vertices, they have
 /// straight sides on the coarse surface too. They need not be convex.
 ///
-/// The map from a polygon on one level to the polygon on the other is continuous and one-to-one. It
-/// consists of projective pieces that are smaller in general, one for each sequence of faces that
-/// contained a point. Without scaling it is an isometry.
+/// The map from a polygon on one level to the polygon on the other is continuous and one-to-one. In
+/// general it consists of several projective pieces, one for each sequence of faces that contained
+/// a point. Without scaling, it is an isometry.
 ///
-/// The connectivity is always a subdivision of both levels. The order of crossings on an edge of
-/// the fine level depends on the separation of the crossing curves, not on positions of crossings.
-/// Positions are rounded, and in order along every edge. An edge of the coarse level that comes to
-/// a vertex within rounding runs through it. It runs along an edge of the fine level if it comes to
-/// both ends. If edges nearly coincide otherwise, polygons can have an area as small as rounding,
-/// of either sign (see `signed_area()`). They may have two sides only.
+/// The connectivity is always a subdivision of both levels. The crossing curves determine the order
+/// of crossings on an edge of the fine level, not the rounded positions. Positions are rounded, and
+/// in order along every edge. An edge of the coarse level runs through each vertex that it passes
+/// within rounding. It runs along an edge of the fine level if it runs through both ends. Between
+/// other edges that nearly coincide, polygons can have areas as small as rounding, of either sign
+/// (see `signed_area()`). They may have only two sides.
 ///
 /// The object refers to the levels of the map, and is valid during their lifetime.
 ///
@@ -88,10 +88,8 @@ public:
   /// builds the subdivision. Complexity: the time to trace the edges, and to sort the crossings on
   /// every edge.
   /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level cross each
-  ///   other by rounding. It is also thrown if a vertex is not in or next to the coarse face that
-  ///   the edges around it determine. A rounded number decides, for each edge separately, on which
-  ///   side of a removed vertex or of a bend an edge passes. So these errors need vertices as close
-  ///   to each other as rounding
+  ///   other by rounding, or the edges around a vertex determine a coarse face far from it. Both
+  ///   need vertices as close to each other as rounding
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
   {
@@ -101,8 +99,8 @@ public:
   /// returns one of the levels.
   const Surface_level& level(Level side) const { return *m_levels[Base::index(side)]; }
 
-  /// returns the vertex of `side` that `v` is, or null. Complexity: logarithmic for the coarse
-  /// level.
+  /// returns the vertex of `side` that corresponds to `v`, or null. Complexity: logarithmic for the
+  /// coarse level.
   Vertex_index parent_vertex(Level side, Vertex_index v) const
   {
     const Vertex_index fine = Base::parent_vertex(Level::fine, v);

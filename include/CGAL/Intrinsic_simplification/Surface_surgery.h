@@ -27,16 +27,16 @@ namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// a surface that can be cut along closed curves, and whose boundary loops can be closed by disks.
-/// It has the map from the original surface.
+/// It maps points from the original surface and back.
 ///
 /// A disk that closes a loop has one vertex, the apex. Edges of one length join it to all vertices
 /// of the loop. The disk is flat, and its boundary inscribed in a circle, unless an edge of the
 /// loop is longer than \f$\sqrt{3}\f$ times the radius. Then the edges to the apex are
 /// \f$1/\sqrt{3}\f$ times as long as the longest edge, and the disk is a cone.
 ///
-/// Outside of the disks nothing changes: faces, edges and vertices of the surface keep their
-/// indices, lengths and angles. New elements have greater indices. Along a cut, the left side gets
-/// new vertices and the right side new edges.
+/// Nothing changes outside the disks: faces, edges and vertices keep their indices, lengths and
+/// angles. New elements have greater indices. Along a cut, the left side gets new vertices and the
+/// right side new edges.
 ///
 /// The surface may be triangulated again between operations. Then faces and edges get other
 /// indices; the map includes this change.
@@ -70,8 +70,8 @@ public:
   /// returns the current lengths of the edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
-  /// returns an intrinsic triangulation of the current surface, with \f$T_1 = T_2\f$: the input of
-  /// further work. Constrained edges remain constrained, on both sides of a cut. Complexity:
+  /// returns an intrinsic triangulation of the current surface, with \f$T_1 = T_2\f$, the input of
+  /// other functions. Constrained edges remain constrained, on both sides of a cut. Complexity:
   /// linear.
   Triangulation triangulation() const
   {
@@ -81,8 +81,8 @@ public:
                                    .edge_is_constrained_map(is_constrained));
   }
 
-  /// returns the vertex of the original surface that `v` is or, on a cut, comes from; null if `v`
-  /// is the apex of a disk.
+  /// returns the vertex of the original surface from which `v` comes; null if `v` is the apex of a
+  /// disk.
   Vertex_index original_vertex(Vertex_index v) const { return m_origin[v]; }
 
   /// returns the number of closed loops, including two for each cut.
@@ -95,8 +95,8 @@ public:
   /// \name The Map
   /// @{
 
-  /// maps a point of the original surface to the current surface. It keeps its position. A point on
-  /// a cut is mapped to the side of its face. Complexity: constant, plus
+  /// maps a point of the original surface to the same point of the current surface. A point on a
+  /// cut is mapped to the side of its face. Complexity: constant, plus
   /// `Intrinsic_triangulations::point_across()` for each retriangulation.
   Location image(Location p) const
   {

@@ -27,11 +27,12 @@ namespace CGAL::Intrinsic_simplification {
 /// the cost of removing a vertex: the distance by which curvature, area, or other data on the
 /// vertices would move (Section 5.3).
 ///
-/// Each signed quantity is split into two positive masses. A vertex carries its mass and, as a
-/// tangent vector, the sum of all mass times the vector to its origin. A removed vertex leaves both
-/// to its neighbors, in the shares of Equation 5.7. Its cost is the sum of the lengths of the
-/// vectors that its neighbors would have (Equation 5.5). It approximates the optimal transport of
-/// the masses. All masses are fractions of their sum over the surface, so costs are lengths.
+/// Each signed quantity is split into two positive masses. A vertex carries its mass and its
+/// moment: the sum, over the parts of the mass, of mass times the tangent vector to its origin. A
+/// removed vertex passes both to its neighbors, in the shares of Equation 5.7. Its cost is the sum
+/// of the lengths of the vectors that its neighbors would have (Equation 5.5). It approximates the
+/// optimal transport of the masses. All masses are fractions of their sum over the surface, so
+/// costs are lengths.
 ///
 /// Memory: for each vertex three numbers for each mass.
 ///
@@ -85,7 +86,7 @@ public:
   /// adds the change of area by flattening at the boundary, as a fraction of the area of the
   /// surface. Its cost is the cost of moving this area once around the boundaries of the surface.
   /// So corners of flat parts are kept, however few vertices are left. It moves no mass, and is
-  /// zero without boundary. Complexity: linear.
+  /// zero on a surface without boundary. Complexity: linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_boundary_change(const Evolving_surface& surface, double weight = 1)
@@ -123,7 +124,8 @@ public:
     add_quantity(laplacian, weight);
   }
 
-  /// adds a signed quantity on the vertices. Vertices remain at great values. Complexity: linear.
+  /// adds a signed quantity on the vertices. More vertices remain at great values. Complexity:
+  /// linear.
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
   /// \pre nothing has been removed yet

@@ -48,7 +48,7 @@ struct Coarse_mesh_quality
   std::size_t degenerate_faces = 0;   ///< the number of faces whose corners are on a line, exactly
   std::size_t self_intersections = 0; ///< the number of pairs of faces that intersect, exactly
 
-  /// returns the greater one of both distances.
+  /// returns the greater of both distances.
   double deviation() const { return (std::max)(distance_to_coarse, distance_to_fine); }
 };
 
@@ -173,15 +173,15 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 ///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
-///     \cgalParamDescription{gets for each vertex of `out` the vertex of the fine level that it is,
-///       null for inserted vertices}
+///     \cgalParamDescription{gets the vertex of the fine level for each vertex of `out`, null for
+///       inserted vertices}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
 ///                    value}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
-///     \cgalParamDescription{gets for each inserted vertex of `out` its location on the fine level,
-///       and for each other vertex a location with a null face}
+///     \cgalParamDescription{gets the location on the fine level for each inserted vertex of `out`;
+///       other vertices get a location with a null face}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and
 ///       `Surface_map::Location` as value}
 ///     \cgalParamDefault{none}

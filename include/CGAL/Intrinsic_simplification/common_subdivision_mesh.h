@@ -41,15 +41,15 @@ namespace CGAL::Intrinsic_simplification {
 ///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
-///     \cgalParamDescription{gets for each vertex of `out` the vertex of the fine level that it is;
-///       null if there is none}
+///     \cgalParamDescription{gets the vertex of the fine level for each vertex of `out`; null if it
+///       is no such vertex}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
 ///                    value, or `std::array<Vertex_index, 2>` for both levels}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge that contains it; null if there
-///       is none}
+///     \cgalParamDescription{gets the edge that contains each edge of `out`; null if no edge
+///       contains it}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

@@ -31,7 +31,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// levels of an evolving surface and the operations between them: the data of maps.
+/// levels of an evolving surface and the operations between them, from which maps are made.
 struct Surface_hierarchy
 {
   Surface_history history; ///< the operations

@@ -96,17 +96,17 @@ private:
 /// the genus by one, and components and boundary loops remain. Faces and edges beside the curves do
 /// not change.
 ///
-/// The search visits the vertices in turn. At each it finds the shortest curve that consists of two
-/// shortest paths from the vertex and an edge between them, and does not separate \cgalCite{EW05}.
-/// The greatest length of curves doubles, from a few edges up to the bound. Curves without common
-/// vertices are cut in one round. The next round searches the new surface, including disks.
+/// The search visits the vertices in turn. From each vertex it finds the shortest curve that does
+/// not separate the surface and consists of two shortest paths and an edge between them
+/// \cgalCite{EW05}. The greatest length of curves doubles, from a few edges up to the bound. Curves
+/// without common vertices are cut in one round. The next round searches the new surface, including
+/// disks.
 ///
 /// A handle remains if all short curves around it pass a vertex of the boundary. It also remains if
 /// no curve of edges around it is short enough; refine the surface if edges are long beside the
-/// handle. The length alone does not determine whether a handle or a tunnel is cut, and a thin
-/// torus is a handle too. To cut along geodesics, make them edges
-/// (`Intrinsic_triangulations::Edge_paths`), and call `Surface_surgery::retriangulate()` and
-/// `Surface_surgery::cut()`.
+/// handle. The length alone does not distinguish handles from tunnels, and a thin torus is a handle
+/// too. To cut along geodesics, make them edges (`Intrinsic_triangulations::Edge_paths`), and call
+/// `Surface_surgery::retriangulate()` and `Surface_surgery::cut()`.
 /// \returns the number of handles that were cut
 ///
 /// Complexity: \f$O(n \log n)\f$ for each round. Each length has few rounds, since disjoint curves

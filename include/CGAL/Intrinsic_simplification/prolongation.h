@@ -78,9 +78,9 @@ prolongation_matrix(const Map& map, const NamedParameters& np = CGAL::parameters
 /// of the coarse level. Values are means, weighted with the area of a fine vertex and its share in
 /// a coarse vertex. No entry is negative, and the sum of a row is one. With lumped masses, it is
 /// \f$R = M_c^{-1} P^T M\f$ with the diagonal matrix \f$M_c\f$ of the sums of the rows of \f$P^T
-/// M\f$. So the integral of a function is kept. A coarse vertex without a share of a fine vertex
-/// with area gets the value at its position. Complexity: linear, plus a mapped point for each of
-/// these vertices.
+/// M\f$. So the integral of a function is kept. A coarse vertex that no fine vertex of positive
+/// area contributes to gets the value at its position. Complexity: linear, plus a mapped point for
+/// each of these vertices.
 /// \param prolongation the matrix \f$P\f$
 /// \param map the map from which it was made
 inline Eigen::SparseMatrix<double>

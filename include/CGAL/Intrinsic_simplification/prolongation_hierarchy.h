@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// simplifies a surface repeatedly to a fourth of the vertices, and returns the prolongation from
-/// each level to the level before. The first one leads to the original surface. The cost is one
-/// `default_cost()` for all levels.
+/// each level to the level before. The first one leads to the original surface. All levels share
+/// one `default_cost()`.
 ///
 /// Complexity: see `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides
 /// the result.

@@ -46,8 +46,8 @@ struct Simplification_result
 {
   std::size_t removed = 0;  ///< the number of vertices that have been removed
   double greatest_cost = 0; ///< the greatest cost of a removal
-  /// the number of vertices that could finally not be removed, for each reason. Vertices whose star
-  /// has changed since the last attempt are not counted.
+  /// the number of vertices that could not be removed at the end, for each reason. Vertices whose
+  /// star has changed since the last attempt are not counted.
   std::array<std::size_t, number_of_removal_statuses> skipped{};
 };
 
@@ -172,7 +172,7 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 /// makes a surface Delaunay and removes vertices from it, the cheapest first (Algorithm 6)
 /// \cgalCite{LGCSJC23}.
 ///
-/// It can be called repeatedly, with the same cost or another cost.
+/// It can be called again, with the same cost or another one.
 ///
 /// \tparam Cost a model of `RemovalCost`
 /// \tparam NamedParameters a sequence of named parameters

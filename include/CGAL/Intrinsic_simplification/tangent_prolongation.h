@@ -173,11 +173,11 @@ private:
 /// tangent vectors at the vertices of the fine level.
 ///
 /// For a fine vertex, the vectors at the corners of the coarse face are transported straight to its
-/// image and interpolated. Then they are turned as the map turns its tangent space. This is the
-/// rotation that is closest, over all directions, to the differential of the map. So no vector
-/// becomes longer than the longest. A parallel field keeps its length; without scaling it is
-/// reproduced. Entries have the absolute values of `prolongation_matrix()`, or less if a coarse
-/// face has a vertex twice.
+/// image and interpolated. Then they are rotated like the tangent space of the vertex, by the
+/// rotation that is closest to the differential of the map. So no vector becomes longer than the
+/// longest vector at a corner. A parallel field keeps its length; without scaling it is reproduced.
+/// Entries have the absolute values of `prolongation_matrix()`, or less if a coarse face has a
+/// vertex twice.
 /// \param map the map
 /// \param fine_frames,coarse_frames the frames of both levels, by which tangent vectors are complex
 ///   numbers

@@ -78,8 +78,8 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 ///
 /// The curve is straight on the coarse surface. On the fine surface it is a sequence of straight
 /// pieces. It starts and ends at vertices, or at points with inserted vertices. It runs through
-/// other vertices if it comes to them within rounding. It may bend on edges, and inside faces: a
-/// scaling bends a curve on the edges that it crosses at that time. Without scaling, it is a
+/// other vertices that it passes within rounding. It may bend on edges and inside faces, because a
+/// scaling bends a curve at the edges that it crosses at that time. Without scaling, it is a
 /// geodesic, and all its pieces end on edges.
 /// \param h a halfedge of the coarse level
 /// \param map the map
@@ -88,8 +88,8 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 ///   and edges along the curve are consistent, whatever the rounding. Positions on `h` never
 ///   decrease.
 ///
-/// Complexity: linear in the points at which the curve crosses an edge at any time. Factors are the
-/// operations that move such a point, and the logarithm of the number of operations on a face.
+/// Complexity: linear in the points at which the curve crosses an edge at any time, times the
+/// operations that move such a point, up to a logarithm.
 inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surface_map& map)
 {
   return internal::trace_pieces(internal::Curve_tracer(map, false).trace_through_near_vertices(h),
