@@ -88,8 +88,8 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 ///   and edges along the curve are consistent, whatever the rounding. Positions on `h` never
 ///   decrease.
 ///
-/// Complexity: linear in the points at which the curve crosses an edge at any time, times the
-/// operations that move such a point, up to a logarithm.
+/// Complexity: linear in the points at which the curve crosses an edge at any time. Each takes time
+/// for the operations that move it, up to a logarithm.
 inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surface_map& map)
 {
   return internal::trace_pieces(internal::Curve_tracer(map, false).trace_through_near_vertices(h),

@@ -15,7 +15,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// what `certify_Delaunay()` has found out.
+/// the result of `certify_Delaunay()`.
 struct Delaunay_certificate
 {
   /// the edges of four cocircular points: either diagonal is Delaunay, and the faces at such an
@@ -23,10 +23,11 @@ struct Delaunay_certificate
   std::vector<Edge_index> ties;
   /// the edges that violate the local Delaunay condition.
   std::vector<Edge_index> non_Delaunay_edges;
-  /// the edges that are not straight segments in the strips that their integer coordinates name.
+  /// the edges that are not straight segments in the strips that their integer coordinates
+  /// determine.
   std::vector<Edge_index> non_straight_edges;
-  /// the inserted vertices around which the faces do not lie once, each with positive area unless
-  /// it lies in faces of \f$T_1\f$ without area.
+  /// the inserted vertices whose faces are folded. They do not close up after one turn, or one of
+  /// them has no positive area. Faces inside faces of \f$T_1\f$ without area are allowed.
   std::vector<Vertex_index> folded_vertices;
 
   /// the edges whose local Delaunay condition remains undecided, see `certify_Delaunay()`.

@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// vertices (faces), the one with the least index comes first. Its path is the path that was found
 /// first.
 ///
-/// With bounds for the rest of paths it is the algorithm A*: what has the least sum of distance and
-/// bound comes first. If it comes before its distance is final, it comes again.
+/// With bounds for the rest of paths it is the algorithm A*: the element with the least sum of
+/// distance and bound comes first. An element that comes before its distance is final comes again.
 ///
 /// \tparam Index `Vertex_index` or `Face_index`
 /// \tparam FT the number type of distances
@@ -48,7 +48,7 @@ public:
 
   /// proposes a path to `x` of the length `distance` whose last halfedge is `entry`, null for a
   /// source. From `x` to a target, it is at least `rest`. Returns whether the path is shorter than
-  /// all before.
+  /// all earlier ones.
   bool reach(Index x, const FT& distance, Halfedge_index entry = Halfedge_index(),
              const FT& rest = FT(0))
   {
@@ -65,8 +65,8 @@ public:
   /// same length.
   void set_entry(Index x, Halfedge_index entry) { m_label[x.idx()].entry = entry; }
 
-  /// returns the closest one to which a path is known and which has not been returned before; null
-  /// if there is none. Its distance is final if no bounds for the rest are given.
+  /// returns the closest vertex (face) with a known path that has not been returned before; null if
+  /// none is left. Its distance is final if no bounds for the rest are given.
   Index next()
   {
     const Index x = peek();

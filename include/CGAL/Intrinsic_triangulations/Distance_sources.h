@@ -56,7 +56,7 @@ struct Source_part
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// collects what distances are measured from: vertices, points on edges and in faces, and curves.
+/// collects sources of distances: vertices, points on edges and in faces, and curves.
 ///
 /// The object refers to the surface, which must not change as long as sources are added.
 ///

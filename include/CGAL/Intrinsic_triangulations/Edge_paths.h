@@ -54,7 +54,7 @@ inline const char* to_string(Shortening_status status)
 /// If a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
 /// as long as possible. The path moves to the shorter arc on the other side of their triangles. At
 /// the end both angles at every vertex between the ends are at least \f$\pi\f$; on the boundary,
-/// the one angle of the surface is. The paths are then geodesics along edges of \f$T_2\f$, each
+/// the angle inside the surface is. The paths are then geodesics along edges of \f$T_2\f$, each
 /// isotopic to its start. `path_on_input()` follows them over \f$T_1\f$.
 ///
 /// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side,
@@ -95,14 +95,14 @@ public:
   /// \name Paths
   /// @{
 
-  /// adds a path and returns its index. Parts that run to and fro are removed.
+  /// adds a path and returns its index. Parts that are followed in both directions are removed.
   /// \pre each halfedge starts where the one before ends
   std::size_t add_path(const std::vector<Halfedge_index>& halfedges)
   {
     return add(halfedges, false);
   }
 
-  /// adds a loop and returns its index. Parts that run to and fro are removed.
+  /// adds a loop and returns its index. Parts that are followed in both directions are removed.
   /// \pre each halfedge starts where the one before ends, and the first one where the last one ends
   std::size_t add_loop(const std::vector<Halfedge_index>& halfedges)
   {
@@ -138,8 +138,8 @@ public:
   ///
   /// Complexity: it ends, since lengths decrease; in practice some flips for each edge of a path.
   /// \throws Numerical_error if a flipped edge has no positive finite length
-  /// \throws Overflow_error if a normal coordinate is out of range
-  /// After an exception the paths are shorter or as they were, and still paths of \f$T_2\f$.
+  /// \throws Overflow_error if a normal coordinate is out of range After an exception the paths are
+  /// shorter or unchanged, and still paths of \f$T_2\f$.
   Shortening_status shorten()
   {
     for(bool has_moved = true; has_moved;) {
@@ -168,8 +168,9 @@ public:
     return true;
   }
 
-  /// removes all paths and takes all flips back: \f$T_2\f$ is as it was when this object was made,
-  /// with the same indices and numbers. Complexity: linear in the flips and the paths.
+  /// removes all paths and undoes all flips: \f$T_2\f$ becomes the triangulation for which this
+  /// object was made, with the same indices and numbers. Complexity: linear in the flips and the
+  /// paths.
   void rewind()
   {
     m_flattener.rewind();

@@ -19,7 +19,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// a stack of edges that still have to be examined, without duplicates.
+/// a stack of edges that are still to be examined, without duplicates.
 class Edge_stack
 {
 public:
@@ -171,7 +171,8 @@ void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& i
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// does the same with `default_flip_limit()`.
+/// flips edges until `is_good(h)` holds for all that can be flipped, with at most
+/// `default_flip_limit()` flips.
 template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
                   const Flip& flip)

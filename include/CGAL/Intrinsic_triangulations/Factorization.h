@@ -20,7 +20,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// an order of elimination: its k-th entry is the k-th row to go.
+/// an order of elimination: its k-th entry is the k-th row to be eliminated.
 typedef Eigen::VectorXi Elimination_order;
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
@@ -48,7 +48,7 @@ public:
   /// the type of several right sides and solutions.
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> Columns;
 
-  /// factorizes `matrix`; `name` is what the error calls it.
+  /// factorizes `matrix`, whose name in an error is `name`.
   /// \throws Numerical_error if it is not positive definite
   Factorization(const Matrix& matrix, const std::string& name)
     : Factorization(matrix, fill_reducing_order(matrix), name)

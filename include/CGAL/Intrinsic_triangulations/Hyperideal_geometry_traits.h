@@ -57,7 +57,7 @@ public:
   /// makes traits without radii: all vertices are ideal.
   Hyperideal_geometry_traits() = default;
 
-  /// makes traits with radii; without, if there are none.
+  /// makes traits with radii, or without radii if `radii` is empty.
   /// \param radii the radii of the circles, by the indices of vertices
   explicit Hyperideal_geometry_traits(std::vector<FT> radii)
     : m_radii(radii.empty() ? nullptr : std::make_shared<const std::vector<FT>>(std::move(radii)))

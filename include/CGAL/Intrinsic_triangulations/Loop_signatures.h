@@ -102,8 +102,8 @@ public:
   }
 
   /// calls `visit(h)` for the halfedges of the generator `e` and of the tree of faces that its
-  /// curve crosses from the right to the left. What both ways to the root have in common is visited
-  /// with its opposite.
+  /// curve crosses from the right to the left. Common parts of both paths to the root are visited
+  /// in both directions.
   template <typename Visit>
   void for_each_on_curve(Edge_index e, const Visit& visit) const
   {

@@ -13,7 +13,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
-/// what has been decided about a result of `convex_polyhedron()`.
+/// the decision about the convexity of a result of `convex_polyhedron()`.
 enum class Polyhedron_kind
 {
   convex, ///< the polyhedron is convex, by exact predicates on its positions of type `double`
@@ -33,8 +33,8 @@ inline const char* to_string(Polyhedron_kind kind)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
-/// what exact predicates have found about a polyhedron with positions of type `double`, without a
-/// tolerance. Vertices that are flat do not count: rounding moves them out of their faces.
+/// the results of exact predicates about a polyhedron with positions of type `double`, without a
+/// tolerance. Flat vertices do not count: rounding moves them out of their faces.
 struct Polyhedron_certificate
 {
   bool is_flat = false; ///< whether the polyhedron is a polygon with two sides

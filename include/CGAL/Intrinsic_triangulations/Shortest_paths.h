@@ -40,8 +40,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// Add the sources, then call `run()`; distances and paths to any point follow without further
 /// search. Sources can be added later, and `run()` called again, which continues the search.
 ///
-/// No face, flat or without area, and no tie between paths is an error. Of several shortest paths
-/// that are equal up to rounding any one is taken.
+/// Flat faces, faces without area, and ties between paths are no errors. Of several shortest paths,
+/// equal up to rounding, any is returned.
 ///
 /// \tparam Surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///         and faces that meet themselves are allowed. It must not change as long as the object is
@@ -96,7 +96,7 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Numerical_error if more than \f$2^{25}\f$ windows, plus 1024 for each side of a face,
-  ///   are needed, which takes extreme needles
+  ///   are needed, as on extreme needles
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   void run(const NamedParameters& np = CGAL::parameters::default_values())
   {

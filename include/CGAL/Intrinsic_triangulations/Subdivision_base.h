@@ -47,8 +47,8 @@ Vertex_weights<FT> vertex_weights(const Surface_point<FT>& p, const Delta_comple
 }
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// what all subdivisions have: a polygon mesh into which the edges of two or more triangulations of
-/// a surface together cut it. Every face of it is part of one face of each triangulation.
+/// the base of all subdivisions: the polygon mesh into which the edges of two or more
+/// triangulations cut a surface. Every face is part of one face of each triangulation.
 ///
 /// A subdivision refers to the triangulations, and its queries are valid until these change.
 ///

@@ -33,7 +33,8 @@ struct Curve_segment
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// a set of segments: one curve or several, closed or not, with or without gaps and crossings. The
-/// order of the segments is of no importance, their directions are where a side is meant.
+/// order of the segments does not matter. Their directions matter to functions that distinguish
+/// sides.
 template <typename FT>
 using Surface_curve = std::vector<Curve_segment<FT>>;
 

@@ -55,8 +55,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSurfaces
-/// returns the map of the edge lengths that are stored with `mesh`; it is added, with zeros, if
-/// there is none.
+/// returns the map of the edge lengths that are stored with `mesh`. Adds it, with zeros, if it does
+/// not exist.
 template <typename FT>
 Delta_complex::Property_map<Edge_index, FT> stored_length_map(Delta_complex& mesh)
 {
@@ -64,8 +64,8 @@ Delta_complex::Property_map<Edge_index, FT> stored_length_map(Delta_complex& mes
 }
 
 /// \ingroup PkgIntrinsicTriangulationsSurfaces
-/// returns the map that says of each edge of `mesh` whether it must not be flipped; it is added if
-/// there is none.
+/// returns the map that states for each edge of `mesh` whether it must not be flipped. Adds it if
+/// it does not exist.
 inline Delta_complex::Property_map<Edge_index, bool> stored_constraint_map(Delta_complex& mesh)
 {
   return mesh.add_property_map<Edge_index, bool>("e:is_constrained", false).first;

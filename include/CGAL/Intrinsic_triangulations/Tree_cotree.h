@@ -23,7 +23,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// says whether loops around boundary components bound.
+/// states whether loops around boundary components bound.
 enum class Boundary_loops
 {
   filled, ///< each boundary component is a face
@@ -31,11 +31,11 @@ enum class Boundary_loops
 };
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// cuts each component of a surface into one disk: the faces are joined along shortest ways from a
-/// first face. Among the edges that are open then is a tree with all vertices; the others are the
-/// generators, two for each handle. Edges with the shortest loops through the first face are chosen
-/// (Erickson and Whittlesey 2005, on the dual graph). Boundary components count as faces, see
-/// `Boundary_loops`; their indices follow the indices of the faces.
+/// cuts each component of a surface into one disk: the faces are joined along shortest paths from a
+/// first face. The edges that remain open contain a tree with all vertices. The other open edges
+/// are the generators, two for each handle. Edges with the shortest loops through the first face
+/// are chosen (Erickson and Whittlesey 2005, on the dual graph). Boundary components count as
+/// faces, see `Boundary_loops`; their indices follow the indices of the faces.
 class Tree_cotree : public Cut_graph
 {
 public:

@@ -102,7 +102,7 @@ public:
   /// returns the geometry.
   const Traits& traits() const { return m_traits; }
 
-  /// returns the metric of \f$T_1\f$ as exact decisions see it.
+  /// returns the exact metric of \f$T_1\f$, on which exact decisions depend.
   const Metric& input_metric() const { return m_input_metric; }
 
   /// @}
@@ -118,13 +118,13 @@ public:
   /// returns whether `v` is a vertex of \f$T_2\f$ only.
   bool is_inserted(Vertex_index v) const { return v.idx() >= m_input.number_of_vertices(); }
 
-  /// returns where the inserted vertex `v` lies on \f$T_1\f$. \pre `is_inserted(v)`
+  /// returns the position of the inserted vertex `v` on \f$T_1\f$. \pre `is_inserted(v)`
   const Surface_point<FT>& inserted_vertex(Vertex_index v) const
   {
     return m_inserted[v.idx() - m_input.number_of_vertices()];
   }
 
-  /// returns where the inserted vertices lie on \f$T_1\f$, in the order of their indices.
+  /// returns the positions of the inserted vertices on \f$T_1\f$, in the order of their indices.
   const std::vector<Surface_point<FT>>& inserted_vertices() const { return m_inserted; }
 
   /// returns the point of \f$T_1\f$ at `t` on the halfedge `h` of \f$T_2\f$.

@@ -78,7 +78,7 @@ public:
   /// returns whether decisions are exact.
   bool is_exact() const { return internal::has_exact_decisions<Traits>() && m_is_exact; }
 
-  /// returns the operations with exact decisions; nothing useful unless `is_exact()`.
+  /// returns the operations with exact decisions; unspecified unless `is_exact()`.
   const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one

@@ -26,7 +26,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// what exact decisions have found about the edges of an ideal triangulation that lie in two faces
+/// the results of exact decisions about the edges of an ideal triangulation that lie in two faces
 /// and are not constrained.
 struct Ideal_Delaunay_certificate
 {

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// \tparam Graph a model of `MutableFaceGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param correspondence the crossings
-/// \param out the mesh; what it has already stays
+/// \param out the mesh; elements that it has are kept
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{input_point_map}
@@ -37,15 +37,15 @@ namespace CGAL::Intrinsic_triangulations {
 ///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
-///     \cgalParamDescription{gets for each vertex of `out` the vertex of \f$T_1\f$ that it is;
-///       null if there is none}
+///     \cgalParamDescription{gets the vertex of \f$T_1\f$ for each vertex of `out`; null if it is
+///       no such vertex}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
 ///                    value, or `std::array<Vertex_index, 2>` for both triangulations}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge that contains it; null if no
-///       edge does}
+///     \cgalParamDescription{gets the edge that contains each edge of `out`; null if no edge
+///       contains it}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

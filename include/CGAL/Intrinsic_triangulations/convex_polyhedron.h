@@ -72,7 +72,7 @@ public:
   /// returns whether the polyhedron is a polygon with two sides, in the plane \f$z = 0\f$.
   bool is_flat() const { return m_kind == Polyhedron_kind::polygon; }
 
-  /// returns what exact predicates have found about the positions of vertices with curvature.
+  /// returns the results of exact predicates about the positions of vertices with curvature.
   const Polyhedron_certificate& certificate() const { return m_certificate; }
 
   /// returns the greatest difference between the length of an edge of \f$T_2\f$ on the surface and
@@ -112,14 +112,14 @@ private:
 ///
 /// Each result has been measured. An edge has its length up to a relative error of 1e-9, or of the
 /// `curvature_tolerance` if it is greater. Rounding adds at most \f$2^{-50}\f$ of the largest
-/// coordinate. `Convex_polyhedron::kind()` returns how convexity has been decided. What these
-/// measurements do not confirm is reported by an exception.
+/// coordinate. `Convex_polyhedron::kind()` returns how convexity has been decided. An exception
+/// reports that measurements confirm no result.
 ///
 /// The pyramids over the triangles have a common apex \cgalCite{BI08}. Its distances from the
-/// vertices are followed from large ones to distances without curvature at the edges to the apex.
-/// The triangulation is always weighted Delaunay for the squares of the distances. Then Newton's
-/// method gives the edges their lengths in space, and concave edges are flipped. Derivatives have
-/// type `double`; curvatures, lengths, and positions have twice as many digits.
+/// vertices begin large, and are followed until the edges to the apex have no curvature. The
+/// triangulation is always weighted Delaunay for the squares of the distances. Then Newton's method
+/// gives the edges their lengths in space, and concave edges are flipped. Derivatives have type
+/// `double`; curvatures, lengths, and positions have twice as many digits.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex is allowed
 /// \tparam NamedParameters a sequence of named parameters
@@ -140,7 +140,7 @@ private:
 ///     \cgalParamDescription{the curvature in radians, positive or negative, up to which a vertex
 ///       counts as flat}
 ///     \cgalParamType{convertible to `double`}
-///     \cgalParamDefault{what the rounding of lengths, or of positions, can come to}
+///     \cgalParamDefault{the rounding error of curvatures, from lengths or from positions}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

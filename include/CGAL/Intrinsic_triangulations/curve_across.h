@@ -154,13 +154,14 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// finds a curve of one triangulation on the other: its segments are cut at the edges of that.
+/// maps a curve to the other triangulation: its segments are cut at the edges of that
+/// triangulation.
 ///
-/// The order and directions of segments stay. Parts whose length is rounding error are left out.
-/// The sequence of faces that a segment passes is connected, however flat they are, also for
-/// segments with a common end. Rounding only chooses between curves that are equal up to rounding,
-/// such as the sides of an edge along which a curve runs. Apart from that, mapping a curve to the
-/// other triangulation and back is the identity.
+/// The order and the directions of segments do not change. Parts whose length is rounding error are
+/// left out. The sequence of faces that a segment passes is connected, however flat they are, also
+/// for segments with a common end. Rounding only chooses between curves that are equal up to
+/// rounding, such as the sides of an edge along which a curve runs. Apart from that, mapping a
+/// curve to the other triangulation and back is the identity.
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one
@@ -182,7 +183,7 @@ Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& co
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// finds a path over one triangulation on the other.
+/// maps a path over one triangulation to the other.
 /// \param correspondence the crossings of both
 /// \param side the triangulation that `path` runs over
 /// \param path a path with positions as `Shortest_paths::path()` returns them. Between two vertices

@@ -68,7 +68,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// heat is below the range of its number type somewhere: it must flow for a longer time.
+/// heat underflows somewhere: it must flow for a longer time.
 class Underflow_error : public Numerical_error
 {
 public:

@@ -38,7 +38,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// if it can go on with the angle pi on one of its sides. So it follows a straight border. It stops
 /// if no side or both sides of the surface have this angle.
 ///
-/// Thin triangles cause no loss: end and length are accurate to rounding of the longest edge for
+/// Thin triangles lose no digits: end and length are accurate to rounding of the longest edge for
 /// every face passed. Geodesics on either side of a vertex with curvature diverge. A geodesic that
 /// passes a vertex at the distance of rounding errors ends on one of its two sides.
 ///

@@ -20,7 +20,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// says whether loops may use several threads.
+/// states whether loops may use several threads.
 class Concurrency
 {
 public:
@@ -45,7 +45,7 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// returns what the named parameter `concurrency_tag` asks for.
+/// returns the value of the named parameter `concurrency_tag`.
 template <typename NamedParameters>
 Concurrency concurrency_of(const NamedParameters& np)
 {

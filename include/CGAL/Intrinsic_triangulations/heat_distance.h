@@ -33,8 +33,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for
-/// one set of sources after the other; the two matrices are factorized once.
+/// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}. Two
+/// matrices are factorized once, for any number of sets of sources.
 ///
 /// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is
 /// zero at every vertex that is a source. Of the functions with this property, the gradient of the
@@ -88,8 +88,8 @@ public:
   /// the method. Complexity: linear in the size of the factorizations; if a component has more than
   /// one source, another sparse Cholesky factorization.
   /// \param sources a range of vertices
-  /// \throws Underflow_error if the heat is below the range of `FT` somewhere. With `double` this
-  ///         takes about 1400 mean edge lengths, and less with a factor below one
+  /// \throws Underflow_error if heat underflows somewhere. With `double`, this happens at distances
+  ///         of about 1400 mean edge lengths, and less with a factor below one
   template <typename VertexRange>
   Vector distances(const VertexRange& sources) const
   {

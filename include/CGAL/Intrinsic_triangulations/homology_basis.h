@@ -232,11 +232,11 @@ std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// finds such loops that are short in another measure, as after they have been shortened.
+/// finds a basis of loops that are short in another measure, such as the length after shortening.
 ///
 /// The shortest loops along edges are measured: at most \f$4k + 16\f$ beside a shortest basis of
 /// \f$k\f$ loops. They are up to 1.5 times as long as the loops of a shortest basis. By increasing
-/// measure each loop is chosen that is no combination of earlier ones.
+/// measure, each loop is chosen that is no combination of chosen loops.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \param measure a function of the halfedges of a loop that returns a number

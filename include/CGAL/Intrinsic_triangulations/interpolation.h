@@ -36,9 +36,9 @@ auto linear_value(const ValueMap& value, const Vertices& vertex, const Weights& 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// pulls a function that is linear on the faces of one triangulation onto a subdivision, on which
-/// it is piecewise linear too. Vertices of that triangulation keep their values, bitwise.
-/// Complexity: linear.
+/// computes the values on a subdivision of a function that is linear on the faces of one
+/// triangulation. It is also linear on the faces of the subdivision. Vertices of that triangulation
+/// keep their values, bitwise. Complexity: linear.
 ///
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision

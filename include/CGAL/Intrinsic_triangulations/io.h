@@ -320,7 +320,7 @@ private:
 /// rational. For squared lengths in other fields, the lengths count as exact after reading.
 /// Complexity: linear.
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
-/// \returns whether the stream is good after that.
+/// \returns whether the stream is good afterwards.
 template <typename Traits>
 bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulation<Traits>& tri)
 {

@@ -146,9 +146,9 @@ private:
 /// each of its corners. So the share of a `Tufted_surface` of all of them is one sixth
 /// \cgalCite{SC20}.
 ///
-/// Complexity: \f$O(n k \log k)\f$ for \f$n\f$ points, beside searching.
-/// \param points a random access range of points with coordinates of type `double`; of equal ones
-///   each is triangulated without the others
+/// Complexity: \f$O(n k \log k)\f$ for \f$n\f$ points, plus the search for neighbors.
+/// \param points a random access range of points with coordinates of type `double`; each of several
+///   equal points is triangulated without the others
 /// \param number_of_neighbors how many nearest points are considered; 30 is usual
 /// \returns the triangles, as indices of points; a point whose neighbors are collinear gets none
 /// \throws Invalid_input if a coordinate, or a distance to a neighbor, is not finite

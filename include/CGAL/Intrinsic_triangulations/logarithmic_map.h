@@ -211,10 +211,10 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face the real axis is
 /// along `halfedge(source.first)`.
 ///
-/// The shortest path is found among all, from edge lengths alone (see `Shortest_paths`).
+/// The path is shortest among all paths, and found from edge lengths alone (see `Shortest_paths`).
 /// `trace_geodesic()` of the vector ends at `target`, unless the path bends at a vertex. Such a
 /// vertex has an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary. Of
-/// several shortest paths any one is taken.
+/// several shortest paths, any is taken.
 ///
 /// A straight path may touch such a vertex, with an angle of \f$\pi\f$ on one side.
 /// `trace_geodesic()` halves the angle at the vertex, and leaves the path. A straight path may also

@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// adds one small number to all edge lengths (Section 3.7). Then every triangle inequality has a
-/// slack of at least `epsilon` times the mean length. Nothing changes if it already holds. Edges
-/// of zero length become positive. Complexity: linear.
+/// slack of at least `epsilon` times the mean length. Lengths do not change if this already holds.
+/// Edges of zero length become positive. Complexity: linear.
 ///
 /// \param g a model of `FaceListGraph` and `HalfedgeListGraph` with triangular faces
 /// \param length a readable and writable property map from the edges of `g` to a floating point

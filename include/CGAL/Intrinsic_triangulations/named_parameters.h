@@ -60,8 +60,8 @@ template <typename ConcurrencyTag>
 auto concurrency_tag(const ConcurrencyTag& tag);
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// names the time for which heat flows, in squared mean edge lengths of the component. Less follows
-/// the surface more closely, more is smoother.
+/// names the time for which heat flows, in squared mean edge lengths of the component. A shorter
+/// time follows the surface more closely; a longer time gives smoother distances.
 template <typename Number>
 auto time_step_factor(const Number& factor);
 
@@ -70,17 +70,17 @@ auto time_step_factor(const Number& factor);
 auto distance_method(Distance_method method);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// names the least angle that faces shall have, in degrees.
+/// names the least angle of faces, in degrees.
 template <typename Number>
 auto minimum_angle(const Number& value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// names the greatest circumradius that faces shall have.
+/// names the greatest circumradius of faces.
 template <typename Number>
 auto maximum_circumradius(const Number& value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// names whether the triangulation shall be simplicial.
+/// names whether the triangulation becomes simplicial.
 auto simplicial(bool value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement

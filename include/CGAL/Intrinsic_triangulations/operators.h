@@ -140,8 +140,8 @@ Eigen::SparseMatrix<FT> laplacian_of(const Delta_complex& mesh, std::vector<FT> 
 /// Delaunay, weights are not negative, except weights of border edges opposite to an obtuse angle.
 /// The row of an isolated (or removed) vertex is empty. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
-/// \throws Numerical_error if the area of a face is zero, or it or a cotangent is out of range;
-///         `make_Delaunay()` often resolves such faces, `mollify()` always
+/// \throws Numerical_error if the area of a face is zero, or an area or a cotangent is out of
+///         range; `make_Delaunay()` often resolves such faces, `mollify()` always
 template <typename Surface>
 auto cotan_laplacian(const Surface& surface)
 {
@@ -195,7 +195,7 @@ auto lumped_mass_matrix(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the matrix that takes the values of a function at the vertices to its gradients on the
+/// computes the matrix that maps the values of a function at the vertices to its gradients on the
 /// faces. Rows \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose
 /// x-axis leads along `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`

@@ -40,7 +40,7 @@ void trace_sides(Face_index f, const Intrinsic_triangulation<Traits>& tri,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// finds the point `p` of one triangulation on the other.
+/// maps the point `p` of one triangulation to the other.
 ///
 /// The map is continuous, and linear on the regions of the common subdivision. In a geometry whose
 /// crossings have scales (see the concept `GeodesicStrip`) it is projective on them. A vertex maps
@@ -68,7 +68,7 @@ Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& co
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// finds a single point `p` of one triangulation on the other, without a correspondence: the sides
+/// maps a single point `p` of one triangulation to the other, without a correspondence: the sides
 /// of its face are traced. Complexity: the complexity of `trace_input_edge()` or
 /// `trace_intrinsic_edge()` for these sides. If `p` is on \f$T_1\f$ and vertices have been
 /// inserted, it is the complexity of `Correspondence`.

@@ -37,10 +37,11 @@ class Heat_method;
 ///
 /// Values can be prescribed at vertices (Dirichlet). On the rest of the boundary the normal
 /// derivative is zero. On a component without prescribed values, a solution exists only if the
-/// integral of \f$f\f$ vanishes, and it can be shifted. On such a component \f$f\f$ is replaced by
-/// \f$f\f$ less its mean, and the solution has mean zero.
+/// integral of \f$f\f$ vanishes, and is unique up to a constant. So \f$f\f$ is replaced by \f$f\f$
+/// minus its mean, and the solution has mean zero.
 ///
-/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
+/// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
+/// change.
 ///
 /// \tparam FT_ a floating point type
 template <typename FT_ = double>
@@ -81,8 +82,8 @@ public:
 
   /// solves with prescribed values. Complexity: linear in the size of the factorization.
   /// \param moments the integrals \f$\int f \varphi_i\f$ against the hat functions: the product of
-  ///   `mass_matrix()` with the values of \f$f\f$, or the result of `divergence_matrix()`. They
-  ///   have no influence at vertices with prescribed values
+  ///   `mass_matrix()` with the values of \f$f\f$, or the result of `divergence_matrix()`. Their
+  ///   values at vertices with prescribed values are ignored
   /// \param values the values; only values at vertices where they are prescribed are read
   Vector solve(const Vector& moments, const Vector& values) const
   {
@@ -281,7 +282,7 @@ private:
 /// \param is_fixed a readable property map from the vertices to `bool`: where values are
 ///   prescribed; by default nowhere
 /// \param values the values; only values at vertices where they are prescribed are read
-/// \returns the values of \f$u\f$ at the vertices; zero at an isolated one
+/// \returns the values of \f$u\f$ at the vertices; zero at isolated vertices
 /// \throws Numerical_error as the constructor of `Poisson_solver`
 template <typename Surface, typename FT,
           typename VertexIsFixedMap = boost::static_property_map<bool>>

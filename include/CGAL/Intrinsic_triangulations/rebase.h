@@ -45,9 +45,9 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// drops the input \f$T_1\f$ that two triangulations have in common. It returns \f$T_3\f$, the
-/// second triangulation of `tri`, over \f$T_2\f$, the second triangulation of `base`, as its
-/// input. So tracing, the common subdivision and all other functions work between these two.
+/// returns \f$T_3\f$, the second triangulation of `tri`, as an intrinsic triangulation whose input
+/// is \f$T_2\f$, the second triangulation of `base`. Both have the same input \f$T_1\f$. So
+/// tracing, the common subdivision and all other functions work between \f$T_2\f$ and \f$T_3\f$.
 ///
 /// The integer coordinates of \f$T_2\f$ over \f$T_3\f$ follow from the coordinates of \f$T_1\f$
 /// over both, by flips (Section 3.4), without a length. The elements have the indices that they
@@ -69,11 +69,11 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 /// Complexity with inserted vertices: a product, plus \f$O(n \log n)\f$ in the edges. The first
 /// factor is the complexity of `make_Delaunay()` for both and of `Correspondence`. The second
 /// factor is the greatest number of times that a face is split.
-/// \throws Invalid_input if the two do not have the same input, or the lengths of the two are too
-///   different to be rounded ones of one surface
+/// \throws Invalid_input if the two do not have the same input, or their lengths differ by more
+///   than rounding
 /// \throws Numerical_error if rounding moves a vertex of one triangulation to another element of
-///   \f$T_1\f$ in the other one. It is also thrown if the two Delaunay triangulations differ by
-///   more than ties
+///   \f$T_1\f$ in the other one. Another reason is that both Delaunay triangulations differ by more
+///   than ties
 /// \throws Overflow_error if an intermediate normal coordinate is out of range
 /// \pre the two have no garbage, see `Intrinsic_triangulation::collect_garbage()`
 template <typename Traits>

@@ -368,7 +368,7 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 ///
 /// Complexity: linear in the elements and crossings, and for each insertion in the faces around the
 /// new vertex and the crossings on them.
-/// \returns what has been done, how it ended, and the faces that violate the bounds, with the
+/// \returns the numbers of operations, the status, and the faces that violate the bounds, with the
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// \throws Invalid_input if the bound on circumradii needs more insertions than the default

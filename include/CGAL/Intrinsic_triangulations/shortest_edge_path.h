@@ -23,11 +23,11 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// finds shortest paths along edges between pairs of vertices.
 ///
-/// The first paths are searched for from both ends. With more and more paths, distances from up to
-/// eight vertices are computed, which lead later searches to their targets (the algorithm A*). Each
-/// path equals the path by Dijkstra's algorithm from the source, to the last bit. Distances are
-/// the rounded sums of lengths in the order of the path. Only if rounding loses whole lengths, the
-/// result can be another one of the shortest paths.
+/// The first paths are searched for from both ends. As more paths are requested, distances from up
+/// to eight vertices are computed, which guide later searches to their targets (the algorithm A*).
+/// Each path equals the path by Dijkstra's algorithm from the source, to the last bit. Distances
+/// are the rounded sums of lengths in the order of the path. If rounding loses whole lengths, the
+/// result can be another shortest path.
 ///
 /// \tparam Surface a model of `IntrinsicSurface`
 template <typename Surface>

@@ -98,8 +98,7 @@ public:
   /// computes the signed distance of every vertex to a curve; infinite on a component without a
   /// segment of positive length. Complexity: linear in the size of the factorizations.
   /// \param curve segments, with the negative side on their left
-  /// \throws Underflow_error if normals are below the range of `FT` somewhere, which takes a
-  ///         distance as with `Heat_distance`
+  /// \throws Underflow_error if normals underflow somewhere, at distances as in `Heat_distance`
   /// \throws Numerical_error if normals cancel on a whole component
   Vector distances(const Surface_curve<FT>& curve) const
   {

@@ -85,7 +85,7 @@ void assemble(Concurrency concurrency, std::size_t rows, std::size_t columns,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsBlocks
-/// returns the matrix of type `Matrix` whose rows or columns are collected so, one after the other.
+/// returns the matrix of type `Matrix` whose rows or columns `collect()` adds, one after the other.
 template <typename Matrix, typename Collect>
 Matrix assembled(std::size_t rows, std::size_t columns, const Collect& collect)
 {

@@ -30,8 +30,8 @@ class Tufted_surface;
 /// on the surface, counterclockwise from `first_outgoing_halfedge()`, times a scale. A full turn
 /// is \f$2\pi\f$; the angle from one border edge to the other is \f$\pi\f$.
 ///
-/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
-/// Memory: a number for each vertex and halfedge.
+/// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
+/// change. Memory: a number for each vertex and halfedge.
 ///
 /// \tparam FT_ a floating point type
 template <typename FT_ = double>

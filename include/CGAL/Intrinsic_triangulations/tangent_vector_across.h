@@ -56,8 +56,8 @@ tangent_vector_across(const Intrinsic_triangulation<Traits>& tri, Side side, Ver
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// takes a tangent vector from one frame to the other, for many vectors.
-/// Complexity: constant.
+/// transforms a tangent vector from the frame of one triangulation to the frame of the other, for
+/// many vectors. Complexity: constant.
 template <typename Traits>
 std::complex<typename Traits::FT>
 tangent_vector_across(const Angular_coordinates<Traits>& angles, Side side, Vertex_index v,

@@ -93,7 +93,7 @@ FT doubled_corner_product(const FT& a, const FT& b, const FT& c)
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// returns the cosine of the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`.
-/// Where rounding has spoiled the triangle inequality, the corner is flat or zero.
+/// If rounding violates the triangle inequality, the corner is flat or zero.
 template <typename FT>
 FT corner_cosine(const FT& a, const FT& b, const FT& c)
 {

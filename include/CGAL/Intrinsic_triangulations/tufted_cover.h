@@ -282,7 +282,7 @@ void check_finite(const Points& points)
 /// normal is positive. Triangles without a plane come last. Complexity: linear, plus sorting the
 /// triangles at each edge that has more than two.
 /// \param points a random access range of points of a kernel. Predicates are exact for
-///   floating-point coordinates; otherwise the kernel has them
+///   floating-point coordinates; for other coordinates, the kernel has the predicates
 /// \param triangles a range of ranges of three integers, the indices of points
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
 ///   not exist, or a coordinate is not finite
@@ -303,9 +303,9 @@ auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
-/// computes the tufted cover of triangles without positions; lengths are taken to it by
-/// `Tufted_cover::edge_length_map()`. Around an edge, triangles follow each other by their indices.
-/// Where there are more than two, another order gives another surface. Complexity: linear.
+/// computes the tufted cover of triangles without positions. `Tufted_cover::edge_length_map()` maps
+/// lengths to it. Around an edge, triangles follow each other by their indices. If an edge has more
+/// than two triangles, the order determines the surface. Complexity: linear.
 /// \param number_of_vertices the number of vertices, isolated ones included
 /// \param triangles a range of ranges of three integers, the indices of vertices
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does

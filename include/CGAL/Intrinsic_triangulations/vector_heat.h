@@ -38,7 +38,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// should be used: edges of negative weight (see `cotan_laplacian()`) do not carry
 /// vectors.
 ///
-/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
+/// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
+/// change.
 ///
 /// \tparam FT_ a floating point type
 template <typename FT_ = double>
@@ -83,9 +84,9 @@ public:
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
   /// transports vectors to all vertices. At a vertex, the direction agrees with the directions of
-  /// nearby sources. The length is an average of their lengths; with one source, its length. A
-  /// vector is zero on a component without a source, and where vectors from several sides cancel
-  /// exactly. Complexity: linear in the size of the factorizations.
+  /// nearby sources. Its length is an average of their lengths; with one source, the length of its
+  /// vector. A vector is zero on a component without a source, and if vectors from several sides
+  /// cancel exactly. Complexity: linear in the size of the factorizations.
   /// \param sources a range of `Source`, not two at one vertex
   /// \pre their vectors are finite
   /// \throws Underflow_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)

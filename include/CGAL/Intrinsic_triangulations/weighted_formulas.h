@@ -190,7 +190,7 @@ auto power_center_height(Halfedge_index h, const Surface& surface, const WeightM
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
 /// returns the power center of the face of `h` in barycentric coordinates, of the source of `h`
-/// first. Some are negative if the power center is outside of the face.
+/// first. Coordinates are negative if the power center is outside the face.
 /// \pre the area of the face is positive
 template <typename Surface, typename WeightMap>
 auto power_center(Halfedge_index h, const Surface& surface, const WeightMap& weight)
