@@ -87,8 +87,8 @@ Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double w
   for(const auto& [what, count] : report)
     std::cerr << path << ": repaired: " << what << ": " << count << '\n';
   if(soup.polygons.empty())
-    throw Program_error(
-      path + ": has no faces after the repair; `intrinsic info` says what was wrong with them");
+    throw Program_error(path +
+                        ": has no faces after the repair; `intrinsic info` lists their defects");
   return report;
 }
 

@@ -48,7 +48,7 @@ Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowe
   } catch(const std::bad_alloc&) {
     in.fail_as_a_whole("has more elements than fit into memory");
   } catch(const std::length_error&) {
-    in.fail_as_a_whole("has more elements than there are numbers for");
+    in.fail_as_a_whole("has more elements than indices allow");
   }
   if(soup.polygons.empty() && (!are_points_allowed || soup.points.empty()))
     in.fail_as_a_whole(soup.points.empty() ? "has no faces"

@@ -159,7 +159,8 @@ private:
     else if(!m_groups.read_line(key, m_in, m_soup.polygons.size()) &&
             key.find_first_of("0123456789+-.") == 0) {
       m_in.return_to(start);
-      m_in.fail("a line begins with a number; a line that goes on ends with a backslash");
+      m_in.fail(
+        "a line begins with a number; a line that continues in the next one ends with a backslash");
     }
     m_in.skip_line();
   }
@@ -196,7 +197,7 @@ private:
     if(i == 0 || i < -n) {
       m_in.return_to(start);
       m_in.fail("there is no vertex " + std::to_string(i) +
-                "; count from 1, or back from -1 for the last one before");
+                "; count from 1, or backwards from -1 for the last element before");
     }
     return static_cast<std::size_t>(i > 0 ? i - 1 : n + i);
   }

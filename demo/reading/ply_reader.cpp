@@ -152,7 +152,7 @@ private:
       if(m_in.accept(types[t].name) || m_in.accept(types[t].other_name))
         return static_cast<Number_type>(t);
     m_in.fail(
-      "this type of numbers does not exist; there are char, short, int, float and double, and "
+      "this type of numbers is unknown; the types are char, short, int, float and double, and "
       "uchar, ushort and uint");
   }
 

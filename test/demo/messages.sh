@@ -152,14 +152,14 @@ calls <<'TABLE'
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
 2 | there is no vertex 0 | info index.mesh.obj
-2 | a line begins with a number; a line that goes on ends with a backslash | info word.mesh.obj
+2 | a line begins with a number; a line that continues in the next one ends with a backslash | info word.mesh.obj
 2 | 'ply' expected | info a.mesh.ply
 2 | 'format' expected | info b.mesh.ply
 2 | the format is none of ascii, binary_little_endian and binary_big_endian | info c.mesh.ply
 2 | 'element', 'property', 'comment' or 'end_header' expected | info d.mesh.ply
 2 | a property comes before any element | info e.mesh.ply
 2 | the size of a list is an integer | info f.mesh.ply
-2 | this type of numbers does not exist | info g.mesh.ply
+2 | this type of numbers is unknown | info g.mesh.ply
 2 | a number of elements is negative | info h.mesh.ply
 2 | the size of a list is negative or not an integer | info i.mesh.ply
 2 | 'facet' or 'endsolid' expected | info a.mesh.stl
@@ -222,7 +222,7 @@ calls <<'TABLE'
 2 | --radii: the mesh had to be repaired, and its vertices differ from the file | flatten repeated.mesh.off --repair -o a.obj --radii inside.txt
 2 | --radii: --exact cannot decide about circles | flatten flat.mesh.off -o a.obj --radii inside.txt --exact
 2 | --radii: --solver ceres has no energy of circles | flatten flat.mesh.off -o a.obj --radii inside.txt --solver ceres
-2 | circles of a boundary do not have their centers on a circle | flatten flat.mesh.off -o a.obj --radii inside.txt --boundary disk
+2 | the centers of circles at the boundary do not lie on a circle | flatten flat.mesh.off -o a.obj --radii inside.txt --boundary disk
 2 | there is no command 'flaten'; did you mean 'flatten'? | flaten flat.mesh.off -o a.obj
 2 | there is no command 'dist'; did you mean 'distance'? | --threads 2 dist flat.mesh.off
 2 | there is no command 'geodesics' | geodesics

@@ -51,27 +51,29 @@ inline Status_text text_of(Map_status status)
   switch(status) {
     case Map_status::success: return {"success", "the map keeps all of its promises", ""};
     case Map_status::not_converged:
-      return {"not_converged", "the minimization has not converged",
-              "lengthen the edges of almost flat faces (mollification), or prescribe less"};
+      return {
+        "not_converged", "the minimization has not converged",
+        "lengthen the edges of almost flat faces (mollification), or prescribe smaller curvatures"};
     case Map_status::triangle_inequality:
       return {"triangle_inequality",
               "the scale factors of the triangulation of the mesh violate the triangle inequality",
-              "let the triangulation follow the scale factors (flipping)"};
+              "allow flips (the parameter flipping)"};
     case Map_status::no_minimum:
       return {"no_minimum", "the triangulation of the mesh has no such scale factors",
-              "let the triangulation follow the scale factors (flipping)"};
+              "allow flips (the parameter flipping)"};
     case Map_status::wrong_curvature:
-      return {"wrong_curvature", "the scaled surface does not have the prescribed curvatures",
-              "lengthen the edges of almost flat faces (mollification), or prescribe less"};
+      return {
+        "wrong_curvature", "the scaled surface does not have the prescribed curvatures",
+        "lengthen the edges of almost flat faces (mollification), or prescribe smaller curvatures"};
     case Map_status::not_laid_out:
       return {"not_laid_out", "numbers have too few digits for a layout",
-              "prescribe less, or allow cones, so that scale factors differ less"};
+              "allow cones, or prescribe smaller curvatures, so that scale factors differ less"};
     case Map_status::layout_collapsed:
       return {"layout_collapsed", "some faces are smaller than rounding in the plane",
-              "prescribe less, or allow cones, so that scale factors differ less"};
+              "allow cones, or prescribe smaller curvatures, so that scale factors differ less"};
     case Map_status::not_closed:
       return {"not_closed", "edges in the plane do not have the scaled lengths",
-              "prescribe less, or allow cones, so that scale factors differ less"};
+              "allow cones, or prescribe smaller curvatures, so that scale factors differ less"};
     case Map_status::not_circular:
       return {"not_circular", "the boundary has not become a circle",
               "allow more rounds, or map to the hemisphere, which takes one minimization"};

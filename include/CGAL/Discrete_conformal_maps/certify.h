@@ -58,7 +58,7 @@ inline Map_certificate certify(const Discrete_conformal_map& map)
 {
   if(map.has_radii())
     throw Intrinsic_triangulations::Invalid_input(
-      "a map of a surface with circles cannot be certified: square roots of square roots decide");
+      "a map with circles cannot be certified: decisions depend on square roots of square roots");
   const auto& ideal = map.ideal();
   const Delta_complex& mesh_B = ideal.input_mesh();
   std::vector<double> factor;

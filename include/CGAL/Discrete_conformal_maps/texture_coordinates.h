@@ -119,9 +119,8 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Imag
     throw No_texture_coordinates(std::string("the map is not laid out: ") +
                                  to_string(map.status()));
   if(!has_whole_faces(map))
-    throw No_texture_coordinates("edges had to be flipped: the map is not projective on every "
-                                 "face; common_subdivision() makes "
-                                 "a mesh on whose faces it is");
+    throw No_texture_coordinates("edges had to be flipped, so the map is not projective on every "
+                                 "face: use common_subdivision()");
   const Whole_faces whole(map);
   const Input_part part(map);
   const Texture_corners corners(map, part);

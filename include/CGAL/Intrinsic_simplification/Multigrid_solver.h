@@ -41,7 +41,7 @@ inline const char* to_string(Multigrid_status status)
     case Multigrid_status::converged: return "converged";
     case Multigrid_status::iteration_limit:
       return "not converged after as many iterations as are allowed";
-    case Multigrid_status::no_progress: return "the error does not become smaller any more";
+    case Multigrid_status::no_progress: return "the error no longer decreases";
   }
   return "unknown";
 }

@@ -86,7 +86,7 @@ inline constexpr std::array<Defect_description, 16> defect_descriptions = {{
   {Defect_kind::TRIANGLE_INEQUALITY_VIOLATED, "violated triangle inequality", true,
    Defect_element::FACE, "one side is longer than the other two together"},
   {Defect_kind::ISOLATED_VERTEX, "isolated vertex", false, Defect_element::VERTEX,
-   "a vertex without face is carried through unchanged"},
+   "a vertex without faces is kept unchanged"},
   {Defect_kind::SEVERAL_COMPONENTS, "connected component", false, Defect_element::FACE,
    "the surface has several components"},
   {Defect_kind::DEGENERATE_FACE, "degenerate face", false, Defect_element::FACE,

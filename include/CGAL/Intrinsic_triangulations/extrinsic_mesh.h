@@ -45,8 +45,8 @@ inline void check_simplicial(const Delta_complex& mesh)
   for(Face_index f : mesh.faces())
     if(!is_simplicial(f, mesh))
       throw Invalid_input("face " + std::to_string(f.idx()) +
-                          " has a side that is a loop or has the ends of another edge, or it "
-                          "has the corners of another face");
+                          " is not simplicial: a side of it is a loop or has the ends of another "
+                          "edge, or another face has the same corners");
 }
 
 } // namespace internal

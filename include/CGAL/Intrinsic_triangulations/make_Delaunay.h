@@ -268,7 +268,8 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
   Flipping_result result = flip_filtered(tri, limit, no_limit, visitor, concurrency, ties);
   if(result.end == Flipping_result::End::doubt) {
     if(!can_be_reset(tri))
-      throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
+      throw Numerical_error(
+        "an edge is bent, and constrained edges that are not in the input prevent a restart");
     restart_from_input(tri, visitor);
     result.is_exact = true;
     result += flip_filtered(tri, limit - result.flips, no_limit, visitor, concurrency, ties);
@@ -328,7 +329,7 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
       result.is_exact = true;
       return result += flip_exactly(tri, limit - result.flips, visitor, concurrency);
     }
-  throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
+  throw Numerical_error("rounding of the lengths prevents a Delaunay triangulation");
 }
 
 } // namespace internal

@@ -86,8 +86,7 @@ void hide_vertices(std::size_t& flips, const Flip& flip, const Raise& raise)
     flips += result.flips;
     check_flip_limit(result.end == Flipping_result::End::limit);
     if(!result.is_Delaunay())
-      throw Numerical_error(
-        "rounding of the lengths keeps the triangulation from becoming weighted Delaunay");
+      throw Numerical_error("rounding of the lengths prevents a weighted Delaunay triangulation");
   } while(raise());
 }
 
@@ -112,7 +111,8 @@ void straighten_edges(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
   if(Exact_flipping<Traits>(tri).find_lengths())
     return;
   if(!can_be_reset(tri))
-    throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
+    throw Numerical_error(
+      "an edge is bent, and constrained edges that are not in the input prevent a restart");
   restart_from_input(tri, visitor);
 }
 

@@ -210,7 +210,7 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
       if(stops_if_filter_fails)
         return false;
       check_flip_limit(flips.end == Flipping_result::End::limit);
-      throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
+      throw Numerical_error("rounding of the lengths prevents a Delaunay refinement");
     }
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||
        result.status == Refinement_status::insertion_limit)

@@ -286,7 +286,7 @@ void check_finite(const Points& points)
 /// \param triangles a range of ranges of three integers, the indices of points
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
 ///   not exist, or a coordinate is not finite
-/// \throws std::length_error if there are too many faces for the numbers of halfedges
+/// \throws std::length_error if there are more faces than indices of halfedges allow
 template <typename PointRange, typename TriangleRange>
 auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
   -> std::enable_if_t<!std::is_integral_v<PointRange>,
@@ -310,7 +310,7 @@ auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
 /// \param triangles a range of ranges of three integers, the indices of vertices
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
 ///   not exist
-/// \throws std::length_error if there are too many faces for the numbers of halfedges
+/// \throws std::length_error if there are more faces than indices of halfedges allow
 template <typename TriangleRange>
 Tufted_cover<No_point> tufted_cover(std::size_t number_of_vertices, const TriangleRange& triangles)
 {

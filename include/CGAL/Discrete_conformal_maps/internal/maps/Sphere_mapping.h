@@ -262,7 +262,7 @@ inline Spherical_conformal_map mapped_with_circles(Doubled_problem& problem,
   check_sphere(problem);
   if(!has_vertices_inside(problem))
     throw Intrinsic_triangulations::Invalid_input(
-      "circles of a disk without inner vertices have no hemisphere: leave out the radii");
+      "a disk without inner vertices has no hemisphere with circles: leave out the radii");
   problem.complete();
   without_circles.complete();
   return Circle_sphere_mapping(problem, without_circles, visitor).run();

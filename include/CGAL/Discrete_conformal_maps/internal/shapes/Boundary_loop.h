@@ -40,14 +40,15 @@ inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mes
     char& is_known = has_loop[components[mesh.source(border).idx()]];
     if(is_known)
       throw Invalid_input(
-        "a component has several boundary loops, but this shape is for one boundary loop");
+        "a component has several boundary loops, but this shape needs exactly one");
     is_known = 1;
     const auto loop = CGAL::halfedges_around_face(mesh.next(border), mesh);
     result.emplace_back(loop.begin(), loop.end());
   }
   for(Vertex_index v : mesh.vertices())
     if(!mesh.is_isolated(v) && !has_loop[components[v.idx()]])
-      throw Invalid_input("a component has no boundary, but this shape is for one boundary loop");
+      throw Invalid_input(
+        "a component has no boundary, but this shape needs exactly one boundary loop");
   for(const Boundary_loop& loop : result)
     if(loop.size() < least_size)
       throw Invalid_input(std::string("a boundary has too few vertices for ") + shape);

@@ -76,7 +76,7 @@ private:
     // With equal radii, a convex surface has a Delaunay triangulation.
     const std::size_t n = m_surface.mesh().num_vertices();
     if(!make_convex(m_surface, Radii(n, 1), flip_limit()))
-      throw Numerical_error("rounding keeps the surface from becoming Delaunay");
+      throw Numerical_error("rounding prevents a Delaunay triangulation");
     const double circumradius = greatest_circumradius();
     Apex_curvatures first{false, {}, {}, {}};
     const auto is_start = [&] {

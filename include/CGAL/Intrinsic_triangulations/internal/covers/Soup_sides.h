@@ -82,7 +82,7 @@ private:
   static void check_number(std::size_t number)
   {
     if(number >= (std::numeric_limits<Index>::max)())
-      throw std::length_error("too many faces for the numbers of halfedges");
+      throw std::length_error("more faces than indices of halfedges allow");
   }
 
   static std::string name(std::size_t t) { return "face " + std::to_string(t); }

@@ -35,7 +35,7 @@ public:
   void flip(Halfedge_index h)
   {
     if(flip_status(h, mesh) != Operation_status::possible || more_flips++ > mesh.num_edges())
-      throw Numerical_error("the Delaunay triangulations of the two differ by more than ties");
+      throw Numerical_error("both Delaunay triangulations differ by more than ties");
     flip_edge(h, mesh);
     flips.push_back(h);
   }
@@ -168,7 +168,7 @@ private:
   {
     for(Halfedge_index h : m_tri.mesh.halfedges())
       if(!m_image[h].is_valid() || m_base.mesh.next(m_image[h]) != m_image[m_tri.mesh.next(h)])
-        throw Numerical_error("the Delaunay triangulations of the two differ by more than ties");
+        throw Numerical_error("both Delaunay triangulations differ by more than ties");
   }
 
   const Common_vertices<Traits>& m_common;
