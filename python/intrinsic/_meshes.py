@@ -114,8 +114,8 @@ def _level_of_caller() -> int:
 
 
 def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
-    """Return what `compute(slack)` returns; with "auto", for the least of some slacks for which it
-    raises no NumericalError. Slack does not help against underflow."""
+    """Return the result of `compute(slack)`. With "auto", the slack is the least one of a list for
+    which it raises no NumericalError. Slack does not help against underflow."""
     slack = mollification(mollify)
     if slack is not None:
         return compute(slack)

@@ -88,7 +88,7 @@ def distance(
         meshes and has errors of some percent. "auto" is exact if that is expected to take less
         than two seconds.
     time_step_factor : float
-        The time for which heat flows, in squared mean edge lengths. Makes "auto" to "heat".
+        The time for which heat flows, in squared mean edge lengths. "auto" is then "heat".
     full : bool
         Whether the method and an estimate of the error are returned, too.
 
@@ -188,10 +188,10 @@ class DistanceSolver:
         Parameters
         ----------
         sources : (k,) integers, or pair of (k,) integers and (k, 3) floats
-            Vertices, or points as faces and barycentric coordinates. Heat from several sources is
-            solved for in one pass, which takes less time than one after the other.
+            Vertices, or points as faces and barycentric coordinates. With heat, all sources
+            together take less time than one after the other.
         parallel : bool
-            Whether several threads are used. The result is the same, to the bit.
+            Whether several threads are used. The result is bitwise the same.
 
         Returns
         -------
@@ -280,7 +280,7 @@ class Path:
     length : float
         In the unit of V; infinite if there is no path.
     faces : (p,) int array
-        A face in which each point lies: the ends, and where the path meets edges and vertices.
+        A face of each point. The points are the ends, the crossings and the passed vertices.
     barycentric : (p, 3) float array
         The barycentric coordinates of the points, in the order of the corners of the face.
     points : (p, 3) float array or None
@@ -307,7 +307,7 @@ def _path(T: Triangulation, length: float, faces: Integers, coordinates: Floats,
 
 def _on_input(V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: float | str,
               compute: Callable[[Triangulation], Result]) -> Result:
-    """Return what `compute(T)` returns, of a triangulation that need not be Delaunay."""
+    """Return the result of `compute(T)`, for a triangulation that need not be Delaunay."""
     return computed_on(V, F, lengths, mollify, compute, is_delaunay=False)
 
 
@@ -418,8 +418,8 @@ def geodesics(
 ) -> list[Path]:
     """Return a geodesic between each of many pairs of vertices, by flips.
 
-    Each is the geodesic that the shortest path along edges becomes. It is as long as `path()` or
-    longer, and takes less time.
+    The shortest path along edges is shortened to a geodesic. It can be longer than the result of
+    `path()`, and takes less time.
 
     Parameters
     ----------
@@ -632,7 +632,7 @@ def transport(
     V, F, lengths, mollify, progress
         As of `laplacian()`.
     vertices : (k,) integers
-        The vertices where vectors are given.
+        The vertices of the given vectors.
     vectors : (k,) complex numbers
         The vectors, with the angles of `connection_laplacian()`.
     time_step_factor : float
@@ -641,7 +641,8 @@ def transport(
     Returns
     -------
     (n,) complex array
-        The vector of the nearest of the vertices, transported; blurred where two are equally near.
+        At each vertex, the vector of the nearest source, transported. Near vertices with two
+        nearest sources, it is a smooth mixture of both.
 
     Examples
     --------

@@ -4,7 +4,7 @@
 
 """The exceptions of the package.
 
-All are derived from `IntrinsicError`. Where an element of the input is to blame, an attribute has
+All are derived from `IntrinsicError`. If an element of the input causes the error, an attribute has
 its index, counted from zero; otherwise the attribute is None.
 """
 
@@ -17,13 +17,13 @@ class IntrinsicError(Exception):
     Attributes
     ----------
     edge : tuple of int or None
-        The two vertices of the edge that is to blame.
+        The two vertices of the edge that causes the error.
     vertex : int or None
-        The vertex that is to blame.
+        The vertex that causes the error.
     face : int or None
-        The face that is to blame, a row of F.
+        The face that causes the error, a row of F.
     row : int or None
-        The row of an array that is to blame.
+        The row of an array that causes the error.
     """
 
     edge: tuple[int, int] | None = None
@@ -42,7 +42,7 @@ class ArrayError(InputError, TypeError):
 
 class NotAManifoldError(InputError):
     """Is raised if an edge has more than two faces, or a vertex more than one fan of faces, or if
-    the two faces of an edge are not oriented alike."""
+    the orientations of the two faces of an edge differ."""
 
 
 class NegativeCurvatureError(InputError):

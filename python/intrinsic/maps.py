@@ -23,7 +23,7 @@ from .triangulation import Progress, _fan
 
 @dataclass(frozen=True)
 class MapSubdivision:
-    """The pieces of the input on each of which a map is projective.
+    """The pieces into which the input is cut so that the map is projective on each of them.
 
     Attributes
     ----------
@@ -112,7 +112,7 @@ class ConformalMap:
 
     @property
     def max_curvature_error(self) -> float:
-        """The greatest difference of a curvature from what was prescribed, in radians."""
+        """The greatest difference of a curvature from its prescribed value, in radians."""
         return float(self._core.max_curvature_error())
 
     @property
@@ -147,8 +147,8 @@ class ConformalMap:
 class FlatMap(ConformalMap):
     """A map to the plane. Texture coordinates are `map.subdivision.uv`.
 
-    The subdivision has them at the corners of its faces. Faces of the input are cut where edges of
-    the flat triangulation cross them.
+    The subdivision has them at the corners of its faces. Edges of the flat triangulation cut faces
+    of the input.
     """
 
     @property
@@ -325,8 +325,8 @@ def flatten(
         As of `laplacian()`.
     cones : "greedy", "exchanged", "none", mapping or (n,) floats
         "greedy" places cones inside until scale factors are within `max_log_scale`; the default,
-        except for disks and rectangles. "exchanged" drops and moves greedy cones, which often
-        leaves fewer, in more time. A mapping from vertices to angle defects, or an array with
+        except for disks and rectangles. "exchanged" drops and moves greedy cones; often fewer
+        remain, and it takes longer. A mapping from vertices to angle defects, or an array with
         the defect of each vertex, in radians, prescribes them.
     boundary : str
         "free" does not scale the boundary; "straight" makes all exterior angles zero; "scale" and
@@ -335,7 +335,7 @@ def flatten(
     boundary_values : mapping or (n,) floats
         Of "scale" and "curvature": values at vertices on the boundary.
     radii : mapping or (n,) floats
-        Radii of circles around the vertices, which the map takes to circles. It then keeps
+        Radii of circles around the vertices, which are mapped to circles. The map then keeps
         inversive distances instead of lengths. Circles of neighbors may touch, but not meet.
     max_log_scale : float
         The bound of absolute logarithmic scale factors for greedy cones; 5 if not given.
@@ -343,13 +343,14 @@ def flatten(
         The same bound as the factor, above 1, by which areas may grow or shrink. If both are
         given, the stricter bound counts.
     layout : "least-squares", "spectral" or "incremental"
-        How the flat faces are laid out.
+        The method that lays out the flat faces.
     keep_triangulation : bool
-        Whether edges are not flipped. Then there are maps of some surfaces only.
+        Whether edges are not flipped. Then many surfaces have no map.
     exact : bool
         Whether the flips to the intrinsic Delaunay triangulation are decided exactly.
     no_overlap, unit_square : bool
-        Whether the image is cut where it overlaps, and scaled to the unit square.
+        Whether charts that overlap themselves are cut, and whether the image is scaled to the unit
+        square.
     progress : callable
         Is called with a stage, "cones", "optimize", "layout", "trace" or "subdivide", and a number
         of steps.

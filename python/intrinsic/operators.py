@@ -45,7 +45,7 @@ def laplacian(
     Returns
     -------
     (n, n) sparse matrix
-        Symmetric and positive semidefinite, without unit. It takes a function to its integrated
+        Symmetric and positive semidefinite, without unit. It maps a function to its integrated
         Laplacian, with the sign of -div grad.
 
     Examples
@@ -85,7 +85,7 @@ def mass(
     >>> import intrinsic
     >>> V, F = intrinsic.shapes.icosphere(2)
     >>> M = intrinsic.mass(V, F)
-    >>> round(float(M.sum()), 3)  # that of the unit sphere is 12.566
+    >>> round(float(M.sum()), 3)  # the area of the unit sphere is 12.566
     12.329
     """
     return _matrix("lumped_mass" if lumped else "mass", V, F, lengths, mollify, progress)
@@ -110,7 +110,7 @@ def divergence(
     V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
     mollify: float | str = "auto", progress: Progress | None = None,
 ) -> Any:
-    """Return the matrix that takes vectors in faces, as of `gradient()`, to integrated
+    """Return the matrix that maps vectors in faces, as of `gradient()`, to integrated
     divergences.
 
     Returns

@@ -76,8 +76,8 @@ def convex_polyhedron(
     V, F, lengths
         As of `laplacian()`.
     flatness : float
-        The curvature, in radians, up to which a vertex counts as flat; what the rounding of
-        lengths can come to if not given.
+        The curvature, in radians, up to which a vertex counts as flat; by default the rounding
+        error.
 
     Returns
     -------

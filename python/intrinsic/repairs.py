@@ -28,11 +28,11 @@ class Info:
     min_angle_degrees, min_edge_length, max_edge_length : float
         Extremes; lengths in the unit of V.
     is_valid : bool
-        Whether the functions of this package take the mesh.
+        Whether the functions of this package accept the mesh.
     defects : list of dict
         For each kind: "kind", "is_fatal", "count" and a "message" that names the first element.
     coincident_points, close_points : int
-        Vertices on the boundary that are where others are, or almost.
+        Vertices on the boundary at the position of another vertex, and nearly at it.
     """
 
     vertices: int
@@ -108,7 +108,7 @@ class Repair:
 
 def repair(V: Any, F: ArrayLike | None = None, *, weld: float = 0.0) -> Repair:
     """Make a surface of triangles: merge points, remove broken and duplicate faces and isolated
-    points, orient faces, and duplicate points where the surface is not manifold.
+    points, orient faces, and duplicate points at which the surface is not manifold.
 
     Parameters
     ----------

@@ -74,8 +74,8 @@ def show(
     Parameters
     ----------
     V : (n, 3) array of floats, a mesh object, a Triangulation, or a map
-        Positions, or what has a surface with positions. A triangulation is drawn with the edges of
-        both triangulations, a map with its image.
+        Positions, or an object with a surface and positions. A triangulation is drawn with the edges
+        of both triangulations, a map with its image.
     F : (m, 3) array of integers
         The corners of each face, if V are positions.
     open : bool
@@ -102,8 +102,8 @@ def show(
         fetches from the network.
     """
     if not _core.has_pages:
-        raise MissingPartError("pages need nlohmann_json and three.js, which were not there when "
-                               "this package was built")
+        raise MissingPartError("pages need nlohmann_json and three.js, and this package was built "
+                               "without them")
     if isinstance(V, Triangulation):
         text = V._page(functions, bool(direct))
     elif isinstance(V, ConformalMap):

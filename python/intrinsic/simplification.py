@@ -67,7 +67,7 @@ class Simplification:
 
     @property
     def F(self) -> Integers:
-        """The corners of the coarse faces, (t, 3), as places in `vertices`."""
+        """The corners of the coarse faces, (t, 3), as indices of `vertices`."""
         return self._core.faces()
 
     @property
@@ -98,7 +98,7 @@ class Simplification:
 
     @property
     def prolongation(self) -> Any:
-        """The (n, k) sparse matrix that takes functions at the coarse vertices to the input. Its
+        """The (n, k) sparse matrix that maps functions at the coarse vertices to the input. Its
         rows are barycentric coordinates: not negative, with sum 1."""
         return sparse(self._core.prolongation())
 
@@ -112,7 +112,7 @@ class Simplification:
         return self._core.mapped(False, *points_on(points, len(self.F), "points"))
 
     def triangulation(self) -> Triangulation:
-        """Return the coarse surface, for functions that take one: `laplacian(s.triangulation())`.
+        """Return the coarse surface, for other functions: `laplacian(s.triangulation())`.
         It has no positions. Loops and several edges with the same ends are ordinary in it."""
         return Triangulation._of_core(None, self._core.triangulation())
 

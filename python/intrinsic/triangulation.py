@@ -38,7 +38,7 @@ def _locked(method: Method) -> Method:
 
 
 def _fan(starts: Integers) -> tuple[Integers, Integers]:
-    """Return the corners of the triangles of a fan in each polygon, as places in the list of all
+    """Return the corners of the triangles of a fan in each polygon, as indices of the list of all
     corners, and the polygon of each."""
     sizes = np.diff(starts)
     polygon = np.repeat(np.arange(len(sizes)), sizes - 2)
@@ -323,7 +323,7 @@ class Triangulation:
         max_circumradius : float
             The greatest circumradius, in the unit of V.
         simplicial : bool
-            Whether there shall be no loops, and one edge at most between two vertices.
+            Whether the result has no loops, and at most one edge between two vertices.
         max_insertions : int
             The number of vertices that may be inserted; depends on the bounds if not given.
         exact : bool
@@ -505,7 +505,7 @@ class Triangulation:
 
     @_locked
     def transfer(self, what: Any, *, to: str = "intrinsic") -> Any:
-        """Take points, or a function, from one triangulation to the other.
+        """Map points, or a function, from one triangulation to the other.
 
         Parameters
         ----------
@@ -561,8 +561,7 @@ class Triangulation:
     def load(
         cls, path: str | os.PathLike[str], V: Any = None, F: ArrayLike | None = None
     ) -> "Triangulation":
-        """Read what `save()` has written. With the V and F that it was made of, results have
-        positions."""
+        """Read a file of `save()`. With the original V and F, results have positions."""
         with open(path, encoding="latin-1") as file:  # any byte can be read, for its line
             text = file.read()
         on = None if V is None else surface(V, F)
@@ -602,7 +601,7 @@ def computed_on(
     compute: Callable[[Triangulation], Result], progress: Progress | None = None,
     is_delaunay: bool = True,
 ) -> Result:
-    """Return what `compute(T)` returns: of V itself if it is a triangulation, otherwise of the
+    """Return the result of `compute(T)`. T is V if it is a triangulation, otherwise the
     triangulation of a mesh, which is intrinsic Delaunay if `is_delaunay`. With "auto", edges are
     lengthened if a NumericalError ends it."""
     if isinstance(V, Triangulation):
