@@ -39,11 +39,11 @@ public:
   /// starts a strip in the triangle \f$aij\f$, which is left through \f$\overrightarrow{ij}\f$.
   void start(const FT& ai, const FT& ij, const FT& ja);
 
-  /// goes on through the triangle \f$jil\f$ beyond the last inner edge \f$\overrightarrow{ij}\f$
+  /// continues through the triangle \f$jil\f$ beyond the last inner edge \f$\overrightarrow{ij}\f$
   /// and leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li);
 
-  /// goes on through the triangle \f$jil\f$ beyond the last inner edge \f$\overrightarrow{ij}\f$
+  /// continues through the triangle \f$jil\f$ beyond the last inner edge \f$\overrightarrow{ij}\f$
   /// and leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li);
 

@@ -71,8 +71,8 @@ public:
     return Removal_status::possible;
   }
 
-  /// computes the scale factor up to rounding. Angle changes and shares stay as they were.
-  /// Complexity: see `flatten()`.
+  /// computes the scale factor up to rounding. Angle changes and shares do not change. Complexity:
+  /// see `flatten()`.
   /// \returns whether the center can be flattened after all
   bool sharpen() { return solve(internal::angle_rounding(size())); }
 

@@ -39,7 +39,7 @@ public:
   /// allows indices less than `size`.
   void resize(std::size_t size) { m_label.resize(size); }
 
-  /// forgets the last search. Complexity: constant.
+  /// clears the last search. Complexity: constant.
   void restart()
   {
     ++m_round;

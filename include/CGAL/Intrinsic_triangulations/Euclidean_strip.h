@@ -101,15 +101,15 @@ public:
           {p[0] * from_a.target + p[1] * edge, p[0] * ja + p[1] * ij}, m_direction);
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
-  /// leaves it through \f$\overrightarrow{il}\f$.
+  /// continues through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$,
+  /// and leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
     turn_around_source(apex(ij, jl, li), direction_at_source(ij, jl, li));
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
-  /// leaves it through \f$\overrightarrow{lj}\f$.
+  /// continues through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$,
+  /// and leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
     turn_around_target(apex(ij, jl, li), direction_to_target(ij, jl, li));

@@ -61,8 +61,8 @@ FT distance_from_segment(const std::complex<FT>& p, const std::complex<FT>& q)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the lengths of the sides of a face and what follows from them. Side `s` leads from corner `s` to
-/// the next; side 0 is any halfedge of the face.
+/// the lengths of the sides of a face, and quantities that follow from them. Side `s` leads from
+/// corner `s` to the next; side 0 is any halfedge of the face.
 /// \tparam FT the number type of lengths
 template <typename FT>
 class Face_metric
@@ -143,7 +143,7 @@ public:
   /// barycentric coordinates: coordinate `k` belongs to the source of side `k`.
   typedef std::array<FT, 3> Place;
 
-  /// where a ray leaves the face: at a point of side `index`, or at corner `index`.
+  /// the point at which a ray leaves the face: on side `index`, or at corner `index`.
   struct Exit
   {
     bool is_corner;    ///< whether it is a corner
@@ -177,7 +177,7 @@ public:
     return (q[1] - p[1]) * side(0) - (q[2] - p[2]) * side(2);
   }
 
-  /// returns where the ray from `p` with unit direction `d` leaves the face.
+  /// returns the point at which the ray from `p` with unit direction `d` leaves the face.
   Exit exit(const Place& p, const Vector& d) const
   {
     std::array<FT, 3> left, ahead; // how far corner k is to the left of the ray and along it

@@ -64,22 +64,23 @@ public:
     m_decorated.start(ai, ij, ja);
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
-  /// leaves it through \f$\overrightarrow{il}\f$.
+  /// continues through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$,
+  /// and leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const Edge& ji, const Edge& lj, const Edge& il)
   {
     m_decorated.turn_around_source(ji, lj, il);
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
-  /// leaves it through \f$\overrightarrow{lj}\f$.
+  /// continues through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$,
+  /// and leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const Edge& ji, const Edge& lj, const Edge& il)
   {
     m_decorated.turn_around_target(ji, lj, il);
   }
 
   /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
-  /// \f$\overrightarrow{ij}\f$, and goes back along it. Complexity: linear in the inner edges.
+  /// \f$\overrightarrow{ij}\f$, and computes the
+  /// crossings along it. Complexity: linear in the inner edges.
   void finish(const Edge& ji, const Edge& lj, const Edge& il) { m_decorated.finish(ji, lj, il); }
 
   /// starts a new strip without radii.
@@ -88,12 +89,12 @@ public:
     m_has_radii = false;
     m_ideal.start(ai, ij, ja);
   }
-  /// goes on without radii.
+  /// continues without radii.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
     m_ideal.turn_around_source(ij, jl, li);
   }
-  /// goes on without radii.
+  /// continues without radii.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
     m_ideal.turn_around_target(ij, jl, li);

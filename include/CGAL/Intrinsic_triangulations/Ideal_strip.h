@@ -61,22 +61,23 @@ public:
   /// starts a new strip in the triangle \f$aij\f$ that is left through \f$\overrightarrow{ij}\f$.
   void start(const FT& ai, const FT& ij, const FT& ja) { m_strip.start(ai, ij, ja); }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
-  /// leaves it through \f$\overrightarrow{il}\f$.
+  /// continues through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$,
+  /// and leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
     m_strip.turn_around_source(ij, jl, li);
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
-  /// leaves it through \f$\overrightarrow{lj}\f$.
+  /// continues through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$,
+  /// and leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
     m_strip.turn_around_target(ij, jl, li);
   }
 
   /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
-  /// \f$\overrightarrow{ij}\f$, and goes back along it. Complexity: linear in the inner edges.
+  /// \f$\overrightarrow{ij}\f$, and computes the
+  /// crossings along it. Complexity: linear in the inner edges.
   void finish(const FT& ij, const FT& jl, const FT& li) { m_strip.finish(ij, jl, li); }
 
   /// returns the number of inner edges.

@@ -18,7 +18,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
-/// lists what can be wrong with, or worth noting about, an input mesh.
+/// names defects and notable properties of an input mesh.
 enum class Defect_kind : std::size_t
 {
   NON_FINITE_COORDINATE,
@@ -57,7 +57,7 @@ struct Defect_description
   const char* name;       ///< a short name, without article
   bool is_fatal;          ///< `false` if the kind is only noted
   Defect_element element; ///< the type of element that has it
-  const char* sentence;   ///< what it means for the input
+  const char* sentence;   ///< the meaning for the input
 };
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
@@ -119,14 +119,15 @@ All elements are given by their positions in the input, starting from 0.
 class Input_diagnosis
 {
 public:
-  /// stands for the face of an edge or vertex that has none, and the vertex of a face.
+  /// the index of a missing element: the face of an edge or vertex without face, and the vertex of
+  /// a face.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   /// the number of occurrences of a kind that are kept by default; all are
   /// counted.
   static constexpr std::size_t maximal_number_of_occurrences = 5;
 
-  /// where a defect is.
+  /// the elements that have a defect.
   struct Occurrence
   {
     std::array<std::size_t, 2> vertices = {none, none}; ///< the vertex, or the ends of the edge
@@ -180,9 +181,8 @@ public:
   /// returns the numbers about the surface.
   const Statistics& statistics() const { return m_statistics; }
 
-  /// returns one sentence about all defects of kind `kind`, such as
-  /// "zero-length edge: 3, first between vertices 12 and 15 (face 7)". Of corners all occurrences
-  /// that are kept are named.
+  /// returns one sentence about all defects of kind `kind`, such as "zero-length edge: 3, first
+  /// between vertices 12 and 15 (face 7)". For corners, all kept occurrences are named.
   /// \pre `count(kind) > 0`
   std::string message(Defect_kind kind) const
   {

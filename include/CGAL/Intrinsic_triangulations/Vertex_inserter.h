@@ -86,7 +86,7 @@ public:
   /// is on a shared edge, the vertex is on that edge of \f$T_1\f$. Complexity: linear in the
   /// crossings on the sides of the face.
   /// \param p a point with coordinates that are not negative and sum up to one
-  /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
+  /// \param closeness if the point is closer to an edge of \f$T_1\f$, the vertex lies on that edge
   /// \returns the vertex; the existing vertex if two coordinates are zero
   /// \throws Numerical_error if a new edge has no positive finite length. With exact decisions it
   ///   is also thrown if no near point has coordinates on \f$T_1\f$ that leave its edges straight

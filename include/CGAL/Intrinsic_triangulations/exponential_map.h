@@ -35,8 +35,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// coordinates that are exactly zero.
 ///
 /// A geodesic may run in the boundary. With `At_boundary::stop` it passes a vertex on the boundary
-/// if it can go on with the angle pi on one of its sides. So it follows a straight border. It stops
-/// if no side or both sides of the surface have this angle.
+/// if it can continue with the angle pi on one of its sides. So it follows a straight border. It
+/// stops if no side or both sides of the surface have this angle.
 ///
 /// Thin triangles lose no digits: end and length are accurate to rounding of the longest edge for
 /// every face passed. Geodesics on either side of a vertex with curvature diverge. A geodesic that

@@ -56,7 +56,7 @@ inline const char* to_string(Logarithm_status status)
 template <typename FT>
 struct Logarithm
 {
-  Logarithm_status status; ///< what the shortest path is like
+  Logarithm_status status; ///< whether the shortest path bends
   std::complex<FT> vector; ///< the tangent vector with the first direction of the shortest path and
                            ///< its length, which is the distance; infinite if there is no path
 };
