@@ -22,7 +22,7 @@ public:
   ///   norm), finite if the start is finite. Fixed variables keep their values. A component without
   ///   fixed variables keeps its mean, up to rounding.
   /// \param domain the fixed variables, and the directions along which the energy is constant
-  /// \param visitor sees every step; if it throws, `u` is the best point so far. It can be omitted;
+  /// \param visitor is notified of every step; if it throws, `u` is the best point so far. It can be omitted;
   ///   `domain` can be omitted too if all variables are free.
   /// \pre `u` has the size of the energy.
   template <typename Energy, typename Visitor>

@@ -5,7 +5,7 @@
 /// \ingroup PkgDiscreteConformalMapsConcepts
 /// \cgalConcept
 ///
-/// sees the progress of `CGAL::Discrete_conformal_maps::flatten()`: to show it, to take times, or
+/// observes the progress of `CGAL::Discrete_conformal_maps::flatten()`: to show it, to measure times, or
 /// to stop the work by an exception.
 ///
 /// \cgalRefines{MinimizationVisitor}

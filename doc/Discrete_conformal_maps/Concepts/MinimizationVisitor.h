@@ -5,7 +5,7 @@
 /// \ingroup PkgDiscreteConformalMapsConcepts
 /// \cgalConcept
 ///
-/// sees every step of a minimization: to show progress, or to stop it by an exception.
+/// observes every step of a minimization: to show progress, or to stop it by an exception.
 ///
 /// \cgalHasModel `CGAL::Discrete_conformal_maps::Default_minimization_visitor`
 class MinimizationVisitor

@@ -5,7 +5,7 @@
 /// \ingroup PkgIntrinsicSimplificationConcepts
 /// \cgalConcept
 ///
-/// sees every removal by `CGAL::Intrinsic_simplification::simplify()`. It can show progress, keep
+/// observes every removal by `CGAL::Intrinsic_simplification::simplify()`. It can show progress, keep
 /// levels of a hierarchy, or stop by an exception.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_simplification::Default_simplification_visitor`

@@ -5,7 +5,7 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// sees every flip that `CGAL::Intrinsic_triangulations::make_Delaunay()` makes: to show progress,
+/// observes every flip that `CGAL::Intrinsic_triangulations::make_Delaunay()` makes: to show progress,
 /// to record the flips, or to stop them by an exception.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Default_flip_visitor`

@@ -31,7 +31,7 @@ public:
 
   /// the type of lengths and barycentric coordinates: a model of `Field` and `RealEmbeddable`, with
   /// an implicit conversion from `int`. Square roots are needed only if lengths come from positions,
-  /// or if the model says so. Only saving and loading need a floating point type.
+  /// or if a model documents them. Only saving and loading need a floating point type.
   typedef unspecified_type FT;
 
   /// the signed integer type of normal coordinates, with explicit conversions from and to built-in

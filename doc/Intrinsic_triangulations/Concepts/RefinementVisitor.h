@@ -5,7 +5,7 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// sees every change that `CGAL::Intrinsic_triangulations::refine()` makes: to show progress, to
+/// observes every change that `CGAL::Intrinsic_triangulations::refine()` makes: to show progress, to
 /// keep data up to date, or to stop by an exception.
 ///
 /// When a function is called, the triangulation is valid, but may have elements marked as removed;
