@@ -19,7 +19,7 @@ MOST_WORDS = 25
 
 TEXTS = ["doc/**/*.txt", "README.md", "CHANGES.md", "CONTRIBUTING.md"]
 HEADERS = ["include/CGAL/**/*.h", "doc/*/Concepts/*.h"]
-SOURCES = ["demo/**/*.cpp", "demo/**/*.h", "python/src/*.cpp", "python/src/*.h"]
+SOURCES = ["demo/**/*.cpp", "demo/**/*.h", "python/src/*.cpp", "python/src/*.h", "examples/*/*.cpp"]
 
 # Pronouns and adverbs that stand for a noun: the noun is to be repeated.
 STAND_INS = [

@@ -29,5 +29,5 @@ int main(int argc, char* argv[])
   for(IT::Edge_index e : tri.mesh().edges())
     shared += tri.coordinates().is_shared(e) ? 1 : 0;
   std::cout << flips << " flips; " << shared << " of " << tri.mesh().number_of_edges()
-            << " edges are those of the input\n";
+            << " edges are edges of the input\n";
 }

@@ -53,5 +53,5 @@ int main(int argc, char* argv[])
       std::cout << "face " << f << ": center in face " << on_input.first << " of the mesh, at "
                 << PMP::construct_point(on_input, mesh) << '\n';
   }
-  std::cout << "largest difference after going there and back: " << largest << '\n';
+  std::cout << "largest difference after mapping both ways: " << largest << '\n';
 }

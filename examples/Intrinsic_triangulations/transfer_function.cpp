@@ -48,6 +48,6 @@ int main(int argc, char* argv[])
   const Eigen::VectorXd error = back - height;
   std::cout << "integral on the mesh " << (mass * height).sum()
             << ", on the Delaunay triangulation " << (intrinsic_mass * there).sum() << '\n'
-            << "lost on the way there and back, relative: "
+            << "relative error after both transfers: "
             << std::sqrt(error.dot(mass * error) / height.dot(mass * height)) << '\n';
 }
