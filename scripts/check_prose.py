@@ -3,13 +3,15 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Checks sentences of the manuals, of README.md and the like, of comments of headers, and of messages.
+"""Checks sentences of the manuals, of README.md and the like, of comments of headers, of messages and help, and of
+docstrings.
 A sentence has at most 25 words, no pronoun in place of a noun ("that of"), and words of the field only.
 A comment on lines of its own starts with a capital letter, a digit or a name, and ends with a mark.
 Prints file:line of each violation, and exits with 1 if there is any. Without arguments all files are
 checked."""
 
 import argparse
+import ast
 import re
 import sys
 from pathlib import Path
@@ -19,7 +21,8 @@ MOST_WORDS = 25
 
 TEXTS = ["doc/**/*.txt", "README.md", "CHANGES.md", "CONTRIBUTING.md"]
 HEADERS = ["include/CGAL/**/*.h", "doc/*/Concepts/*.h"]
-SOURCES = ["demo/**/*.cpp", "demo/**/*.h", "python/src/*.cpp", "python/src/*.h", "examples/*/*.cpp"]
+SOURCES = ["demo/**/*.cpp", "demo/**/*.h", "examples/*/*.cpp", "python/src/*.cpp", "python/src/*.h",
+           "python/intrinsic/*.py", "python/tutorial/*.py"]
 
 # Pronouns and adverbs that stand for a noun: the noun is to be repeated.
 STAND_INS = [
@@ -243,6 +246,23 @@ RAW_LITERAL = re.compile(r"R\"(\w*)\((.*?)\)\1\"", re.S)
 HELP_ROW = re.compile(r"^ {2,4}\S.*? {2,}")
 
 
+# Headings, types and examples.
+NO_SENTENCES = re.compile(r"-+$|[A-Z]\w+$|[\w, *]+ : |(?:pair of )?\(.*\w$|>>> |\.\.\. ")
+
+
+def blocks_of_docstrings(text):
+    """Blocks of docstrings. What an example prints ends with an empty line."""
+    for node in ast.walk(ast.parse(text)):
+        if not isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)):
+            continue
+        lines, is_example = [], False
+        for number, line in enumerate(prepared(ast.get_docstring(node) or "").split("\n"), node.body[0].lineno):
+            is_example = line.startswith(">>>") or is_example and line != ""
+            is_text = not is_example and not NO_SENTENCES.match(line.strip())
+            lines.append((number, line.strip() if is_text else ""))
+        yield from blocks_of(lines, True)
+
+
 def blocks_of_help(text):
     """Blocks of raw string literals, the help of commands: paragraphs, and rows of lists without examples."""
     for literal in RAW_LITERAL.finditer(text):
@@ -311,6 +331,8 @@ def violations(path):
     """Pairs of a line and what is wrong in it."""
     if path.suffix in [".txt", ".md"]:
         blocks = blocks_of_text(path)
+    elif path.suffix == ".py":
+        blocks = blocks_of_docstrings(path.read_text())
     elif "demo" in path.relative_to(ROOT).parts[:1]:
         blocks = [*blocks_of_help(path.read_text()), *blocks_of_source(path)]
     else:

@@ -4,9 +4,9 @@
 
 """Intrinsic triangulations, exact geodesics, conformal maps and simplification of surfaces.
 
-A surface is a pair of arrays, V (n, 3) of positions and F (m, 3) of corners from 0, or a mesh of
-trimesh, meshio or pyvista. Points on surfaces are pairs of arrays: faces (k,) and barycentric
-coordinates (k, 3), in the order of the corners in F.
+A surface is a mesh of trimesh, meshio or pyvista, or a pair of arrays. V (n, 3) has positions, and
+F (m, 3) has corners, counted from 0. Points on surfaces are pairs of arrays: faces (k,) and
+barycentric coordinates (k, 3), in the order of the corners in F.
 """
 
 from . import errors, shapes

@@ -48,8 +48,8 @@ def _cells(cells: Any) -> Any:
 
 
 def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
-    """Return positions and faces of an object of another package: one with `vertices` and `faces`
-    (as trimesh has), `points` and `cells` (meshio), or `points` and `faces` (pyvista)."""
+    """Return positions and faces of an object of another package. It has `vertices` and `faces`
+    (trimesh), `points` and `cells` (meshio), or `points` and `faces` (pyvista)."""
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return mesh.vertices, mesh.faces
     if hasattr(mesh, "points") and hasattr(mesh, "cells") and not hasattr(mesh, "faces"):

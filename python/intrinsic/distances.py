@@ -464,8 +464,8 @@ def signed_distance(
         The points of a polyline, or of several ones: vertices, or faces and barycentric
         coordinates. Two points that follow each other must be in a common face.
     time_step_factor : float
-        The time for which heat flows, in squared mean edge lengths; at first 1 if not given, and
-        more if normals do not reach all faces.
+        The time for which heat flows, in squared mean edge lengths. By default it is 1 at first,
+        and more if normals do not reach all faces.
 
     Returns
     -------
@@ -535,9 +535,9 @@ class LogMap:
     Attributes
     ----------
     vectors : (n,) complex array
-        For each vertex, the tangent vector with the first direction of the shortest path and its
-        length, in the unit of V. Angles are scaled to a full turn at the source, and start at the
-        first edge of the source. Infinite without a path.
+        For each vertex, a tangent vector with the first direction and the length of the shortest
+        path; infinite without a path. Lengths are in the unit of `V`. Angles start at the
+        first edge of the source, and are scaled such that a full turn is 2 pi.
     is_straight : (n,) bool array
         Whether the shortest path is straight. Then `exp_map()` leads to the vertex, unless the path
         touches the boundary or a vertex of more than 360 degrees.

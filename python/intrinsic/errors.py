@@ -41,8 +41,10 @@ class ArrayError(InputError, TypeError):
 
 
 class NotAManifoldError(InputError):
-    """Is raised if an edge has more than two faces, or a vertex more than one fan of faces, or if
-    the orientations of the two faces of an edge differ."""
+    """Is raised if an edge has more than two faces, or a vertex more than one fan of faces.
+
+    Another reason is that the orientations of the two faces of an edge differ.
+    """
 
 
 class NegativeCurvatureError(InputError):

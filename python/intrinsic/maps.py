@@ -329,11 +329,11 @@ def flatten(
         remain, and it takes longer. A mapping from vertices to angle defects, or an array with
         the defect of each vertex, in radians, prescribes them.
     boundary : str
-        "free" does not scale the boundary; "straight" makes all exterior angles zero; "scale" and
-        "curvature" prescribe logarithms of scale factors, or exterior angles in radians;
-        "disk" and "rectangle" make these shapes of each component.
+        "free" does not scale the boundary. "straight" makes all exterior angles zero. "scale" and
+        "curvature" prescribe logarithms of scale factors, or exterior angles in radians. "disk"
+        and "rectangle" give each component this shape.
     boundary_values : mapping or (n,) floats
-        Of "scale" and "curvature": values at vertices on the boundary.
+        With "scale" and "curvature": values at vertices on the boundary.
     radii : mapping or (n,) floats
         Radii of circles around the vertices, which are mapped to circles. The map then keeps
         inversive distances instead of lengths. Circles of neighbors may touch, but not meet.
@@ -481,8 +481,8 @@ class Uniformization:
     type : str
         "sphere", "disk", "torus", "annulus" or "hyperbolic".
     map : SphereMap, FlatMap or HyperbolicMap
-        The map of a sphere or disk to the sphere, of a torus or annulus to the plane, and of all
-        others to the hyperbolic plane.
+        The map. It leads to the sphere from a sphere or disk, to the plane from a torus or annulus,
+        and to the hyperbolic plane otherwise.
     modulus : complex or None
         The modulus of a torus, or the imaginary unit times the modulus of an annulus.
     """

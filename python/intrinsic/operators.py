@@ -70,8 +70,8 @@ def mass(
     Parameters
     ----------
     lumped : bool
-        Whether the matrix is diagonal, with a third of the area of its faces at each vertex;
-        otherwise it has the integrals of products of hat functions.
+        Whether the matrix is diagonal, with a third of the area of its faces at each vertex.
+        Otherwise it has the integrals of products of hat functions.
     V, F, lengths, mollify, progress
         As of `laplacian()`.
 
@@ -100,8 +100,8 @@ def gradient(
     Returns
     -------
     (2 m, n) sparse matrix
-        Rows 2 f and 2 f + 1 give the components in face f along its first side and to the left
-        of it, per unit of V. For the faces, make a `Triangulation` and give it as V.
+        Rows `2 f` and `2 f + 1` give the components in face `f`, along its first side and to the
+        left of it, per unit of `V`. For the faces, make a `Triangulation` and give it as V.
     """
     return _matrix("gradient", V, F, lengths, mollify, progress)
 

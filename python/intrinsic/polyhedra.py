@@ -30,8 +30,8 @@ class ConvexPolyhedron:
     flat_vertices : (k,) int array
         Vertices without curvature, which are on faces and edges.
     kind : str
-        "convex" or "polygon", a polygon with two sides, if exact predicates have confirmed it for
-        `V`; "convex_before_rounding" if only rounding to `V` makes some edges concave.
+        "convex", or "polygon" for a polygon with two sides, if exact predicates confirm it for `V`.
+        "convex_before_rounding" if only rounding to `V` makes some edges concave.
     max_edge_error : float
         The greatest difference of the length of an edge on the surface and in space, relative to
         it.

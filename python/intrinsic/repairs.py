@@ -107,8 +107,10 @@ class Repair:
 
 
 def repair(V: Any, F: ArrayLike | None = None, *, weld: float = 0.0) -> Repair:
-    """Make a surface of triangles: merge points, remove broken and duplicate faces and isolated
-    points, orient faces, and duplicate points at which the surface is not manifold.
+    """Make a surface of triangles.
+
+    Merges points, removes broken and duplicate faces and isolated points, orients faces, and
+    duplicates points at which the surface is not manifold.
 
     Parameters
     ----------

@@ -518,7 +518,7 @@ class Triangulation:
         Returns
         -------
         pair of (k,) ints and (k, 3) floats, or (n2,) floats
-            The same points on the other triangulation; or the function that is linear on its faces
+            The same points on the other triangulation. Or the function that is linear on its faces
             and closest to the given one in the L2 norm. Its integral is the same.
         """
         from_input = not _is_input(to, "to")

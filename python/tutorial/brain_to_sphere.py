@@ -2,10 +2,10 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""A spherical map of a folded surface, such as that of a brain.
+"""A spherical map of a folded surface, such as a brain.
 
-Folded surfaces of genus zero are compared on the sphere. The map keeps angles; the vertices become
-those of a convex polyhedron, so that no triangle is turned over.
+Folded surfaces of genus zero are compared on the sphere. The map keeps angles. The vertices become
+vertices of a convex polyhedron, so that no triangle is turned over.
 """
 
 import numpy as np

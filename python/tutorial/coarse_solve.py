@@ -4,7 +4,7 @@
 
 """A coarse solve, and its prolongation.
 
-Simplification removes vertices and keeps the distances on the surface. The prolongation takes a
+Simplification removes vertices and keeps the distances on the surface. The prolongation maps a
 solution on the coarse surface to all vertices.
 """
 
