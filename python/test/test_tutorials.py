@@ -26,9 +26,12 @@ class Tutorials(unittest.TestCase):
     def test_readme(self):
         text = (FOLDER.parent / "README.md").read_text(encoding="utf-8")
         (block,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-        with contextlib.redirect_stdout(io.StringIO()) as output:
-            exec(block, {})
-        self.assertIn("flips", output.getvalue())
+        names = {}
+        exec(block, names)
+        n = len(names["V"])
+        self.assertEqual((names["L"].shape, names["d"].shape, names["P"].shape), ((n, n), (n,), (n, 200)))
+        self.assertEqual(names["d"][0], 0)
+        self.assertEqual(names["uv"].shape[1:], (3, 2))
 
 
 if __name__ == "__main__":
