@@ -39,9 +39,8 @@ std::string advice(const std::string& command, DCM::Map_status status)
   if(command == "flatten")
     return status == Status::not_converged || status == Status::wrong_curvature
              ? "try --cones greedy, or another --boundary"
-             : "try --cones greedy with a --max-log-scale below 5, which keeps scale factors "
-               "closer "
-               "to each other, or --boundary free";
+             : "try --cones greedy with a --max-log-scale below 5, so that scale factors differ "
+               "less, or --boundary free";
   return "try `intrinsic flatten`, which places cones";
 }
 
@@ -53,13 +52,12 @@ std::string failure(Command_run& run, const Conformal_map& map)
   const char* reason =
     is_by_search ? DCM::to_string(map.minimization().status) : DCM::to_string(map.status());
   std::ostringstream text;
-  text << DCM::message(map.status()) << ": " << reason;
+  text << DCM::message(map.status()) << " (" << reason << ')';
   for(const DCM::Map_promise& p : map.promises())
     if(std::isnan(p.error))
-      text << ", with an unknown error of " << p.name;
+      text << "; error of " << p.name << ": unknown";
     else if(!p.is_kept())
-      text << ", with an error of " << p.name << " of " << p.error << " (at most " << p.bound
-           << ")";
+      text << "; error of " << p.name << ": " << p.error << ", at most " << p.bound;
   if(!map.cause().empty())
     text << "; " << map.cause();
   text << "; " << advice(run.statistics()["command"], map.status());

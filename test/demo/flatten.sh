@@ -80,13 +80,13 @@ claim "s = json('a.json')" "s.cones == 4" 'near([s.log_scale_min, s.log_scale_ma
 rm a.obj
 printf '%s 3.141592653\n' 0 1 2 3 >digits
 expect 1 flatten regular.mesh.off -o a.obj --cones digits --stats b.json
-says "the minimization has not converged: unbounded, with an error of curvature of 5.89"
+says "the minimization has not converged (unbounded); error of curvature: 5.89"
 says 'try '
 [ ! -e a.obj ] && [ ! -e b.json ] || fail 'files after a failure'
 
 # Unless it is wanted with what is wrong with it.
 expect 3 flatten regular.mesh.off -o a.obj --cones digits --stats b.json --keep-going
-says 'warning: the minimization has not converged: unbounded'
+says 'warning: the minimization has not converged (unbounded)'
 claim "s = json('b.json')" "s.status == 'not_converged'" 's.promises.curvature.kept is False' \
   'near(s.promises.curvature.error, 5.89e-10, 1e-12)' 's.promises.curvature.bound == 1e-10' \
   's.promises.cross_ratio.kept is True' 'near(area(obj("a.obj")), 8 * sqrt(3), 1e-6)'
@@ -240,7 +240,7 @@ expect 0 flatten regular.mesh.off -o a.obj --cones cones --stats a.json
 is_conformal a.json
 rm a.*
 expect 1 flatten regular.mesh.off -o a.obj --cones cones --solver cetm
-says 'the triangulation of the mesh has no such scale factors: no_minimum'
+says 'the triangulation of the mesh has no such scale factors (no_minimum)'
 rm cones
 
 # A tube with four faces around: each ring has a fifth of the size of the one before.

@@ -80,7 +80,7 @@ claim "s = json('large.json')" "s.max_gluing_error <= 1e-9"
 rm large.*
 plate plate200 200
 expect 1 hyperbolic plate200.mesh.off -o large.obj --stats large.json
-says 'the faces do not close up in the hyperbolic plane: not_glued'
+says 'the faces do not close up in the hyperbolic plane (not_glued)'
 expect 1 uniformize plate200.mesh.off -o large.obj
 says 'not_glued'
 says 'try '
