@@ -11,7 +11,7 @@ trap 'echo "demo.sh: failed at: $BASH_COMMAND" >&2' ERR
 
 # name | title | what to look at | command | mesh | arguments
 runs=(
-  'man|Intrinsic Delaunay triangulation|Edges of the input in gray, those of the Delaunay triangulation in red: geodesics on the same surface.|delaunay|man.off|'
+  'man|Intrinsic Delaunay triangulation|Edges of the input in gray, edges of the Delaunay triangulation in red: geodesics on the same surface.|delaunay|man.off|'
   'slivers|Delaunay, decided exactly|A torus of long triangles. Every decision is exact, and the result is certified.|delaunay|slivers.off|--exact'
   'joint|Refinement|All angles have 25 degrees or more, though the input has needles.|refine|joint.off|--min-angle 25'
   'mannequin|Geodesic distance|Dark is near; the page in 3D has isolines. Exact: the lengths of shortest paths.|distance|mannequin-devil.off|--source 0'

@@ -331,7 +331,7 @@ private:
     text << name(component) << " is " << kind
          << " and cannot be hyperbolic with the prescribed curvatures: "
          << "its area would be " << (has_boundary(component) ? area / 2 : area)
-         << " (Gauss-Bonnet); greater curvatures make it greater";
+         << " (Gauss-Bonnet); prescribe greater curvatures";
     return text.str();
   }
 
@@ -350,7 +350,7 @@ private:
       if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
         throw Intrinsic_triangulations::Invalid_input(
           "no angle is left at vertex " + std::to_string(v) +
-          ": its curvature is too great; it must be less than 2 pi, on the boundary less than pi");
+          ": its curvature must be less than 2 pi, on the boundary less than pi");
   }
 
   // Describes the error in the curvatures of a component.
@@ -361,8 +361,8 @@ private:
     text << "the curvatures prescribed on " << name(component) << " sum up to " << std::abs(own)
          << " radians " << (own > 0 ? "more" : "less")
          << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
-         << (has_fixed ? ": more than vertices with prescribed scale factors can have"
-                       : ": a cone inside or another boundary can have the difference");
+         << (has_fixed ? ": vertices with prescribed scale factors cannot have the difference"
+                       : ": a cone inside or other exterior angles can have the difference");
     return text.str();
   }
 
