@@ -9,27 +9,40 @@ add_custom_target(unit_tests)
 add_custom_target(unit_tests_syntax)
 
 # What all of them need.
-add_library(unit_test_dependencies INTERFACE)
-target_link_libraries(unit_test_dependencies
+add_library(unit_test_options INTERFACE)
+target_link_libraries(unit_test_options
   INTERFACE Intrinsic_triangulations CGAL::Data GTest::gtest_main)
 # With CGAL's assertions on. Full optimisation would take longer than it saves.
-target_compile_options(unit_test_dependencies INTERFACE -UNDEBUG $<$<CONFIG:Release>:-O1>
+target_compile_options(unit_test_options INTERFACE -UNDEBUG $<$<CONFIG:Release>:-O1>
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # ccache can only cache precompiled headers with it
 if(SuiteSparse_FOUND)
   # Both factorizations are tested, but only one can be that of the algorithms.
-  target_include_directories(unit_test_dependencies SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-  target_link_libraries(unit_test_dependencies INTERFACE ${CHOLMOD_LIBRARY})
-  target_compile_definitions(unit_test_dependencies INTERFACE TEST_SUPERNODAL_CHOLESKY)
+  target_include_directories(unit_test_options SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+  target_link_libraries(unit_test_options INTERFACE ${CHOLMOD_LIBRARY})
+  target_compile_definitions(unit_test_options INTERFACE TEST_SUPERNODAL_CHOLESKY)
 endif()
 if(Ceres_FOUND)
-  target_link_libraries(unit_test_dependencies INTERFACE CGAL_intrinsic_triangulations::Ceres)
+  target_link_libraries(unit_test_options INTERFACE CGAL_intrinsic_triangulations::Ceres)
 endif()
 if(TBB_FOUND)
-  target_link_libraries(unit_test_dependencies INTERFACE CGAL_intrinsic_triangulations::TBB)
+  target_link_libraries(unit_test_options INTERFACE CGAL_intrinsic_triangulations::TBB)
 endif()
 if(OpenMesh_FOUND)
-  target_link_libraries(unit_test_dependencies INTERFACE OpenMeshCore)
-  target_compile_definitions(unit_test_dependencies INTERFACE CGAL_USE_OPENMESH)
+  target_link_libraries(unit_test_options INTERFACE OpenMeshCore)
+  target_compile_definitions(unit_test_options INTERFACE CGAL_USE_OPENMESH)
+endif()
+
+# What the compiled library holds is compiled once, too, but with assertions.
+add_library(unit_test_dependencies INTERFACE)
+target_link_libraries(unit_test_dependencies INTERFACE unit_test_options)
+if(TARGET Intrinsic_triangulations_compiled)
+  get_target_property(sources Intrinsic_triangulations_compiled SOURCES)
+  list(TRANSFORM sources PREPEND "${PROJECT_SOURCE_DIR}/src/")
+  add_library(unit_tests_library STATIC EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(unit_tests_library PRIVATE unit_test_options)
+  target_link_libraries(unit_test_dependencies INTERFACE unit_tests_library)
+  target_compile_definitions(unit_test_dependencies INTERFACE
+    CGAL_INTRINSIC_TRIANGULATIONS_COMPILED=extern)
 endif()
 
 # Large headers that all of them include, precompiled by a target of its own: -fsyntax-only would

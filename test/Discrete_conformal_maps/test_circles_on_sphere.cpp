@@ -6,6 +6,7 @@
 #include "circles.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_triangle.h>
 #include <CGAL/Discrete_conformal_maps/pack_circles.h>
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
 

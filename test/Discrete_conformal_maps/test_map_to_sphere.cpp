@@ -7,6 +7,9 @@
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -5,6 +5,7 @@
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "flat_maps.h"
 
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 #include <Eigen/LU>
 
