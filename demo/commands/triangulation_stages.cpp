@@ -237,8 +237,9 @@ void develop_if_large(View_page& page, Command_run& run, const Triangulation& tr
   const bool is_large = subdivision.mesh().number_of_faces() > most_polygons;
   if(run.options().mollification > 0 || !(is_large || run.options().is_direct))
     return;
-  if(auto faces = develop_faces(triangulation, run.input().mesh, {{"curvature", curvatures(run)}},
-                                std::move(vertex_data))) {
+  const auto& points = run.input().mesh.points();
+  if(auto faces = develop_faces(triangulation, {points.begin(), points.end()},
+                                {{"curvature", curvatures(run)}}, std::move(vertex_data))) {
     add_input_data(run.input(), faces->input);
     page.set_developed(std::move(*faces));
   }

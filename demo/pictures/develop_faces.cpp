@@ -31,18 +31,19 @@ public:
       m_numbers(m_mesh.num_halfedges(), -1)
   {}
 
-  std::optional<Developed_faces> operator()(const Mesh& input)
+  std::optional<Developed_faces> operator()(std::vector<Point> points)
   {
-    for(const IT::Face_index f : m_tri.input_mesh().faces())
-      if(const IT::Halfedge_index h = m_tri.input_mesh().halfedge(f);
-         crossings_at_corner(h) + crossings(m_tri.input_mesh().next(h)) > most_crossings)
+    const IT::Delta_complex& input = m_tri.input_mesh();
+    for(const IT::Face_index f : input.faces())
+      if(const IT::Halfedge_index h = input.halfedge(f);
+         crossings_at_corner(h) + crossings(input.next(h)) > most_crossings)
         return std::nullopt;
     number_halfedges();
     for(const IT::Face_index f : m_mesh.faces())
       add_face(first(f));
     m_result.number_of_edges = {input.number_of_edges(), m_mesh.number_of_edges()};
-    m_result.input.points.assign(input.points().begin(), input.points().end());
-    for(const IT::Face_index f : m_tri.input_mesh().faces())
+    m_result.input.points = std::move(points);
+    for(const IT::Face_index f : input.faces())
       add_input_face(f);
     m_result.input.placement = {input.number_of_vertices(), as_vertex, as_face};
     return std::move(m_result);
@@ -162,11 +163,12 @@ private:
 
 } // namespace
 
-std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input,
+std::optional<Developed_faces> develop_faces(const Triangulation& triangulation,
+                                             std::vector<Point> points,
                                              const std::vector<Attribute>& input_data,
                                              std::vector<Attribute> vertex_data)
 {
-  std::optional<Developed_faces> result = Developer(triangulation)(input);
+  std::optional<Developed_faces> result = Developer(triangulation)(std::move(points));
   if(!result)
     return result;
   std::vector<Attribute>& on_points = result->input.point_data;

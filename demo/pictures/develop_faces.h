@@ -21,8 +21,9 @@ constexpr std::size_t most_polygons = 200000;
 
 // Returns the developed faces, with functions on the input and on the triangulation. Returns
 // nothing if a face of the input has so many crossings that single precision is insufficient.
-// Precondition: lengths of the input are distances of its points.
-std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input,
+// Precondition: lengths of the input are distances of the points of its vertices.
+std::optional<Developed_faces> develop_faces(const Triangulation& triangulation,
+                                             std::vector<Point> points,
                                              const std::vector<Attribute>& input_data,
                                              std::vector<Attribute> vertex_data);
 

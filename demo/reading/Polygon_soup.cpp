@@ -9,16 +9,25 @@
 #include <numeric>
 #include <utility>
 
+namespace IT = CGAL::Intrinsic_triangulations;
+
 namespace {
+
+using IT::Face_index;
+using IT::Halfedge_index;
+using IT::Vertex_index;
 
 typedef Mesh::size_type Index;
 
 // Numbers the edges, then sets all of the connectivity at once.
+template <class Mesh>
 class Mesh_builder
 {
 public:
-  explicit Mesh_builder(const Polygon_soup& soup)
-    : m_soup(soup), m_halfedge(soup.polygons.number_of_corners())
+  Mesh_builder(std::size_t number_of_points, const Polygons& polygons)
+    : m_number_of_points(static_cast<Index>(number_of_points)),
+      m_polygons(polygons),
+      m_halfedge(polygons.number_of_corners())
   {}
 
   // Returns the mesh, which must not be used if the connectivity is not a surface.
@@ -28,20 +37,19 @@ public:
     number_ascending_sides();
     sort_edges();
     number_descending_sides();
-    m_mesh.resize(static_cast<Index>(m_soup.points.size()), static_cast<Index>(m_edges.size()),
-                  static_cast<Index>(m_soup.polygons.size()));
-    std::copy(m_soup.points.begin(), m_soup.points.end(), m_mesh.points().begin());
+    m_mesh.resize(m_number_of_points, static_cast<Index>(m_edges.size()),
+                  static_cast<Index>(m_polygons.size()));
     set_ends();
     set_faces();
     link_border();
     return std::move(m_mesh);
   }
 
-  static bool has_proper_triangles(const Polygon_soup& soup)
+  bool has_proper_triangles() const
   {
-    return std::all_of(soup.polygons.begin(), soup.polygons.end(), [&](const auto& p) {
+    return std::all_of(m_polygons.begin(), m_polygons.end(), [&](const auto& p) {
       return p.size() == 3 && p[0] != p[1] && p[1] != p[2] && p[2] != p[0] &&
-             std::max({p[0], p[1], p[2]}) < soup.points.size();
+             std::max({p[0], p[1], p[2]}) < m_number_of_points;
     });
   }
 
@@ -56,9 +64,9 @@ private:
   typedef std::array<Index, 2> Edge;            // from the smaller vertex to the larger
   typedef std::pair<Index, Index> Numbered_end; // the larger vertex and the edge
 
-  static Mesh::Halfedge_index halfedge(std::size_t edge, bool is_descending)
+  static Halfedge_index halfedge(std::size_t edge, bool is_descending)
   {
-    return Mesh::Halfedge_index(static_cast<Index>(2 * edge + is_descending));
+    return Halfedge_index(static_cast<Index>(2 * edge + is_descending));
   }
 
   // Calls `visit(corner, v, w)` for the sides of all polygons, from `v` to `w`.
@@ -66,7 +74,7 @@ private:
   void for_each_side(const Visit& visit) const
   {
     std::size_t corner = 0;
-    for(const Polygons::Polygon& p : m_soup.polygons) {
+    for(const Polygons::Polygon& p : m_polygons) {
       for(std::size_t i = 1; i < p.size(); ++i)
         visit(corner++, p[i - 1], p[i]);
       visit(corner++, p[p.size() - 1], p[0]);
@@ -77,7 +85,7 @@ private:
   // unpredictable.
   void count_ascending_sides()
   {
-    m_first.assign(m_soup.points.size() + 2, 0);
+    m_first.assign(m_number_of_points + 2, 0);
     for_each_side([&](std::size_t, Index v, Index w) { m_first[v + 2] += v < w; });
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
   }
@@ -100,7 +108,7 @@ private:
     m_sorted.resize(m_edges.size());
     for(Index e = 0; e < m_edges.size(); ++e)
       m_sorted[m_first[m_edges[e][0] + 1]++] = {m_edges[e][1], e};
-    for(Index v = 0; v < m_soup.points.size(); ++v)
+    for(Index v = 0; v < m_number_of_points; ++v)
       if(are_many(v))
         std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1]);
   }
@@ -129,7 +137,7 @@ private:
   }
 
   // Returns whether no other face ascends along the edge of `h`.
-  bool ascends_once(Mesh::Halfedge_index h) const
+  bool ascends_once(Halfedge_index h) const
   {
     const Edge& e = m_edges[h.idx() / 2];
     const auto end = m_sorted.begin() + m_first[e[0] + 1];
@@ -141,7 +149,7 @@ private:
   void number_descending_sides()
   {
     std::size_t corner = 0;
-    for(const Polygons::Polygon& p : m_soup.polygons) {
+    for(const Polygons::Polygon& p : m_polygons) {
       for(std::size_t i = 0; i < p.size(); ++i) {
         const std::size_t from = i == 0 ? p.size() - 1 : i - 1;
         if(p[i] < p[from])
@@ -157,7 +165,7 @@ private:
   {
     for(std::size_t e = m_edges.size(); e-- > 0;)
       for(const bool is_descending : {false, true}) {
-        const Mesh::Vertex_index target(m_edges[e][is_descending ? 0 : 1]);
+        const Vertex_index target(m_edges[e][is_descending ? 0 : 1]);
         m_mesh.set_target(halfedge(e, is_descending), target);
         m_mesh.set_halfedge(target, halfedge(e, is_descending));
       }
@@ -167,13 +175,13 @@ private:
   void set_faces()
   {
     auto first = m_halfedge.begin();
-    for(Index f = 0; f < m_soup.polygons.size(); ++f) {
-      const auto end = first + static_cast<std::ptrdiff_t>(m_soup.polygons[f].size());
-      Mesh::Halfedge_index previous = *(end - 1);
-      m_mesh.set_halfedge(Mesh::Face_index(f), *first);
+    for(Index f = 0; f < m_polygons.size(); ++f) {
+      const auto end = first + static_cast<std::ptrdiff_t>(m_polygons[f].size());
+      Halfedge_index previous = *(end - 1);
+      m_mesh.set_halfedge(Face_index(f), *first);
       for(; first != end; previous = *first++) {
         m_is_linked = m_is_linked && m_mesh.is_border(*first);
-        m_mesh.set_face(*first, Mesh::Face_index(f));
+        m_mesh.set_face(*first, Face_index(f));
         m_mesh.set_next(previous, *first);
       }
     }
@@ -184,14 +192,14 @@ private:
   {
     if(m_halfedge.size() == m_mesh.num_halfedges())
       return;
-    std::vector<Mesh::Halfedge_index> leaving(m_soup.points.size());
-    for(const Mesh::Halfedge_index h : m_mesh.halfedges())
+    std::vector<Halfedge_index> leaving(m_number_of_points);
+    for(const Halfedge_index h : m_mesh.halfedges())
       if(m_mesh.is_border(h)) {
-        Mesh::Halfedge_index& of_source = leaving[m_mesh.source(h)];
+        Halfedge_index& of_source = leaving[m_mesh.source(h)];
         m_is_linked = m_is_linked && !of_source.is_valid() && ascends_once(h);
         of_source = h;
       }
-    for(const Mesh::Halfedge_index h : leaving)
+    for(const Halfedge_index h : leaving)
       if(h.is_valid())
         m_mesh.set_next(h, leaving[m_mesh.target(h)]);
   }
@@ -201,9 +209,8 @@ private:
   {
     std::size_t result = 0;
     for(Index v = 0; v < mesh.num_vertices(); ++v)
-      if(const Mesh::Halfedge_index first = mesh.halfedge(Mesh::Vertex_index(v));
-         first.is_valid()) {
-        Mesh::Halfedge_index h = first;
+      if(const Halfedge_index first = mesh.halfedge(Vertex_index(v)); first.is_valid()) {
+        Halfedge_index h = first;
         do {
           h = mesh.opposite(mesh.next(h));
           ++result;
@@ -212,9 +219,10 @@ private:
     return result;
   }
 
-  const Polygon_soup& m_soup;
+  Index m_number_of_points;
+  const Polygons& m_polygons;
   Mesh m_mesh;
-  std::vector<Mesh::Halfedge_index> m_halfedge; // that leaves each corner
+  std::vector<Halfedge_index> m_halfedge; // that leaves each corner
   bool m_is_linked = true; // no two faces ascend or descend along an edge, one fan at the boundary
   std::vector<Edge> m_edges;
   std::vector<Index> m_first;         // of each smaller vertex, in the next
@@ -241,14 +249,19 @@ void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& p
   data.groups.carry(parts.size(), [&](std::size_t i) { return parents[i]; });
 }
 
-Mesh mesh_of(const Polygon_soup& soup) { return Mesh_builder(soup)(); }
-
-std::optional<Mesh> surface_of(const Polygon_soup& soup)
+Mesh mesh_of(const Polygon_soup& soup)
 {
-  if(!Mesh_builder::has_proper_triangles(soup))
+  Mesh result = Mesh_builder<Mesh>(soup.points.size(), soup.polygons)();
+  std::copy(soup.points.begin(), soup.points.end(), result.points().begin());
+  return result;
+}
+
+std::optional<IT::Delta_complex> complex_of(std::size_t number_of_points, const Polygons& polygons)
+{
+  Mesh_builder<IT::Delta_complex> builder(number_of_points, polygons);
+  if(!builder.has_proper_triangles())
     return std::nullopt;
-  Mesh_builder builder(soup);
-  std::optional<Mesh> result = builder();
+  std::optional<IT::Delta_complex> result = builder();
   if(!builder.is_surface(*result))
     result.reset();
   return result;

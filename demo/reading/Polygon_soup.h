@@ -9,6 +9,7 @@
 #include "reading/Polygons.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
@@ -48,9 +49,10 @@ void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& p
 // Precondition: the diagnosis of the soup is valid, except for faces that are not triangles.
 Mesh mesh_of(const Polygon_soup& soup);
 
-// Returns `mesh_of(soup)` if the soup is a surface of triangles. Otherwise, returns nothing: a
-// diagnosis names the defects of connectivity, and takes longer. Lengths are not checked.
-std::optional<Mesh> surface_of(const Polygon_soup& soup);
+// Returns the connectivity that `mesh_of()` builds, without points, if the polygons are triangles
+// and form a surface. Otherwise, returns nothing: a diagnosis names the defects, and takes longer.
+std::optional<CGAL::Intrinsic_triangulations::Delta_complex>
+complex_of(std::size_t number_of_points, const Polygons& polygons);
 
 // Returns the corners of a face in the order of barycentric coordinates, from the source of its
 // halfedge.

@@ -247,7 +247,8 @@ class Triangulation:
         mollify: float | str = 0.0,
     ) -> None:
         on = surface(V, F, lengths, mollify)
-        self._set(on, attempt(mollify, lambda slack: _core.Triangulation(on, slack)), bool(exact))
+        core = attempt(mollify, lambda slack: _core.Triangulation(on, slack, mollify == "auto"))
+        self._set(on, core, bool(exact))
 
     def _set(self, on: _core.Surface | None, core: _core.Triangulation, exact: bool) -> None:
         self._surface = on
@@ -576,7 +577,7 @@ class Triangulation:
     @_locked
     def __reduce__(self) -> tuple[Any, ...]:
         on = self._surface
-        points = None if on is None or not on.has_positions() else (on.positions(), on.faces())
+        points = None if on is None or not on.has_positions() else (on.positions(), self.input_F)
         return _unpickled, (points, self._core.to_text(), self._exact)
 
     def __repr__(self) -> str:
@@ -612,7 +613,7 @@ def computed_on(
     on = surface(V, F, lengths, mollify)
 
     def made(slack: float) -> Result:
-        T = Triangulation._of_core(on, _core.Triangulation(on, slack))
+        T = Triangulation._of_core(on, _core.Triangulation(on, slack, mollify == "auto"))
         if is_delaunay:
             T.delaunay(progress=progress)
         return compute(T)

@@ -20,6 +20,8 @@ namespace {
 using IT::Defect_kind;
 using IT::Input_diagnosis;
 
+typedef IT::Delta_complex::size_type Index;
+
 std::vector<std::size_t> known(std::initializer_list<std::size_t> indices)
 {
   std::vector<std::size_t> result;
@@ -73,13 +75,12 @@ Polygons triangles_of(const Index_array& faces)
 }
 
 // Returns whether the squares of lengths are in the range of numbers, and far from its ends.
-bool has_good_lengths(const Mesh& mesh)
+bool has_good_lengths(const IT::Delta_complex& mesh, const std::vector<Point>& points)
 {
   constexpr double least = 0x1p-200, greatest = 0x1p200; // squared
-  for(Mesh::size_type e = 0; e < mesh.num_edges(); ++e) {
-    const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Edge_index(e));
-    const double square =
-      CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  for(std::size_t e = 0; e < mesh.num_edges(); ++e) {
+    const IT::Halfedge_index h = IT::first_halfedge(IT::Edge_index(Index(e)));
+    const double square = CGAL::squared_distance(points[mesh.source(h)], points[mesh.target(h)]);
     if(!(square > least && square < greatest))
       return false;
   }
@@ -90,9 +91,11 @@ bool has_good_lengths(const Mesh& mesh)
 class Side_lengths
 {
 public:
-  Side_lengths(const Number_array& lengths, const Mesh& mesh) : m_lengths(lengths), m_mesh(mesh) {}
+  Side_lengths(const Number_array& lengths, const IT::Delta_complex& mesh)
+    : m_lengths(lengths), m_mesh(mesh)
+  {}
 
-  double operator()(Mesh::Halfedge_index h) const
+  double operator()(IT::Halfedge_index h) const
   {
     const std::size_t corner = (IT::side_number(h, m_mesh) + 2) % 3;
     return m_lengths.data()[3 * m_mesh.face(h).idx() + corner];
@@ -100,12 +103,12 @@ public:
 
 private:
   const Number_array& m_lengths;
-  const Mesh& m_mesh;
+  const IT::Delta_complex& m_mesh;
 };
 
-double edge_length(Mesh::Edge_index e, const Mesh& mesh, const Side_lengths& length)
+double edge_length(IT::Edge_index e, const IT::Delta_complex& mesh, const Side_lengths& length)
 {
-  const Mesh::Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+  const IT::Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
   if(mesh.is_border(h) || mesh.is_border(o))
     return length(mesh.is_border(h) ? o : h);
   if(length(h) != length(o)) {
@@ -142,13 +145,13 @@ Surface surface_of_points(const Number_array& points, const Index_array& faces,
                           bool are_zero_lengths_allowed)
 {
   return released([&] {
-    const Polygon_soup soup = soup_of(points, faces);
-    if(std::optional<Mesh> mesh = surface_of(soup); mesh && has_good_lengths(*mesh))
-      return Surface{std::move(*mesh), {}};
-    check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {
-      return are_zero_lengths_allowed && kind == Defect_kind::ZERO_LENGTH_EDGE;
-    });
-    return Surface{mesh_of(soup), {}};
+    Polygon_soup soup = soup_of(points, faces);
+    std::optional<IT::Delta_complex> mesh = complex_of(soup.points.size(), soup.polygons);
+    if(!mesh || !has_good_lengths(*mesh, soup.points))
+      check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {
+        return are_zero_lengths_allowed && kind == Defect_kind::ZERO_LENGTH_EDGE;
+      });
+    return Surface{std::move(mesh.value()), std::move(soup.points), {}};
   });
 }
 
@@ -161,10 +164,10 @@ Surface surface_of_lengths(const Number_array& lengths, const Index_array& faces
     soup.points.resize(static_cast<std::size_t>(last + 1), Point(0, 0, 0));
     soup.polygons = triangles_of(faces);
     check(IT::diagnose_polygon_soup(soup.points, soup.polygons), is_of_lengths);
-    Surface result{mesh_of(soup), {}};
-    const Mesh& mesh = result.mesh;
+    Surface result{complex_of(soup.points.size(), soup.polygons).value(), {}, {}};
+    const IT::Delta_complex& mesh = result.mesh;
     const Side_lengths length(lengths, mesh);
-    for(const Mesh::Edge_index e : mesh.edges())
+    for(const IT::Edge_index e : mesh.edges())
       result.length.push_back(edge_length(e, mesh, length));
     check(IT::diagnose(mesh, IT::parameters::edge_length_map(boost::make_iterator_property_map(
                                result.length.begin(), get(boost::edge_index, mesh)))),
@@ -177,6 +180,12 @@ Triangulation triangulation_of(const Surface& surface, double mollification)
 {
   return with_lengths(surface, IT::parameters::mollification(mollification),
                       [&](const auto& np) { return Triangulation(surface.mesh, np); });
+}
+
+Triangulation triangulation_from(Surface& surface, double mollification)
+{
+  return with_lengths(surface, IT::parameters::mollification(mollification),
+                      [&](const auto& np) { return Triangulation(std::move(surface.mesh), np); });
 }
 
 std::vector<Location> locations_of(const Index_array& faces, const Number_array& coordinates,

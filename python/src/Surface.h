@@ -44,13 +44,19 @@ private:
 };
 
 // Represents a mesh of arrays. Vertices and faces keep their indices, and faces their first
-// corners.
+// corners. It has either points or lengths.
 struct Surface
 {
-  Mesh mesh;
-  std::vector<double> length; // of the edges; empty if positions have them
+  IT::Delta_complex mesh;
+  std::vector<Point> points;  // of the vertices
+  std::vector<double> length; // of the edges
 
   bool has_positions() const { return length.empty(); }
+  auto point_map() const
+  {
+    return boost::make_iterator_property_map(
+      points.data(), boost::typed_identity_property_map<IT::Vertex_index>());
+  }
 };
 
 // Returns positions (n, 3) and corners (m, 3), unchecked. Negative indices name no point.
@@ -66,17 +72,21 @@ Surface surface_of_points(const Number_array& points, const Index_array& faces,
 // Throws Element_error as `surface_of_points()` does, and if the two faces of an edge disagree.
 Surface surface_of_lengths(const Number_array& lengths, const Index_array& faces);
 
-// Calls `use(parameters)` with the named parameters that have the lengths of the surface.
+// Calls `use(parameters)` with the named parameters that have the points or the lengths of the
+// surface.
 template <class Parameters, class Use>
 auto with_lengths(const Surface& surface, const Parameters& np, const Use& use)
 {
   if(surface.has_positions())
-    return use(np);
+    return use(np.vertex_point_map(surface.point_map()));
   return use(np.edge_length_map(boost::make_iterator_property_map(
     surface.length.begin(), get(boost::edge_index, surface.mesh))));
 }
 
 Triangulation triangulation_of(const Surface& surface, double mollification);
+
+// Returns the same triangulation, and leaves the surface without its mesh, which is not copied.
+Triangulation triangulation_from(Surface& surface, double mollification);
 
 // Returns points on a surface: faces (k) and barycentric coordinates (k, 3), in the order of
 // corners. Sums are normalized to one.

@@ -104,14 +104,14 @@ std::vector<Point> vertex_positions(const Bound_triangulation& self)
   std::vector<Point> result;
   if(!self.has_positions())
     return result;
-  const Mesh& mesh = self.surface()->mesh;
-  result.assign(mesh.points().begin(), mesh.points().end());
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  result = self.surface()->points;
   for(const auto& place : self.triangulation().inserted_vertices()) {
-    const Location p = IT::face_location(place, self.triangulation().input_mesh());
-    const Mesh::Halfedge_index h = mesh.halfedge(p.first);
-    result.push_back(CGAL::barycenter(mesh.point(mesh.source(h)), p.second[0],
-                                      mesh.point(mesh.target(h)), p.second[1],
-                                      mesh.point(mesh.target(mesh.next(h))), p.second[2]));
+    const Location p = IT::face_location(place, mesh);
+    const auto side = IT::sides(p.first, mesh);
+    result.push_back(CGAL::barycenter(result[mesh.source(side[0])], p.second[0],
+                                      result[mesh.source(side[1])], p.second[1],
+                                      result[mesh.source(side[2])], p.second[2]));
   }
   return result;
 }

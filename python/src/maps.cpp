@@ -159,7 +159,7 @@ template <class Map, class Value>
 py::array at_vertices(const Bound_map<Map>& self, const Value& value)
 {
   std::vector<double> result;
-  for(const Mesh::Vertex_index v : self.surface->mesh.vertices())
+  for(const IT::Vertex_index v : self.surface->mesh.vertices())
     result.push_back(value(DCM::Vertex_index(v.idx())));
   return array_of(std::move(result));
 }
@@ -208,11 +208,11 @@ void add_elements(const DCM::Input_part& part, const Surface& surface, py::dict&
       const auto w = part.input_weights(part.vertices()[row]);
       Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
       for(std::size_t c = 0; c < w.size; ++c)
-        sum += w.weight[c] * (surface.mesh.point(w.vertex[c]) - CGAL::ORIGIN);
+        sum += w.weight[c] * (surface.points[w.vertex[c]] - CGAL::ORIGIN);
       points.push_back({sum.x(), sum.y(), sum.z()});
       if(w.size == 1) // without rounding
         for(int k = 0; k < 3; ++k)
-          points.back()[std::size_t(k)] = surface.mesh.point(w.vertex[0])[k];
+          points.back()[std::size_t(k)] = surface.points[w.vertex[0]][k];
     }
   });
   result["corners"] = array_of(std::move(corners));
@@ -268,7 +268,7 @@ py::dict sphere_subdivision(const Bound_spherical_map& self)
 py::array positions_of(const Bound_spherical_map& self)
 {
   std::vector<std::array<double, 3>> result;
-  for(const Mesh::Vertex_index v : self.surface->mesh.vertices())
+  for(const IT::Vertex_index v : self.surface->mesh.vertices())
     result.push_back(self.map.position(DCM::Vertex_index(v.idx())));
   return array_of(std::move(result));
 }

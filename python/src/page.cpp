@@ -52,11 +52,12 @@ std::string page_of(const Number_array& points, const Index_array& faces,
 // Returns whether the lengths of the input are distances of its points, up to rounding.
 bool has_lengths_of_points(const Bound_triangulation& self)
 {
-  const Mesh& mesh = self.surface()->mesh;
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  const std::vector<Point>& points = self.surface()->points;
   const auto edges = mesh.edges();
-  return std::all_of(edges.begin(), edges.end(), [&](Mesh::Edge_index e) {
-    const double distance = std::sqrt(
-      CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return std::all_of(edges.begin(), edges.end(), [&](IT::Edge_index e) {
+    const double distance =
+      std::sqrt(CGAL::squared_distance(points[mesh.vertex(e, 0)], points[mesh.vertex(e, 1)]));
     const double length = self.triangulation().input_length(e);
     return std::abs(length - distance) <= 1e-12 * distance;
   });
@@ -71,7 +72,7 @@ std::string page_of_triangulation(const Bound_triangulation& self, const Functio
   return released([&] {
     const Triangulation& triangulation = self.triangulation();
     Subdivision subdivision(self.correspondence());
-    IT::interpolate(IT::Side::input, subdivision, self.surface()->mesh.points(),
+    IT::interpolate(IT::Side::input, subdivision, self.surface()->point_map(),
                     subdivision.mesh().points());
     Output_mesh mesh = subdivision_mesh(subdivision);
     std::vector<Attribute> input_data, vertex_data;
@@ -88,7 +89,7 @@ std::string page_of_triangulation(const Bound_triangulation& self, const Functio
     if((is_direct || subdivision.mesh().number_of_faces() > most_polygons) &&
        has_lengths_of_points(self))
       if(auto faces =
-           develop_faces(triangulation, self.surface()->mesh, input_data, std::move(vertex_data)))
+           develop_faces(triangulation, self.surface()->points, input_data, std::move(vertex_data)))
         page.set_developed(std::move(*faces));
     show_angles(page, "input", triangulation.input_mesh(), triangulation.input_length_map());
     show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());

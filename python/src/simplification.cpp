@@ -113,7 +113,7 @@ py::tuple mesh_in_space(const Bound_simplification& self)
       mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
     const auto result = IS::coarse_mesh(
       self.evolving(), self.fine(), mesh,
-      IS::parameters::input_point_map(self.surface().mesh.points()).parent_vertex_map(fine_vertex));
+      IS::parameters::input_point_map(self.surface().point_map()).parent_vertex_map(fine_vertex));
     for(const Mesh::Vertex_index v : mesh.vertices())
       parents.push_back(fine_vertex[v].is_valid() ? std::int64_t(fine_vertex[v].idx()) : -1);
     return result;

@@ -87,11 +87,7 @@ void bind_surface(py::module_& module)
                   return std::make_shared<Surface>(surface_of_lengths(lengths, faces));
                 })
     .def("has_positions", &Surface::has_positions)
-    .def("positions",
-         [](const Surface& s) {
-           const auto& points = s.mesh.points();
-           return array_of(rows_of({points.begin(), points.end()}));
-         })
+    .def("positions", [](const Surface& s) { return array_of(rows_of(s.points)); })
     .def("faces", [](const Surface& s) { return array_of(corners_of(s.mesh)); })
     .def("number_of_vertices", [](const Surface& s) { return s.mesh.number_of_vertices(); })
     .def("number_of_faces", [](const Surface& s) { return s.mesh.number_of_faces(); });

@@ -249,7 +249,7 @@ std::vector<std::array<double, 3>> positions_of(Subdivision& subdivision, const 
   if(surface == nullptr)
     return result;
   auto& mesh = subdivision.mesh();
-  IT::interpolate(IT::Side::input, subdivision, surface->mesh.points(), mesh.points());
+  IT::interpolate(IT::Side::input, subdivision, surface->point_map(), mesh.points());
   result.reserve(mesh.number_of_vertices());
   for(const Point& p : mesh.points())
     result.push_back({p.x(), p.y(), p.z()});
@@ -342,11 +342,12 @@ std::unique_ptr<Bound_triangulation> triangulation_from_text(const std::string& 
 }
 
 std::unique_ptr<Bound_triangulation> make_triangulation(const Shared_surface& surface,
-                                                        double mollification)
+                                                        double mollification, bool keeps_mesh)
 {
   return released([&] {
-    return std::make_unique<Bound_triangulation>(surface,
-                                                 triangulation_of(*surface, mollification));
+    return std::make_unique<Bound_triangulation>(
+      surface, keeps_mesh ? triangulation_of(*surface, mollification)
+                          : triangulation_from(*surface, mollification));
   });
 }
 

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "equality.h"
 #include "generators.h"
 
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
@@ -96,6 +97,62 @@ TEST(Intrinsic_surface, models_of_one_surface_give_equal_results)
   EXPECT_EQ(results(IT::Surface_view(t.mesh(), t.length_map())), expected);
   EXPECT_EQ(results(t.surface(Side::input)), results(t.input()));
   EXPECT_NE(results(t.input()), expected);
+}
+
+// Returns the connectivity of a mesh. Its vertices on the boundary have other halfedges than border
+// halfedges, if possible.
+Delta_complex connectivity_of(const Mesh& mesh)
+{
+  Delta_complex result;
+  result.resize(mesh.num_vertices(), mesh.num_edges(), mesh.num_faces());
+  for(Halfedge_index h : mesh.halfedges()) {
+    result.set_next(h, mesh.next(h));
+    result.set_target(h, mesh.target(h));
+    result.set_face(h, mesh.face(h));
+    if(!mesh.is_border(h))
+      result.set_halfedge(mesh.target(h), h);
+  }
+  for(Face_index f : mesh.faces())
+    result.set_halfedge(f, mesh.halfedge(f));
+  return result;
+}
+
+TEST(Intrinsic_surface, connectivity_that_is_moved_is_not_copied)
+{
+  for(const Mesh& mesh : {perturbed(random_sphere(30, 3), 0.3, 3), four_components(), square(),
+                          punctured(embedded_torus(6, 5), {0, 17})}) {
+    const auto np = IT::parameters::vertex_point_map(mesh.points());
+    const Delta_complex complex = connectivity_of(mesh);
+    const Triangulation expected(complex, np);
+    Delta_complex moved = complex;
+    const Triangulation t(std::move(moved), np);
+    expect_equal(t, expected);
+    EXPECT_EQ(moved.num_vertices(), 0);
+    EXPECT_TRUE(t.is_valid());
+  }
+}
+
+TEST(Intrinsic_surface, property_maps_of_the_input_are_not_moved)
+{
+  Triangulation flipped(perturbed(random_sphere(30, 4), 0.3, 4));
+  IT::make_Delaunay(flipped);
+  const auto np = IT::parameters::edge_length_map(flipped.length_map());
+  const Triangulation expected(flipped.mesh(), np), t(Delta_complex(flipped.mesh()), np);
+  expect_equal(t, expected);
+  expect_equal_to_input(t);
+}
+
+TEST(Intrinsic_surface, connectivity_that_is_moved_is_checked)
+{
+  Mesh two = tetrahedron();
+  two += tetrahedron();
+  Delta_complex bow_tie = connectivity_of(two);
+  for(Halfedge_index h : bow_tie.halfedges())
+    if(bow_tie.target(h) == Vertex_index(4))
+      bow_tie.set_target(h, Vertex_index(0));
+  bow_tie.set_halfedge(Vertex_index(4), Delta_complex::null_halfedge());
+  const auto np = IT::parameters::vertex_point_map(two.points());
+  EXPECT_THROW(Triangulation(std::move(bow_tie), np), IT::Invalid_input);
 }
 
 TEST(Intrinsic_surface, number_type_is_that_of_the_lengths)

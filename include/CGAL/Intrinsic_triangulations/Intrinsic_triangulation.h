@@ -138,6 +138,12 @@ public:
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values());
 
+  /// creates the triangulation of the surface of `g` as the constructor of a graph does. `g`
+  /// becomes \f$T_1\f$, and is only copied if it has garbage or property maps. Complexity: linear.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Intrinsic_triangulation(Delta_complex&& g,
+                                   const NamedParameters& np = CGAL::parameters::default_values());
+
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ that come from a file. Both
   /// have lengths, see `stored_length_map()`, and `mesh` has `Integer_coordinates`. `inserted` has
   /// the positions of the vertices that only `mesh` has, in their order. Lengths of `input` are
@@ -381,6 +387,9 @@ private:
   friend class internal::Flip_record<Traits>;
   friend class internal::Vertex_reinserter<Traits>;
 
+  template <typename Graph, typename NamedParameters>
+  void copy_input(const Graph& g, const NamedParameters& np);
+
   bool can_be_turned(Halfedge_index h) const
   {
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
@@ -428,6 +437,34 @@ Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const N
     internal::copy_lengths(g, np, numbering, input());
     internal::copy_metric(g, np, numbering, m_input, m_input_metric);
   });
+  copy_input(g, np);
+}
+
+template <typename Traits>
+template <typename NamedParameters>
+Intrinsic_triangulation<Traits>::Intrinsic_triangulation(Delta_complex&& g,
+                                                         const NamedParameters& np)
+  : Base(CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
+{
+  if(g.has_garbage() || internal::has_property_maps(g)) {
+    *this = Intrinsic_triangulation(std::as_const(g), np);
+    return;
+  }
+  m_input = std::move(g);
+  attach();
+  internal::complete_connectivity(m_input);
+  const internal::Surface_mesh_numbering numbering;
+  internal::copy_lengths(m_input, np, numbering, input());
+  internal::copy_metric(m_input, np, numbering, m_input, m_input_metric);
+  copy_input(m_input, np);
+}
+
+// Makes T2 of the graph and its properties, from T1 with lengths.
+template <typename Traits>
+template <typename Graph, typename NamedParameters>
+void Intrinsic_triangulation<Traits>::copy_input(const Graph& g, const NamedParameters& np)
+{
   internal::mollify_lengths(np, input(), m_input_metric);
   internal::check_copied_lengths(np, input(), m_traits);
   if constexpr(internal::Is_exact<Traits>::value)

@@ -92,21 +92,6 @@ inline void set_border_halfedge(Halfedge_index h, Delta_complex& mesh)
   mesh.set_halfedge(v, h);
 }
 
-template <typename Graph, typename Numbering>
-void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
-{
-  for(auto h_in : halfedges(g)) {
-    const Halfedge_index h = numbering.halfedge_of(h_in);
-    mesh.set_next_only(h, numbering.halfedge_of(next(h_in, g)));
-    mesh.set_prev_only(h, numbering.halfedge_of(prev(h_in, g)));
-    mesh.set_face(h, numbering.face(face(h_in, g)));
-    mesh.set_target(h, numbering.vertex(target(h_in, g)));
-  }
-  for(auto v : vertices(g))
-    if(halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge())
-      mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
-}
-
 // The loop runs over indices, because an iterator of the mesh would test at each step whether
 // elements have been removed.
 inline void set_border_halfedges(Delta_complex& mesh)
@@ -121,19 +106,43 @@ inline void set_border_halfedges(Delta_complex& mesh)
   }
 }
 
-template <typename Graph, typename Numbering>
-void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
+// Returns whether a mesh has property maps besides the maps that each mesh has.
+inline bool has_property_maps(const Delta_complex& mesh)
 {
-  copy_halfedges(g, numbering, mesh);
+  return mesh.properties<Vertex_index>().size() > 3 ||
+         mesh.properties<Halfedge_index>().size() > 1 || mesh.properties<Edge_index>().size() > 1 ||
+         mesh.properties<Face_index>().size() > 2;
+}
+
+// Gives vertices on the boundary their border halfedges, and checks that faces are triangles.
+inline void complete_connectivity(Delta_complex& mesh)
+{
   const bool is_closed = mesh.number_of_halfedges() == 3 * mesh.number_of_faces();
   if(!is_closed)
     set_border_halfedges(mesh);
-  for(auto f_in : faces(g)) {
-    const Halfedge_index h = numbering.halfedge_of(halfedge(f_in, g));
+  for(Delta_complex::size_type f = 0; f < mesh.num_faces(); ++f) {
+    const Halfedge_index h = mesh.halfedge(Face_index(f));
     if(mesh.next(mesh.next(mesh.next(h))) != h)
       fail_at_halfedge(h, mesh);
-    mesh.set_halfedge(numbering.face(f_in), h);
   }
+}
+
+template <typename Graph, typename Numbering>
+void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
+{
+  for(auto h_in : halfedges(g)) {
+    const Halfedge_index h = numbering.halfedge_of(h_in);
+    mesh.set_next_only(h, numbering.halfedge_of(next(h_in, g)));
+    mesh.set_prev_only(h, numbering.halfedge_of(prev(h_in, g)));
+    mesh.set_face(h, numbering.face(face(h_in, g)));
+    mesh.set_target(h, numbering.vertex(target(h_in, g)));
+  }
+  for(auto v : vertices(g))
+    if(halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge())
+      mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
+  for(auto f : faces(g))
+    mesh.set_halfedge(numbering.face(f), numbering.halfedge_of(halfedge(f, g)));
+  complete_connectivity(mesh);
 }
 
 template <typename Graph>
