@@ -76,7 +76,8 @@ private:
     std::getline(in, headings);
     for(std::array<double, Columns> row; in;) {
       for(double& x : row)
-        in >> x;
+        if(std::string text; in >> text) // may be "nan"
+          x = std::strtod(text.c_str(), nullptr);
       if(in)
         result.push_back(row);
     }

@@ -48,8 +48,10 @@ RUNS = [
     Run(f"{IT}/edge_paths", "benchmark_edge_paths --paths 300 @" + ALL, "the surfaces of " + ALL,
         rows=("armadillo", "all")),
     Run(f"{IT}/heat", "benchmark_heat", CGAL_MESHES),
+    # $SIGNED_DISTANCE_PEER is `--peer PROGRAM`, or empty.
     Run(f"{IT}/signed_distance {IT}/signed_sections",
-        "benchmark_signed_distance 256 {meshes}/fandisk.off {meshes}/camel.off {meshes}/armadillo.off "
+        "benchmark_signed_distance $SIGNED_DISTANCE_PEER 256 "
+        "{meshes}/fandisk.off {meshes}/camel.off {meshes}/armadillo.off {meshes}/refined_elephant.off "
         "{meshes}/ChineseDragon-10kv.off", MIXED),
     Run(f"{IT}/soups {IT}/irregular_soups", "benchmark_tufted", CGAL_MESHES + ", and soups made from them"),
     Run(f"{IT}/flip_to", "benchmark_flip_to", CGAL_MESHES),

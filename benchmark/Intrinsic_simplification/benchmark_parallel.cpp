@@ -4,8 +4,9 @@
 
 // Measures the wall-clock gain of several threads. The first tasks are the trace and the common
 // subdivision of a torus with a million faces and its intrinsic Delaunay triangulation. The next
-// ones are its certificate, and a flat map. The last task maps half a million points through a
-// simplification. One thread and several threads alternate, and the best time of each counts. The
+// ones are its certificate, distances and paths on a smaller torus, and a flat map. The last task
+// maps half a million points through a simplification. One thread and several threads alternate,
+// and the best time of each counts. Distances and paths must have the same bytes with both. The
 // first argument is the number of threads, 2 by default; the second one is the number of faces.
 
 #include "surfaces.h"
@@ -15,7 +16,9 @@
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Flipped_paths.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/distances_from_each.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
@@ -24,8 +27,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <malloc.h>
@@ -64,6 +70,62 @@ void benchmark(const Table& table, const char* name, std::size_t threads, const 
   table.row(name, one, several, several / one);
 }
 
+// Measures `task(np)`, and checks that `numbers(result)` has the same bytes with several threads.
+template <typename Task, typename Numbers>
+void benchmark_equal(const Table& table, const char* name, std::size_t threads, const Task& task,
+                     const Numbers& numbers)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+  const std::vector<double> one = numbers(
+                              task(IT::parameters::concurrency_tag(CGAL::Sequential_tag()))),
+                            several =
+                              numbers(task(IT::parameters::concurrency_tag(CGAL::Parallel_tag())));
+  if(one.size() != several.size() ||
+     std::memcmp(one.data(), several.data(), one.size() * sizeof(double)) != 0)
+    throw std::runtime_error(std::string(name) + " depends on the number of threads");
+  benchmark(table, name, threads, task);
+}
+
+std::vector<double> numbers_of(const std::vector<IT::Flipped_path<double>>& paths,
+                               const IT::Delta_complex& mesh)
+{
+  std::vector<double> result;
+  for(const auto& p : paths) {
+    result.insert(result.end(), {double(p.number_of_flips), p.path.length});
+    for(const auto& place : p.path.places) {
+      const auto [f, weights] = IT::face_location(place, mesh);
+      result.push_back(f.idx());
+      result.insert(result.end(), weights.begin(), weights.end());
+    }
+  }
+  return result;
+}
+
+// Measures distances from eight vertices and 400 paths on a torus with about 50,000 faces.
+void benchmark_paths(const Table& table, std::size_t threads)
+{
+  const IT::Intrinsic_triangulation<> tri(bumpy_torus(91));
+  const auto vertex = [n = tri.mesh().number_of_vertices()](unsigned i) {
+    return IT::Vertex_index(static_cast<unsigned>(i * 7919ul % n)); // by a prime
+  };
+  std::vector<IT::Vertex_index> sources;
+  for(unsigned i = 0; i < 8; ++i)
+    sources.push_back(vertex(i));
+  benchmark_equal(
+    table, "`distances_from_each()`, 8 vertices, 50,000 faces", threads,
+    [&](const auto& np) { return IT::distances_from_each(tri.input(), sources, np); },
+    [](const auto& matrix) {
+      return std::vector<double>(matrix.data(), matrix.data() + matrix.size());
+    });
+  std::vector<std::pair<IT::Vertex_index, IT::Vertex_index>> pairs;
+  for(unsigned i = 0; i < 400; ++i)
+    pairs.emplace_back(vertex(2 * i), vertex(2 * i + 1));
+  benchmark_equal(
+    table, "`flipped_paths()`, 400 pairs, 50,000 faces", threads,
+    [&](const auto& np) { return IT::flipped_paths(tri, pairs, np); },
+    [&](const auto& paths) { return numbers_of(paths, tri.input_mesh()); });
+}
+
 void benchmark_triangulations(const Mesh& mesh, std::size_t threads)
 {
   const Table table(headings);
@@ -79,6 +141,7 @@ void benchmark_triangulations(const Mesh& mesh, std::size_t threads)
             [&](const auto& np) { IT::interpolation_matrix(IT::Side::input, subdivision, np); });
   benchmark(table, "`certify_Delaunay()`", threads,
             [&](const auto& np) { IT::certify_Delaunay(tri, np); });
+  benchmark_paths(table, threads);
 }
 
 void benchmark_maps(const Mesh& mesh, std::size_t threads)

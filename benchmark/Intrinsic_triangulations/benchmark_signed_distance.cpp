@@ -7,8 +7,12 @@
 // order of convergence, the error for half the edge length is 2^p times less. Then computes signed
 // distances to plane sections of meshes, with mean and greatest errors in percent of the greatest
 // exact distance.
-// Usage: benchmark_signed_distance [greatest number of cells along a side] [MESH...]
+// Usage: benchmark_signed_distance [--peer PROGRAM] [CELLS] [MESH...], with the greatest number of
+// cells along a side of the square.
+// Queries of a peer are sections: the axis across them, and the exact signed distances of the
+// vertices. For each section, it prints the mean and the greatest error.
 
+#include "../Peer.h"
 #include "../Table.h"
 #include "measure.h"
 
@@ -27,7 +31,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -131,34 +135,55 @@ Eigen::VectorXd heights(const Mesh& mesh, int axis)
   return result.array() - (result.minCoeff() + result.maxCoeff()) / 2;
 }
 
-void measure(const Table& table, const std::string& file, int axis)
+// Returns exact distances to the curve of zero height, with the sign of the height.
+Eigen::VectorXd exact_distances(const IT::Intrinsic_triangulation<>& tri,
+                                const IT::Surface_curve<double>& curve,
+                                const Eigen::VectorXd& height)
+{
+  IT::Shortest_paths paths(tri.input());
+  paths.add_source(curve);
+  paths.run();
+  Eigen::VectorXd result = height;
+  for(Eigen::Index v = 0; v < result.size(); ++v)
+    result[v] = std::copysign(paths.distance(IT::Vertex_index(Mesh::size_type(v))), height[v]);
+  return result;
+}
+
+void measure(const Table& table, const std::string& file, const Peer& peer)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh))
     return;
-  IT::Intrinsic_triangulation<> tri(mesh);
-  const Eigen::VectorXd height = heights(mesh, axis);
-  const auto curve = zeros(tri.input(), height);
-  IT::Shortest_paths paths(tri.input());
-  paths.add_source(curve);
-  paths.run();
+  const IT::Intrinsic_triangulation<> input(mesh);
+  IT::Intrinsic_triangulation<> tri = input;
   IT::make_Delaunay(tri);
-  const auto on_delaunay = IT::curve_across(IT::Correspondence(tri), IT::Side::input, curve);
-  Eigen::VectorXd error = IT::signed_heat_distance(tri.intrinsic(), on_delaunay);
-  double greatest = 0;
-  for(Mesh::Vertex_index v : mesh.vertices()) {
-    error[v.idx()] -= std::copysign(paths.distance(IT::Vertex_index(v.idx())), height[v.idx()]);
-    greatest = std::max(greatest, paths.distance(IT::Vertex_index(v.idx())));
+  const IT::Correspondence correspondence(tri);
+  const IT::Signed_heat_distance heat(tri.intrinsic());
+  std::vector<std::vector<double>> queries;
+  for(int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd height = heights(mesh, axis);
+    const auto curve = zeros(input.input(), height);
+    const Eigen::VectorXd exact = exact_distances(input, curve, height);
+    const Eigen::VectorXd error =
+      heat.distances(IT::curve_across(correspondence, IT::Side::input, curve)) - exact;
+    const double greatest = exact.cwiseAbs().maxCoeff();
+    table.row(name_of(file), std::string(1, "xyz"[axis]), 100 * error.cwiseAbs().mean() / greatest,
+              100 * error.cwiseAbs().maxCoeff() / greatest);
+    queries.emplace_back(1, axis);
+    queries.back().insert(queries.back().end(), exact.begin(), exact.end());
   }
-  table.row(name_of(file), std::string(1, "xyz"[axis]), 100 * error.cwiseAbs().mean() / greatest,
-            100 * error.cwiseAbs().maxCoeff() / greatest);
+  std::size_t axis = 0;
+  for(const auto& [mean, greatest] : peer.operator()<2>(file, queries))
+    table.row(name_of(file) + " by the peer", std::string(1, "xyz"[axis++]), mean, greatest);
 }
 
 } // namespace
 
 int main(int argc, char* argv[])
 {
-  const int greatest = argc > 1 ? std::atoi(argv[1]) : 256;
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const Peer peer(arguments);
+  const int greatest = arguments.empty() ? 256 : std::stoi(arguments[0]);
   const Table table({"vertices", "error of `Signed_heat_distance`", "order",
                      "error with a factor of 1/(16 <i>h</i>)", "order", "error of `Heat_distance`",
                      "`Signed_heat_distance`: construction (ms)", "a curve (ms)",
@@ -168,7 +193,6 @@ int main(int argc, char* argv[])
   for(int n = 16; n <= greatest; n *= 2)
     measure(table, n, order, order_of_greater_time);
   const Table of_sections({"mesh", "section across", "mean error (%)", "greatest error (%)"}, 2);
-  for(int i = 2; i < argc; ++i)
-    for(int axis = 0; axis < 3; ++axis)
-      measure(of_sections, argv[i], axis);
+  for(std::size_t i = 1; i < arguments.size(); ++i)
+    measure(of_sections, arguments[i], peer);
 }
