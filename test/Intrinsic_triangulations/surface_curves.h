@@ -68,6 +68,17 @@ inline Known_curve circle_in_square(std::size_t n, CGAL::Random& random)
                      [&](const Point& p) { return std::hypot(p.x() - x, p.y() - y) - radius; });
 }
 
+// Returns two circles on both sides of the diagonal.
+inline Known_curve circles_in_square(std::size_t n, CGAL::Random& random)
+{
+  const double first = random.get_double(0.1, 0.2), second = random.get_double(0.1, 0.25);
+  return known_curve("circles", unit_square(n, 1), 1. / static_cast<double>(n),
+                     [&](const Point& p) {
+                       return (std::min)(std::hypot(p.x() - 0.25, p.y() - 0.3) - first,
+                                         std::hypot(p.x() - 0.7, p.y() - 0.65) - second);
+                     });
+}
+
 // Returns a curve whose curvature jumps between half circles and line segments.
 inline Known_curve stadium_in_square(std::size_t n, CGAL::Random& random)
 {

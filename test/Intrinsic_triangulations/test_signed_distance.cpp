@@ -34,6 +34,19 @@ double max_error(const Values& computed, const Values& expected, double edge)
   return (computed - expected).cwiseAbs().maxCoeff() / edge;
 }
 
+// Returns the integral of a function over a curve on T2.
+double integral(const Triangulation& t, const Curve& curve, const Values& function)
+{
+  double result = 0;
+  for(const auto& s : curve) {
+    const auto h = IT::sides(s.face, t.mesh());
+    const double length = IT::curve_length(t.intrinsic(), Curve{s});
+    for(std::size_t k = 0; k < 3; ++k)
+      result += length * (s.source[k] + s.target[k]) / 2 * function[t.mesh().source(h[k]).idx()];
+  }
+  return result;
+}
+
 typedef std::function<Known_curve(std::size_t, CGAL::Random&)> Family;
 
 // Checks that the error shrinks with the edges: it is bounded in edge lengths.
@@ -313,22 +326,33 @@ TEST(Signed_heat_distance, circles)
 }
 
 // A single flow would round off the level sets, by a third of an edge length.
+TEST(Signed_heat_distance, two_circles) { expect_first_order(circles_in_square, 0.2, 1.5); }
+
 TEST(Signed_heat_distance, curvature_jumps) { expect_first_order(stadium_in_square, 0.2, 1.5); }
 
 TEST(Signed_heat_distance, mean_over_the_curve_is_zero)
 {
   CGAL::Random random(3);
   const Known_curve known = circle_on_sphere(20, random);
-  const auto surface = known.t.intrinsic();
-  const Values d = IT::signed_heat_distance(surface, known.curve());
-  double integral = 0;
-  for(const auto& s : known.curve()) {
-    const auto h = IT::sides(s.face, surface.mesh());
-    const double length = IT::curve_length(surface, Curve{s});
-    for(std::size_t k = 0; k < 3; ++k)
-      integral += length * (s.source[k] + s.target[k]) / 2 * d[surface.mesh().source(h[k]).idx()];
+  const Values d = IT::signed_heat_distance(known.t.intrinsic(), known.curve());
+  EXPECT_NEAR(integral(known.t, known.curve(), d), 0, 1e-12);
+}
+
+TEST(Signed_heat_distance, means_over_all_parts_of_the_curve_are_zero)
+{
+  CGAL::Random random(6);
+  const Known_curve known = circles_in_square(30, random);
+  const Mesh mesh = unit_square(30, 1);
+  const Curve curve = known.curve();
+  const Values d = IT::signed_heat_distance(known.t.intrinsic(), curve);
+  for(const bool is_first : {true, false}) {
+    const Curve part = part_of(curve, [&](std::size_t i) {
+      const Point p = place({curve[i].face, curve[i].source}, known.t.mesh(), mesh);
+      return (p.x() + p.y() < 0.95) == is_first;
+    });
+    EXPECT_NEAR(integral(known.t, part, d), 0, 1e-12);
+    EXPECT_GT(part.size(), 10);
   }
-  EXPECT_NEAR(integral, 0, 1e-12);
 }
 
 TEST(Signed_heat_distance, reversed_curve)
