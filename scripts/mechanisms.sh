@@ -27,7 +27,7 @@ mechanism strip Euclidean_strip $headers/Euclidean_strip.h
 mechanism strip Ideal_strip $headers/Ideal_strip.h
 mechanism strip Certain_strip $internal/certificates/Certain_strip.h
 mechanism strip Development $internal/certificates/Development.h
-mechanism strip Developed_location $internal/insertion/Developed_location.h
+mechanism strip Developed_location $internal/insertion/Exact_insertion.h
 mechanism strip Circumcenter_walk $internal/refinement/Circumcenter_walk.h
 mechanism point surface_point $headers/Surface_point.h
 mechanism locator Face_regions $internal/tracing/Face_regions.h

@@ -5,7 +5,7 @@
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Simplicial_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/Cholesky.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
 #endif

@@ -7,7 +7,6 @@
 #include "evolving_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
-#include <CGAL/Intrinsic_simplification/internal/topology/Short_loops.h>
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>

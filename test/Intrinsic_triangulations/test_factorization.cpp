@@ -6,8 +6,8 @@
 
 #include "testing.h"
 
+#include <CGAL/Intrinsic_triangulations/Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Simplicial_Cholesky.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
 #endif

@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
-#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 
 #include <array>
 #include <cmath>

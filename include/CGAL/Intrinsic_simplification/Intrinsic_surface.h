@@ -20,7 +20,6 @@
 
 #include <array>
 #include <complex>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {

@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/internal/multigrid/Matrix_components.h>
 #include <CGAL/Intrinsic_simplification/internal/multigrid/Multigrid_cycle.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 

@@ -14,7 +14,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {

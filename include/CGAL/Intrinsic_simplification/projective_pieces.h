@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Cell_joiner.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Face_cutter.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>

@@ -20,7 +20,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <tuple>
 #include <type_traits>
 #include <vector>

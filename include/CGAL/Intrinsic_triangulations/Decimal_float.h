@@ -38,6 +38,29 @@ using Decimal_float = boost::multiprecision::number<
 
 namespace internal {
 
+// Numbers are enclosed with at most this number of binary digits.
+constexpr int most_digits = 1024;
+
+// The type has 309 decimal digits, which are at least `most_digits` binary digits.
+typedef Decimal_float<309> Long_float;
+
+// Stores the unit of roundoff u of a number type.
+template <typename N>
+struct Rounding
+{
+  static constexpr double unit() { return std::numeric_limits<N>::epsilon() / 2; }
+};
+
+// The unit is zero if it is below the range of `double`.
+template <unsigned int Digits>
+struct Rounding<Decimal_float<Digits>>
+{
+  static double unit()
+  {
+    return std::ldexp(1.0, -std::numeric_limits<Decimal_float<Digits>>::digits);
+  }
+};
+
 template <typename Type_>
 class Decimal_float_structure : public Algebraic_structure_traits_base<Type_, Field_with_sqrt_tag>
 {

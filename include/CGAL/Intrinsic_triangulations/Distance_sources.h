@@ -14,8 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 
-#include <algorithm>
-#include <complex>
 #include <cstddef>
 #include <iterator>
 #include <utility>

@@ -10,19 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan_flattener.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_lists.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <queue>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -202,7 +199,6 @@ private:
 
   Halfedge_index halfedge(Index s) const { return m_segment[s].halfedge; }
 
-  // Returns the segments of a path, in their order.
   std::vector<Index> segments(std::size_t path) const
   {
     std::vector<Index> result;

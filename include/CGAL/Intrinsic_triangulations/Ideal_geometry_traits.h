@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cstdint>
 #include <limits>

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
@@ -22,9 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
-#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iostream>

@@ -17,8 +17,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 

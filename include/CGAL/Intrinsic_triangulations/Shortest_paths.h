@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
@@ -24,7 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 

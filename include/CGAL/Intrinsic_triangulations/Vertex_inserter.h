@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Rounded_insertion.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/face_splits.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>

@@ -13,8 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/angle_in_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
-#include <cstddef>
-
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent

@@ -16,7 +16,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

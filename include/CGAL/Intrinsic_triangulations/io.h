@@ -15,7 +15,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <istream>

@@ -21,7 +21,6 @@
 #include <CGAL/assertions.h>
 
 #include <complex>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>

@@ -19,7 +19,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -18,10 +18,8 @@
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 

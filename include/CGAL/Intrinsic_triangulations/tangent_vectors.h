@@ -17,7 +17,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations {
 

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
 
 #include <algorithm>

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL::Intrinsic_triangulations {
 

@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/covers/Soup_sides.h>
-#include <CGAL/Intrinsic_triangulations/internal/covers/Wing_order.h>
 
 #include <CGAL/number_utils.h>
 

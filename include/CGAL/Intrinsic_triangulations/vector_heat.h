@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
@@ -20,12 +20,10 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 

@@ -102,7 +102,6 @@ private:
   FT m_ij, m_jk, m_ki, m_above_i, m_above_j;
 };
 
-// Returns the two triangles of a diamond.
 template <typename FT>
 std::array<Weighted_triangle<FT>, 2> weighted_triangles(const Diamond<FT>& length,
                                                         const Diamond_weights<FT>& weight)

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -10,7 +10,6 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
-#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
 #include <cmath>
 #include <utility>

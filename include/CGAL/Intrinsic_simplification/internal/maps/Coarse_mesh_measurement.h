@@ -25,7 +25,6 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

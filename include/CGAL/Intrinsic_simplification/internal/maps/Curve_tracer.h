@@ -8,10 +8,8 @@
 #include <CGAL/license/Intrinsic_simplification.h>
 
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Recorded_flip.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <algorithm>

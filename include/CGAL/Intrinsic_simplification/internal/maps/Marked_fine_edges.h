@@ -8,12 +8,10 @@
 #include <CGAL/license/Intrinsic_simplification.h>
 
 #include <CGAL/Intrinsic_simplification/internal/maps/Crossing_order.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Curve_strands.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <tuple>
@@ -98,7 +96,6 @@ public:
   Curve_index mark_of(Vertex_index v) const { return m_mark_of_vertex[v.idx()]; }
   Curve_index mark_of_coarse(Vertex_index v) const { return mark_of(m_vertex_of_coarse[v.idx()]); }
 
-  // Returns the numbers of all marks, and of the kept marks.
   const Edge_marks& numbers() const { return m_numbers; }
   const Edge_marks& kept() const { return m_kept; }
 

@@ -102,7 +102,6 @@ public:
                         : m_operations.previous(f, now, m_end.time());
   }
 
-  // Returns the number of operations.
   Time length() const
   {
     return m_is_forward ? m_end.time() - m_start.time() : m_start.time() - m_end.time();

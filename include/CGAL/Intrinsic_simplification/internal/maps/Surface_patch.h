@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_simplification::internal {
@@ -38,10 +40,8 @@ constexpr Corner_set bit(std::size_t corner) { return 1u << corner; }
 
 inline bool is_subset(Corner_set part, Corner_set whole) { return (part & ~whole) == 0; }
 
-// Returns whether the set has one corner.
 inline bool is_single(Corner_set corners) { return (corners & (corners - 1)) == 0; }
 
-// Returns whether the set has two corners.
 inline bool is_pair(Corner_set corners)
 {
   return !is_single(corners) && is_single(corners & (corners - 1));
@@ -125,6 +125,279 @@ inline Patch_point between(const Patch_point& p, const Patch_point& q, double at
     result.along[c] = a * p.along[c] + b * q.along[c];
   return result;
 }
+
+// Represents a flip or its inverse: the faces pqr and qpo become orp and roq.
+class Recorded_flip
+{
+public:
+  enum Corner : std::size_t
+  {
+    p,
+    q,
+    o,
+    r
+  };
+
+  Recorded_flip(const Flip& flip, bool forward)
+  {
+    const auto& [left, right] = flip.corners;
+    const Face_corner first(left.face(), 0), second(right.face(), 0);
+    const double s = flip.crossing_before, t = flip.crossing_after;
+    if(forward) {
+      m_before = {left, right};
+      m_after = {first, second};
+      m_crossing = {1 - s, s, 1 - t, t};
+    } else {
+      m_before = {first, second};
+      m_after = {right, left};
+      m_crossing = {1 - t, t, s, 1 - s};
+    }
+  }
+
+  // Returns whether `f` is the face with r before the flip.
+  bool has_r(Face_index f) const { return f == m_before[0].face(); }
+
+  // Returns the face with r or the face with o, before the flip.
+  Patch_face before(bool has_r) const
+  {
+    return has_r ? Patch_face(m_before[0], {p, q, r}) : Patch_face(m_before[1], {q, p, o});
+  }
+
+  // Returns the face with p or the face with q, after the flip.
+  Patch_face after(bool has_p) const
+  {
+    return has_p ? Patch_face(m_after[0], {o, r, p}) : Patch_face(m_after[1], {r, o, q});
+  }
+
+  // Returns whether a point of the faces before the flip belongs to the face with p after it.
+  bool is_beside_p(const Patch_coordinates& x) const
+  {
+    return x[p] * m_crossing[q] > x[q] * m_crossing[p];
+  }
+
+  // Changes the coordinates for the face with p or for the face with q; one of the two may be
+  // negative. Replaces p and q by the crossing as far as possible, and the crossing by o and r.
+  void change(Patch_coordinates& x, bool has_p) const
+  {
+    const Corner left_over = has_p ? p : q, used_up = has_p ? q : p;
+    const double all = m_crossing[used_up] > 0 ? x[used_up] / m_crossing[used_up] : 0;
+    x[left_over] -= all * m_crossing[left_over];
+    x[used_up] = 0;
+    add_crossing(all, x);
+  }
+
+  // Changes the coordinates of a point of one of these faces, which are nonnegative.
+  void change_inside(Patch_coordinates& x, bool has_p) const
+  {
+    change(x, has_p);
+    x[has_p ? p : q] = (std::max)(x[has_p ? p : q], 0.);
+  }
+
+  // Returns 1 if a point belongs to the face with p, -1 if it belongs to the face with q, and 0 for
+  // both.
+  int side(const Patch_point& x) const
+  {
+    if(is_on_or_in_diamond(x))
+      return is_beside_p(x.weight) ? 1 : -1;
+    return (x.corners & bit(p)) ? 1 : (x.corners & bit(q)) ? -1 : 0;
+  }
+
+  // Returns the point in the faces after the flip.
+  Patch_point turned(Patch_point x) const
+  {
+    if(is_on_or_in_diamond(x)) {
+      const bool has_p = is_beside_p(x.weight);
+      change_inside(x.weight, has_p);
+      x.corners = after(has_p).corners();
+    }
+    return x;
+  }
+
+  // Returns whether the point is on the edge up to rounding.
+  bool is_near_diagonal(const Patch_point& x) const
+  {
+    const double sum = x.weight[p] + x.weight[q] + x.weight[o] + x.weight[r];
+    return is_on_or_in_diamond(x) && distance(x) <= rounding() * sum;
+  }
+
+  // Returns the point where the segment from x to y, seen from before the flip, crosses the edge
+  // or.
+  Patch_point crossing(const Patch_point& x, const Patch_point& y) const
+  {
+    Patch_point result = between(x, y, distance(x), distance(y));
+    const double all = result.weight[p] + result.weight[q];
+    result.weight[p] = result.weight[q] = 0;
+    add_crossing(all, result.weight);
+    result.corners = bit(o) | bit(r);
+    return result;
+  }
+
+private:
+  // Points on pq, and points inside of the faces, must be compared with the other diagonal.
+  static bool is_on_or_in_diamond(const Patch_point& x)
+  {
+    return is_subset(bit(p) | bit(q), x.corners);
+  }
+
+  double distance(const Patch_point& x) const
+  {
+    return std::abs(x.weight[p] * m_crossing[q] - x.weight[q] * m_crossing[p]);
+  }
+
+  void add_crossing(double amount, Patch_coordinates& x) const
+  {
+    x[o] += amount * m_crossing[o];
+    x[r] += amount * m_crossing[r];
+  }
+
+  std::array<Face_corner, 2> m_before, m_after; // at p and q, and at o and r
+  Patch_coordinates m_crossing;                 // of p and q, and of o and r
+};
+
+// Represents the removal of a vertex, or its inverse, an insertion. The sectors m01, m12 and m20
+// together are the face 012; at the boundary m20 is missing.
+class Vertex_sectors
+{
+public:
+  static constexpr std::size_t m = 3;
+
+  Vertex_sectors(const Vertex_change& o)
+    : m_is_border(o.is_border),
+      m_is_insertion(o.is_insertion),
+      m_vertex{o.weight[0], o.weight[1], (std::max)(1 - o.weight[0] - o.weight[1], 0.)},
+      m_whole(o.whole),
+      m_sector(o.corners)
+  {}
+
+  bool is_insertion() const { return m_is_insertion; }
+  bool is_border() const { return m_is_border; }
+  Patch_face whole() const { return Patch_face(m_whole, {0, 1, 2}); }
+  Patch_face operator[](std::size_t n) const
+  {
+    return Patch_face(m_sector[n], {m, n, (n + 1) % 3});
+  }
+
+  std::size_t sector_of(Face_index f) const
+  {
+    return f == m_sector[0].face() ? 0 : f == m_sector[1].face() ? 1 : 2;
+  }
+
+  // Expresses the vertex by the corners of the whole face.
+  void merge(Patch_coordinates& x) const
+  {
+    for(std::size_t c = 0; c < 3; ++c)
+      x[c] += x[m] * m_vertex[c];
+    x[m] = 0;
+  }
+
+  // Replaces corners by the vertex as far as the coordinates of a point of the whole face permit.
+  // One coordinate becomes zero, and the point is in the sector opposite to its corner. Returns the
+  // index of the corner.
+  std::size_t split(Patch_coordinates& x) const
+  {
+    const std::size_t used_up = corner_used_up(x);
+    const double at_vertex = x[used_up] / m_vertex[used_up];
+    for(std::size_t c = 0; c < 3; ++c)
+      x[c] = c == used_up ? 0 : (std::max)(x[c] - at_vertex * m_vertex[c], 0.);
+    x[m] = at_vertex;
+    return used_up;
+  }
+
+  // Returns a point of a sector, seen from the whole face.
+  Patch_point in_whole(Patch_point x) const
+  {
+    if((x.corners & bit(m)) == 0)
+      return x;
+    merge(x.weight);
+    const bool is_on_border = m_is_border && (x.corners & bit(1)) == 0;
+    x.corners = is_on_border ? border_side() : whole_face();
+    return x;
+  }
+
+  // Stores a point seen from a sector. It is in the sectors from `first` to `last`, which may be
+  // next to each other.
+  struct Sector_point
+  {
+    Patch_point point;
+    std::size_t first, last;
+
+    bool is_in(std::size_t n) const { return n == first || n == last; }
+  };
+
+  // Returns a point of the whole face, seen from the sectors.
+  Sector_point in_sectors(Patch_point x) const
+  {
+    if(x.corners == whole_face() || (m_is_border && x.corners == border_side())) {
+      const std::size_t used_up = split(x.weight);
+      x.corners = (x.corners & ~bit(used_up)) | bit(m);
+      return {x, (used_up + 1) % 3, (used_up + 1) % 3};
+    }
+    if(!is_single(x.corners)) {
+      const std::size_t n = (x.corners & bit(0)) == 0 ? 1 : (x.corners & bit(1)) == 0 ? 2 : 0;
+      return {x, n, n};
+    }
+    const std::size_t c = x.corners == bit(0) ? 0 : x.corners == bit(1) ? 1 : 2;
+    if(m_is_border && c != 1)
+      return {x, c / 2, c / 2};
+    return {x, (c + 2) % 3, c};
+  }
+
+  // Stores a point on the line through the vertex and corner `outgoing`, between two points of the
+  // whole face.
+  struct Line_point
+  {
+    Patch_point point; // of the edge from m to the corner
+    double excess;     // negative beyond m; as a part of the coordinates
+  };
+
+  Line_point on_line(std::size_t outgoing, const Patch_point& x, const Patch_point& y) const
+  {
+    const std::size_t a = (outgoing + 1) % 3, c = (outgoing + 2) % 3;
+    Patch_point result = between(x, y, distance(a, c, x), distance(a, c, y));
+    auto& w = result.weight;
+    const double sum = w[0] + w[1] + w[2];
+    const std::size_t greater = m_vertex[a] > m_vertex[c] ? a : c;
+    const double at_vertex = m_vertex[greater] > 0 ? w[greater] / m_vertex[greater] : 0;
+    const double rest = w[outgoing] - at_vertex * m_vertex[outgoing];
+    w[a] = w[c] = 0;
+    w[outgoing] = (std::max)(rest, 0.);
+    w[m] = at_vertex;
+    result.corners = bit(m) | bit(outgoing);
+    return {result, rest / sum};
+  }
+
+  // Returns whether a segment between two such points runs along the boundary.
+  static bool is_on_border_side(const Patch_point& x, const Patch_point& y)
+  {
+    return is_subset(x.corners | y.corners, border_side());
+  }
+
+private:
+  static constexpr Corner_set whole_face() { return bit(0) | bit(1) | bit(2); }
+  static constexpr Corner_set border_side() { return bit(0) | bit(2); }
+
+  // Returns the corner whose coordinate in a point is least, compared with the vertex. The point
+  // and this corner are on opposite sides of the vertex.
+  std::size_t corner_used_up(const Patch_coordinates& x) const
+  {
+    const Coordinates& w = m_vertex;
+    auto used_up = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
+    for(std::size_t c = 0; c < 3; ++c)
+      if(w[c] > 0 && x[c] * w[used_up] < x[used_up] * w[c])
+        used_up = c;
+    return used_up;
+  }
+
+  double distance(std::size_t a, std::size_t c, const Patch_point& x) const
+  {
+    return std::abs(m_vertex[a] * x.weight[c] - m_vertex[c] * x.weight[a]);
+  }
+
+  bool m_is_border, m_is_insertion;
+  Coordinates m_vertex; // in the whole face
+  Face_corner m_whole;  // 0
+  std::array<Face_corner, 3> m_sector;
+};
 
 } // namespace CGAL::Intrinsic_simplification::internal
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/internal/maps/Curve_strands.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Crossing_order.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 
@@ -149,7 +149,6 @@ private:
     return std::exchange(m_is_taken[Edge_index(fine_piece).idx()], 1) == 0;
   }
 
-  // Returns the first halfedge of a chord.
   Halfedge_index chord(std::size_t n) const
   {
     return first_halfedge(Edge_index(checked_index(m_edges.kept().number_of_pieces() + n)));

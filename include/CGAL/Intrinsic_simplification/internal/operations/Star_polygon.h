@@ -64,7 +64,6 @@ public:
     return set_last_three();
   }
 
-  // Returns the flips in their order.
   const std::vector<Star_flip>& flips() const { return m_flips; }
 
   // Returns the barycentric coordinate of the center that belongs to one of the last three outgoing

@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -19,8 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -106,7 +104,6 @@ Uncertain<Sign> sign_of_imaginary(const Ball<N>& a, const Ball<N>& b)
   return sign_of_imaginary(a * b);
 }
 
-// Returns the root of a real number that is not negative.
 template <typename N>
 Ball<N> root(const Ball<N>& a)
 {

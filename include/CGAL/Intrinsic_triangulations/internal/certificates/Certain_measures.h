@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>

@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
 #include <CGAL/Intrinsic_triangulations/Edge_course.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/apex_products.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 

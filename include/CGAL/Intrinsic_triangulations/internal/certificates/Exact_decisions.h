@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_measures.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -28,7 +27,6 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -191,7 +189,6 @@ public:
   // Returns whether the two faces at the edge of `input` in T1 are coplanar, side by side.
   bool is_flat(Halfedge_index input) { return m_is_flat(input); }
 
-  // Returns the orientation of the face of `h`.
   Sign orientation(Halfedge_index h)
   {
     return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/apex_products.h>
@@ -71,7 +70,6 @@ struct Corner_products
   {}
 };
 
-// Returns the positions of the corners of the triangle of `h`.
 template <typename Number>
 std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Exact_surface<Number>& input)
 {

@@ -132,7 +132,6 @@ constexpr bool has_exact_decisions()
   return Is_exact<Traits>::value || Inherited<Traits>::decisions;
 }
 
-// Returns the vector between two positions.
 template <typename N>
 std::array<N, 3> vector_between(const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
@@ -145,7 +144,6 @@ N dot(const std::array<N, 3>& u, const std::array<N, 3>& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-// Returns coordinate `c` of the vector product.
 template <typename N>
 N cross_coordinate(const std::array<N, 3>& u, const std::array<N, 3>& v, std::size_t c)
 {

@@ -7,11 +7,10 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Square_classes.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/scaled_parts.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Uncertain.h>

@@ -20,7 +20,6 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 

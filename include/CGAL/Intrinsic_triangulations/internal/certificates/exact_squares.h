@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact_numbers.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 
 #include <CGAL/Uncertain.h>
@@ -36,7 +37,6 @@ R squared_distance(const Position& p, const Position& q)
   return dot(u, u);
 }
 
-// Returns the positions of the four corners of the diamond of `h`.
 inline std::array<Position, 4>
 corner_positions(Halfedge_index h, const std::vector<Position>& points, const Delta_complex& mesh)
 {
@@ -233,6 +233,30 @@ inline bool is_flat_in_space(const Position& i, const Position& j, const Positio
   const auto exact = hinge(Exact_ring());
   return CGAL::is_zero(exact.volume) && CGAL::is_positive(exact.cosine);
 }
+
+// Determines the edges of T1 whose two faces are coplanar and lie side by side.
+class Flat_edges
+{
+public:
+  Flat_edges(const std::vector<Position>& points, const Delta_complex& mesh)
+    : m_points(points), m_mesh(mesh)
+  {}
+
+  // Returns whether the edge of `h`, which is not on the boundary, is flat. Returns false without
+  // positions.
+  bool operator()(Halfedge_index h)
+  {
+    return !m_points.empty() && m_is_flat(std::size_t(Edge_index(h).idx()), [&] {
+      const auto [i, j, k, l] = corner_positions(h, m_points, m_mesh);
+      return is_flat_in_space(i, j, k, l);
+    });
+  }
+
+private:
+  const std::vector<Position>& m_points;
+  const Delta_complex& m_mesh;
+  Direct_mapped_cache<bool> m_is_flat;
+};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Flip_record.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -24,6 +24,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -31,6 +32,62 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Stores the part of T2 that a flip of the edge of `h` changes, as it is before the flip. Later
+// flips are undone in reverse order. Then every index and every number is bitwise restored.
+template <typename Traits>
+class Flip_record
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+
+public:
+  Flip_record(Halfedge_index h, const Triangulation& tri)
+    : m_h(h),
+      m_n(tri.coordinates().normal_coordinate(Edge_index(h))),
+      m_r{tri.coordinates().roundabout(h), tri.coordinates().roundabout(opposite(h))},
+      m_length(tri.length(Edge_index(h))),
+      m_of_vertex{tri.mesh().halfedge(tri.mesh().source(h)),
+                  tri.mesh().halfedge(tri.mesh().target(h))},
+      m_of_face{tri.mesh().halfedge(tri.mesh().face(h)),
+                tri.mesh().halfedge(tri.mesh().face(opposite(h)))}
+  {}
+
+  Halfedge_index halfedge() const { return m_h; }
+
+  // Undoes the flip. Complexity: constant.
+  void undo(Triangulation& tri) const
+  {
+    Delta_complex& mesh = tri.m_mesh;
+    const Halfedge_index o = opposite(m_h);
+    flip_back(m_h, mesh);
+    mesh.set_halfedge(mesh.source(m_h), m_of_vertex[0]);
+    mesh.set_halfedge(mesh.target(m_h), m_of_vertex[1]);
+    mesh.set_halfedge(mesh.face(m_h), m_of_face[0]);
+    mesh.set_halfedge(mesh.face(o), m_of_face[1]);
+    tri.m_coordinates.set(Edge_index(m_h), m_n);
+    tri.m_coordinates.set(m_h, m_r[0]);
+    tri.m_coordinates.set(o, m_r[1]);
+    tri.m_length[Edge_index(m_h)] = m_length;
+  }
+
+private:
+  // Turns the edge of `h` clockwise, but does not set the halfedges of vertices.
+  static void flip_back(Halfedge_index h, Delta_complex& mesh)
+  {
+    const Halfedge_index o = opposite(h);
+    const Halfedge_index ki = mesh.next(h), il = mesh.prev(h), lj = mesh.next(o), jk = mesh.prev(o);
+    mesh.set_target(h, mesh.target(lj));
+    mesh.set_target(o, mesh.target(ki));
+    set_triangle(h, jk, ki, mesh.face(h), mesh);
+    set_triangle(o, il, lj, mesh.face(o), mesh);
+  }
+
+  Halfedge_index m_h;
+  typename Traits::Integer m_n;
+  std::array<Delta_complex::size_type, 2> m_r;
+  typename Traits::FT m_length;
+  std::array<Halfedge_index, 2> m_of_vertex, m_of_face; // of both ends and both sides
+};
 
 // Flips with decisions about the surface of T1. Each length has an error bound. The bound of a
 // flipped edge follows from its diamond as long as bounds suffice, otherwise from its strip. If the
@@ -87,7 +144,6 @@ public:
 
   Decisions& decisions() { return m_decisions; }
 
-  // Returns the other diagonal of the diamond of `h`.
   Flipped_diagonal other_diagonal(Halfedge_index h) const
   {
     return {diamond(m_tri.length_map(), h, m_mesh), errors_around(h)};
@@ -133,7 +189,6 @@ public:
     return {Flip_record<Traits>(h, m_tri), m_courses.storage(e), m_error[e], m_doubtful.size()};
   }
 
-  // Undoes the last flip.
   void undo(const Record& record)
   {
     const Edge_index e(record.flip.halfedge());
@@ -217,7 +272,6 @@ private:
     return Is_exact<Traits>::value ? certified_length_error() : flipping_length_error(is_limited());
   }
 
-  // Returns the error of lengths that are kept.
   double kept_error() const { return is_limited() ? tolerance() : certified_length_error(); }
 
   // An edge with the least error is an edge of T1 or a straight line in space.

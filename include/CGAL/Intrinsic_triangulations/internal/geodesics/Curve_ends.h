@@ -11,10 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
-#include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Sector_in_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_origin.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>

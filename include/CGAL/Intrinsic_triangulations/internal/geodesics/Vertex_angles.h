@@ -17,7 +17,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 

@@ -13,9 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Bucket_queue.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_beyond.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_charts.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Sector_in_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_origin.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Waiting_views.h>
@@ -286,7 +284,6 @@ private:
         Outgoing_sector<FT>(angles, is_all_seen, is_all_seen ? FT(0) : angle_of_arrival(v)));
   }
 
-  // Opens the views in the directions of a sector.
   void open_views(Vertex_index v, const FT& before, const Outgoing_sector<FT>& sector)
   {
     FT angle(0);

@@ -8,15 +8,131 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/View_separation.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <tuple>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Cuts off parts of two views through one side in which all paths of one view are longer than paths
+// of the other. An empty part has an end before its begin.
+template <typename FT>
+class View_separation
+{
+public:
+  typedef internal::View<FT> View;
+
+  View_separation(View& a, View& b)
+    : m_a(a), m_b(b), m_slack(path_tolerance<FT>() * (CGAL::abs(a.before) + a.scale() + a.end))
+  {}
+
+  // Separates views whose rays cross before the edge, if `b` begins before the end of `a`. Suppose
+  // that a ray of `a` reaches a point on a path that is not longer than a path by `b`. Then all
+  // rays of `b` that cross this ray are on longer paths.
+  void in_order()
+  {
+    if(m_a.end <= m_b.begin)
+      return;
+    const FT at_end = difference(m_a.end);
+    if(at_end <= 0)
+      return cut_begin(m_b, m_a.end);
+    const FT at_begin = difference(m_b.begin);
+    if(at_begin >= 0)
+      return cut_end(m_a, m_b.begin);
+    const FT x = crossing(m_b.begin, m_a.end, at_begin, at_end);
+    const bool is_seen_by_a = m_a.begin < x, is_seen_by_b = x < m_b.end;
+    if(is_seen_by_b)
+      cut_end(m_a, x);
+    if(is_seen_by_a)
+      cut_begin(m_b, x);
+  }
+
+  // Separates other views. From an end of the common part, the view with longer paths is cut off.
+  void by_points()
+  {
+    const FT first = (std::max)(m_a.begin, m_b.begin), last = (std::min)(m_a.end, m_b.end);
+    if(!(first < last))
+      return;
+    const FT at_first = difference(first), at_last = difference(last);
+    if(!(CGAL::abs(at_first) > m_slack || CGAL::abs(at_last) > m_slack))
+      return;
+    View &longer_first = at_first > 0 || (at_first == 0 && at_last > 0) ? m_a : m_b,
+         &longer_last = at_last > 0 || (at_last == 0 && at_first > 0) ? m_a : m_b;
+    if(&longer_first == &longer_last) {
+      if(slope(first) * slope(last) > 0)
+        cut(longer_first, first, last);
+      return;
+    }
+    const FT x = crossing(first, last, at_first, at_last);
+    cut(longer_first, first, x);
+    cut(longer_last, x, last);
+  }
+
+private:
+  FT difference(const FT& x) const { return m_a.length_to(x) - m_b.length_to(x); }
+  // Returns the derivative of the difference, which has at most one extremum along the edge.
+  FT slope(const FT& x) const { return m_a.slope(x) - m_b.slope(x); }
+
+  static void cut_begin(View& v, const FT& x)
+  {
+    v.begin = x;
+    close_if_empty(v);
+  }
+  static void cut_end(View& v, const FT& x)
+  {
+    v.end = x;
+    close_if_empty(v);
+  }
+  static void close_if_empty(View& v)
+  {
+    if(v.begin == v.end)
+      v.close();
+  }
+
+  static void cut(View& v, const FT& from, const FT& to)
+  {
+    if(from <= v.begin)
+      cut_begin(v, (std::max)(v.begin, to));
+    else if(to >= v.end)
+      cut_end(v, from);
+  }
+
+  // Returns the position at which both lengths are equal up to rounding, by Newton's method
+  // restricted to the interval.
+  // \pre the differences at its ends have different signs
+  FT crossing(FT first, FT last, const FT& at_first, const FT& at_last) const
+  {
+    FT x = first + (last - first) * (at_first / (at_first - at_last));
+    for(int i = 0; i < 60; ++i) {
+      const FT d = difference(x);
+      if(!(CGAL::abs(d) > m_slack / 256))
+        return x;
+      ((d > 0) == (at_first > 0) ? first : last) = x;
+      const FT next = x - d / slope(x);
+      x = first < next && next < last ? next : FT((first + last) / 2);
+    }
+    return x;
+  }
+
+  View &m_a, &m_b;
+  FT m_slack;
+};
+
+// Separates two views through one side. If `order` is negative, the rays of `a` come from the left
+// of all rays of `b`. If it is positive, they come from the right. Zero means unknown.
+template <typename FT>
+void separate(View<FT>& a, View<FT>& b, int order)
+{
+  if(order == 0)
+    View_separation<FT>(a, b).by_points();
+  else
+    order < 0 ? View_separation<FT>(a, b).in_order() : View_separation<FT>(b, a).in_order();
+}
 
 // Adds a view to a list, which is sorted by begins along an edge, and separates it from the last
 // views. The result of `order(a, b)` is the argument `order` of `separate()`.

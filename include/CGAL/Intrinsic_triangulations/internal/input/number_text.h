@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/number_utils.h>
@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <istream>
-#include <limits>
 #include <locale>
 #include <optional>
 #include <sstream>

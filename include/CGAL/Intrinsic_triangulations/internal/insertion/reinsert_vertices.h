@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <random>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {

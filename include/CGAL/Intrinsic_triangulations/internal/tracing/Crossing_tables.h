@@ -19,7 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Part_starts.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 

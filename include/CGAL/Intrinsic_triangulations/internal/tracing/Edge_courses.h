@@ -63,7 +63,6 @@ public:
   // Allocates courses at the indices `marks`, which must be set before they are read.
   Edge_courses(const Pair& pair, const Edge_marks& marks) : m_pair(&pair) { allocate(marks); }
 
-  // Returns the number of crossings on the edge of `h`.
   size_type count(Halfedge_index h) const { return m_pair->number_of_crossings(h); }
 
   Edge_course operator()(Halfedge_index h) const

@@ -38,7 +38,6 @@ struct Part_of_edge
 {
   FT begin, end;
 
-  // Returns the length of the part on a halfedge of length `whole`.
   FT length(const FT& whole) const { return (end - begin) * whole; }
 
   // Returns the position on the halfedge at the fraction `t` of the part.

@@ -52,7 +52,6 @@ FT closest_between(const Barycentric_coordinates<FT>& a, const Barycentric_coord
   return square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
 }
 
-// Returns the point at `t` between `a` and `b`.
 template <typename FT>
 Barycentric_coordinates<FT> point_between(const Barycentric_coordinates<FT>& a,
                                           const Barycentric_coordinates<FT>& b, const FT& t)
@@ -63,7 +62,6 @@ Barycentric_coordinates<FT> point_between(const Barycentric_coordinates<FT>& a,
   return result;
 }
 
-// Returns the squared distance of `p` from the segment from `a` to `b`.
 template <typename FT>
 FT squared_distance(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
                     const Barycentric_coordinates<FT>& p)

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
 #include <algorithm>
 #include <array>

@@ -7,13 +7,35 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/weights/decorated_diamond.h>
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Determines whether the crossings of this geometry have scales (see the concept `GeodesicStrip`).
+template <typename Traits, typename = void>
+struct Has_scale : std::false_type
+{};
+
+template <typename Traits>
+struct Has_scale<
+  Traits, std::void_t<decltype(std::declval<typename Traits::Geodesic_strip::Crossing>().scale)>>
+  : std::true_type
+{};
+
+// Returns the scale of a crossing, or 1 if crossings have no scales.
+template <typename Traits>
+typename Traits::FT scale_of(const typename Traits::Geodesic_strip::Crossing& crossing)
+{
+  if constexpr(Has_scale<Traits>::value)
+    return crossing.scale;
+  else
+    return typename Traits::FT(1);
+}
 
 // Lays out the triangles of `mesh` along a line that leaves a face through each of the halfedges
 // `exits`, at least one. `length` returns the argument of `strip` for a halfedge. The line starts

@@ -20,7 +20,6 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 

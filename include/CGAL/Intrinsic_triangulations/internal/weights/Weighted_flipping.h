@@ -22,7 +22,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <set>
 #include <string>
 #include <utility>
