@@ -7,6 +7,7 @@
 #include "hard_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
@@ -204,11 +205,11 @@ TEST(Exact_refinement, in_double_is_certified_on_hard_meshes)
   }
 }
 
-// Certain decisions by lengths are correct: exact arithmetic agrees that these edges are straight,
-// and on their lengths.
-TEST(Exact_refinement, lengths_without_doubt_are_right)
+// Certain decisions in floating point are correct: exact arithmetic agrees that these edges are
+// straight, and numbers with more digits agree on their lengths.
+TEST(Exact_refinement, edges_without_doubt_are_straight)
 {
-  std::size_t certain = 0, doubtful = 0;
+  std::size_t certain = 0;
   for(std::uint64_t seed = 0; seed < 60; ++seed) {
     const Mesh mesh = hard_mesh(seed).mesh;
     if(mesh.number_of_faces() > 300)
@@ -217,28 +218,19 @@ TEST(Exact_refinement, lengths_without_doubt_are_right)
     IT::refine(tri, IT::parameters::maximum_number_of_insertions(std::size_t(300)));
     const auto decisions = IT::internal::exact_decisions(tri);
     auto exact = IT::internal::exact_decisions(tri);
-    IT::internal::Lengths_in_strips<Triangulation::Traits> lengths(tri);
+    IT::Precise_lengths<Triangulation::Traits> precise(tri);
     for(Edge_index e : tri.mesh().edges()) {
       const Halfedge_index h = tri.mesh().halfedge(e);
-      double length = 0;
-      try {
-        length = lengths(h);
-      } catch(const IT::Numerical_error&) {
+      const auto straight = decisions.straight_edge(h);
+      if(!straight.is_certain)
         continue;
-      }
-      for(const double tolerance : {0x1p-30, 0x1p-40}) {
-        if(!lengths.is_certain(h, length, tolerance)) {
-          ++doubtful;
-          continue;
-        }
-        ++certain;
-        EXPECT_TRUE(exact.is_input_edge(h) || exact.is_straight(h)) << seed << ' ' << e;
-        EXPECT_NEAR(length / exact.length(h), 1, tolerance + 0x1p-39) << seed << ' ' << e;
-      }
+      ++certain;
+      EXPECT_TRUE(exact.is_input_edge(h) || exact.is_straight(h)) << seed << ' ' << e;
+      if(!std::isnan(straight.length))
+        EXPECT_NEAR(straight.length / to_double(precise(h)), 1, straight.error) << seed << ' ' << e;
     }
   }
   EXPECT_GT(certain, 1000u);
-  EXPECT_GT(doubtful, 100u);
 }
 
 // Refinement is exact on request, too, and can continue a refinement with exact decisions.

@@ -149,9 +149,6 @@ struct Digits
 // `double`. Numbers that are added to it lose as many bits.
 constexpr double greatest_rounded_weight() { return 0x1p20; }
 
-// Returns the rounding error of an angle of T1, in radians, from which on it counts as unknown.
-constexpr double known_angle_error() { return 1e-9; }
-
 // Returns the relative difference of two distances up to which an exact test decides whether faces
 // lie in one plane.
 constexpr double plane_tolerance() { return 1e-6; }

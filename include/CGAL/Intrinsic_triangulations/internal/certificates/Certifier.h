@@ -37,14 +37,10 @@ public:
   typedef Exact_decisions<Traits> Decisions;
 
   Certifier(const Pair& pair, Concurrency concurrency)
-    : Certifier(pair, concurrency, Edge_courses<Traits>(pair, concurrency))
-  {}
-
-  Certifier(const Pair& pair, Concurrency concurrency, Edge_courses<Traits>&& courses)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_concurrency(concurrency),
-      m_courses(std::move(courses)),
+      m_courses(pair, concurrency),
       m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN()),
       m_is_checked(m_mesh.num_vertices(), false)
   {}

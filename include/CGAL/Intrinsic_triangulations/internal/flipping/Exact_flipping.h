@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -362,22 +361,14 @@ private:
   // Sets the lengths of edges, and returns whether these edges are straight.
   bool are_straight(std::vector<std::pair<Edge_index, double>>& edges)
   {
-    Lengths_in_strips<Traits> lengths(m_tri);
-    std::vector<std::size_t> doubtful;
-    for(std::size_t i = 0; i < edges.size(); ++i)
-      if(const Straight_edge straight =
-           lengths.straight_edge(m_mesh.halfedge(edges[i].first), kept_error());
-         straight.is_certain)
-        edges[i].second = straight.length;
-      else
-        doubtful.push_back(i);
-    if(doubtful.empty())
-      return true;
-    Certifier<Traits> certifier(m_tri, Concurrency(), std::move(lengths).courses());
+    Certifier<Traits> certifier(m_tri, Concurrency());
     auto decisions = certifier.decisions();
-    return std::all_of(doubtful.begin(), doubtful.end(), [&](std::size_t i) {
-      edges[i].second = certifier.straight_length(edges[i].first, decisions);
-      return edges[i].second > 0;
+    return std::all_of(edges.begin(), edges.end(), [&](auto& edge) {
+      const Straight_edge straight = decisions.straight_edge(m_mesh.halfedge(edge.first));
+      edge.second = straight.is_certain && !std::isnan(straight.length)
+                      ? straight.length
+                      : certifier.straight_length(edge.first, decisions);
+      return edge.second > 0;
     });
   }
 
