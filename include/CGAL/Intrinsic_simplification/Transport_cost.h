@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Star_prefetcher.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Star_prefetcher.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
 #include <CGAL/Intrinsic_simplification/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -278,7 +277,26 @@ Simplification_result simplify(Evolving_surface& surface,
 } // namespace CGAL::Intrinsic_simplification
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_simplification/internal/compiled/simplify.h>
+#include <CGAL/Intrinsic_triangulations/internal/compiled/Intrinsic_triangulation.h>
+
+namespace CGAL::Intrinsic_simplification {
+
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Evolving_surface::Evolving_surface(
+  const Surface_mesh<Point_3<Simple_cartesian<double>>>&,
+  const CGAL::parameters::Default_named_parameters&);
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Evolving_surface::Evolving_surface(
+  const Surface_mesh<Point_3<Epick>>&, const CGAL::parameters::Default_named_parameters&);
+
+namespace internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Simplification_result
+simplified(Evolving_surface&, Transport_cost&, std::size_t, double,
+           Default_simplification_visitor&);
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Simplification_result
+simplified(Evolving_surface&, std::size_t, double, Default_simplification_visitor&);
+
+} // namespace internal
+} // namespace CGAL::Intrinsic_simplification
 #endif
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFY_H

@@ -419,7 +419,15 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
 } // namespace CGAL::Intrinsic_triangulations
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/compiled/make_Delaunay.h>
+namespace CGAL::Intrinsic_triangulations::internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
+make_Delaunay(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency);
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Flipping_result
+flip_exactly(Intrinsic_triangulation<>&, std::size_t, Default_flip_visitor&, Concurrency,
+             Tie_decisions);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELAUNAY_H

@@ -406,7 +406,18 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
 } // namespace CGAL::Intrinsic_triangulations
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/compiled/refine.h>
+namespace CGAL::Intrinsic_triangulations::internal {
+
+typedef Face_bounds<Euclidean_geometry_traits<double>, const No_face> Default_face_bounds;
+
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Refinement_result
+refine_until_filter_fails(Intrinsic_triangulation<>&, const Default_face_bounds&,
+                          const Refinement_limits&, Default_refinement_visitor&);
+CGAL_INTRINSIC_TRIANGULATIONS_COMPILED template Refinement_result
+refine_exactly(Intrinsic_triangulation<>&, const Default_face_bounds&, const Refinement_limits&,
+               Default_refinement_visitor&, Refinement_result);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REFINE_H

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Bucket_queue.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_charts.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_origin.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>

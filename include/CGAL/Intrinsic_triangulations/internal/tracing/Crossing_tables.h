@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Part_starts.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
