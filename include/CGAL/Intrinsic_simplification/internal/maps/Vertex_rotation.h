@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/internal/maps/Crossing_order.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 

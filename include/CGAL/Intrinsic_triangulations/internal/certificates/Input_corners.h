@@ -11,10 +11,10 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/apex_products.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 
 #include <CGAL/number_utils.h>
