@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <cstdint>
 #include <limits>

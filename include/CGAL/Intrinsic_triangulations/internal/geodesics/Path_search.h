@@ -406,7 +406,6 @@ protected:
     return face_location(Place(Vertex_location{h}), m_mesh);
   }
 
-
   // Adds a position, but each vertex only once. Between two vertices the path follows an edge, the
   // shortest from one to the other.
   void add(const Place& place, std::vector<Place>& places) const
