@@ -140,17 +140,6 @@ public:
   /// returns the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// returns whether the line certainly passes between the ends of all inner edges, and its length
-  /// has a relative error of at most `tolerance`. The errors of all corner angles, which cover the
-  /// errors of the sides, must have a sum of at most `error`. A corner is displaced by at most
-  /// `error` times the length of the edges that determine its position.
-  /// \pre `finish()` has been called
-  bool is_certain(const FT& error, const FT& tolerance) const
-  {
-    const FT displacement = m_longest_way * error;
-    return displacement <= tolerance * length() && is_straight(displacement);
-  }
-
   /// returns the angle at the start of the line, counterclockwise from the direction to the first
   /// \f$i\f$ to the line. `FT` is a floating-point type.
   /// \pre `finish()` has been called

@@ -265,18 +265,12 @@ public:
   Vertex_index split_face(const Face_location<FT>& p, const Face_split<Integer>& at,
                           const Surface_point<FT>& q)
   {
-    const auto side = sides(p.first, m_mesh);
     if constexpr(internal::Is_exact<Traits>::value) {
+      const Halfedge_index first = m_mesh.halfedge(p.first);
       const Vertex_index m = insert_into_face(p.first, at, q, {});
-      return measured(m, internal::exact_decisions(*this), [&] { take_back(m, side[0]); });
+      return measured(m, internal::exact_decisions(*this), [&] { take_back(m, first); });
     }
-    std::array<FT, 3> outgoing_length;
-    for(std::size_t s = 0; s < 3; ++s)
-      outgoing_length[s] =
-        at.n[s] < 0
-          ? internal::shared_outgoing_length(*this, *on_edge(q), at.r[s], m_mesh.source(side[s]))
-          : internal::distance_to_corner(*this, side[0], p.second, s);
-    return insert_into_face(p.first, at, q, outgoing_length);
+    return insert_into_face(p.first, at, q, internal::lengths_to_corners(*this, p, at, on_edge(q)));
   }
 
   /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
@@ -300,19 +294,7 @@ public:
       const auto undo = undo_of_split(h);
       return measured(insert_into_edge(h, n, r, q, {}), internal::exact_decisions(*this), undo);
     }
-    const Halfedge_index o = m_mesh.opposite(h);
-    const Edge_index e = m_mesh.edge(h);
-    const auto shared = [&](size_type r, Vertex_index v) {
-      return internal::shared_outgoing_length(*this, *on_edge(q), r, v);
-    };
-    const auto part = [&](const FT& t) { return internal::checked_length(*this, t * m_length[e]); };
-    const auto apex = [&](Halfedge_index x) { return m_mesh.target(m_mesh.next(x)); };
-    const Edge_split<FT> length{
-      n.im < 0 ? shared(r.im, m_mesh.source(h)) : part(t),
-      n.mj < 0 ? shared(r.mj, m_mesh.target(h)) : part(1 - t),
-      n.mk < 0 ? shared(r.mk, apex(h)) : internal::distance_to_apex(*this, h, t),
-      n.ml < 0 ? shared(r.ml, apex(o)) : internal::distance_to_apex(*this, o, FT(1 - t))};
-    return insert_into_edge(h, n, r, q, length);
+    return insert_into_edge(h, n, r, q, internal::lengths_of_parts(*this, h, t, n, r, on_edge(q)));
   }
 
   /// removes an inserted vertex that has three edges, or two faces on the boundary (see
@@ -386,8 +368,8 @@ private:
   friend class internal::Flip_record<Traits>;
   friend class internal::Vertex_reinserter<Traits>;
 
-  template <typename Graph, typename NamedParameters>
-  void copy_input(const Graph& g, const NamedParameters& np);
+  template <typename Graph, typename NamedParameters, typename Numbering>
+  void copy_properties(const Graph& g, const NamedParameters& np, const Numbering& numbering);
 
   bool can_be_turned(Halfedge_index h) const
   {
@@ -422,62 +404,9 @@ private:
   }
 };
 
-// This constructor is not inline, so that the compiled library can contain it.
-template <typename Traits>
-template <typename Graph, typename NamedParameters>
-Intrinsic_triangulation<Traits>::Intrinsic_triangulation(const Graph& g, const NamedParameters& np)
-  : Base(CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
-{
-  m_input.resize(internal::size_of(vertices(g)), internal::size_of(edges(g)),
-                 internal::size_of(faces(g)));
-  with_numbering(g, [&](const auto& numbering) {
-    internal::copy_connectivity(g, numbering, m_input);
-    internal::copy_lengths(g, np, numbering, input());
-    internal::copy_metric(g, np, numbering, m_input, m_input_metric);
-  });
-  copy_input(g, np);
-}
-
-template <typename Traits>
-template <typename NamedParameters>
-Intrinsic_triangulation<Traits>::Intrinsic_triangulation(Delta_complex&& g,
-                                                         const NamedParameters& np)
-  : Base(CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
-{
-  if(g.has_garbage() || internal::has_property_maps(g)) {
-    *this = Intrinsic_triangulation(std::as_const(g), np);
-    return;
-  }
-  m_input = std::move(g);
-  attach();
-  internal::complete_connectivity(m_input);
-  const internal::Surface_mesh_numbering numbering;
-  internal::copy_lengths(m_input, np, numbering, input());
-  internal::copy_metric(m_input, np, numbering, m_input, m_input_metric);
-  copy_input(m_input, np);
-}
-
-// Makes T2 of the graph and its properties, from T1 with lengths.
-template <typename Traits>
-template <typename Graph, typename NamedParameters>
-void Intrinsic_triangulation<Traits>::copy_input(const Graph& g, const NamedParameters& np)
-{
-  internal::mollify_lengths(np, input(), m_input_metric);
-  internal::check_copied_lengths(np, input(), m_traits);
-  if constexpr(internal::Is_exact<Traits>::value)
-    internal::check_exact_triangles(internal::exact_input(*this));
-  else if constexpr(internal::has_metric<Traits>())
-    internal::make_triangles_exact(internal::exact_input(*this), m_input_metric);
-  m_mesh = m_input;
-  attach();
-  m_outgoing_halfedges = Outgoing_halfedges(m_input, m_coordinates.roundabout_map());
-  internal::copy_constraints(g, np,
-                             [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
-}
-
 } // namespace CGAL::Intrinsic_triangulations
+
+#include <CGAL/Intrinsic_triangulations/internal/input/Intrinsic_triangulation_impl.h>
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/compiled/Intrinsic_triangulation.h>

@@ -115,6 +115,47 @@ typename Traits::FT distance_to_apex(const Triangulation_pair<Traits>& pair, Hal
                                   : distance_to_corner(pair, h, barycentric_coordinates(0, t), 2);
 }
 
+// Returns the lengths of the edges from a new vertex at `p` to the corners of its face. Edges along
+// an edge of T1 start at the location `on_edge` of the vertex.
+template <typename Traits>
+std::array<typename Traits::FT, 3> lengths_to_corners(
+  const Triangulation_pair<Traits>& pair, const Face_location<typename Traits::FT>& p,
+  const Face_split<typename Traits::Integer>& at, const Edge_location<typename Traits::FT>* on_edge)
+{
+  const auto side = sides(p.first, pair.mesh());
+  std::array<typename Traits::FT, 3> result;
+  for(std::size_t s = 0; s < 3; ++s)
+    result[s] = at.n[s] < 0
+                  ? shared_outgoing_length(pair, *on_edge, at.r[s], pair.mesh().source(side[s]))
+                  : distance_to_corner(pair, side[0], p.second, s);
+  return result;
+}
+
+// Returns the lengths of the edges of a new vertex at `t` on `h`. Edges along an edge of T1 start
+// at the location `on_edge` of the vertex.
+template <typename Traits>
+Edge_split<typename Traits::FT> lengths_of_parts(const Triangulation_pair<Traits>& pair,
+                                                 Halfedge_index h, const typename Traits::FT& t,
+                                                 const Edge_split<typename Traits::Integer>& n,
+                                                 const Edge_split<Delta_complex::size_type>& r,
+                                                 const Edge_location<typename Traits::FT>* on_edge)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = pair.mesh();
+  const Halfedge_index o = mesh.opposite(h);
+  const auto shared = [&](Delta_complex::size_type r, Vertex_index v) {
+    return shared_outgoing_length(pair, *on_edge, r, v);
+  };
+  const auto part = [&](const FT& t) {
+    return checked_length(pair, t * pair.length(mesh.edge(h)));
+  };
+  const auto apex = [&](Halfedge_index x) { return mesh.target(mesh.next(x)); };
+  return {n.im < 0 ? shared(r.im, mesh.source(h)) : part(t),
+          n.mj < 0 ? shared(r.mj, mesh.target(h)) : part(1 - t),
+          n.mk < 0 ? shared(r.mk, apex(h)) : distance_to_apex(pair, h, t),
+          n.ml < 0 ? shared(r.ml, apex(o)) : distance_to_apex(pair, o, FT(1 - t))};
+}
+
 // Describes the edge that replaces two edges at an inserted vertex. Both edges lie along one edge
 // of T1.
 struct Merged_edge
