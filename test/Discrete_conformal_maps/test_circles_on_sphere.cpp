@@ -53,6 +53,16 @@ std::array<Edge, 3> sides_for(const Numbers& tangent, const Numbers& radius, con
   return result;
 }
 
+Triangle triangle_of(const std::array<Edge, 3>& side)
+{
+  Numbers length, depth;
+  for(std::size_t s = 0; s < 3; ++s) {
+    length[s] = side[s].spherical_length() / 2;
+    depth[s] = Triangle::depth(side[s].source_radius);
+  }
+  return {length, depth};
+}
+
 // Returns the angle at the source of side s, by the law of cosines for the cosines of the sides.
 Number angle(const std::array<Edge, 3>& side, std::size_t s)
 {
@@ -75,7 +85,7 @@ TEST(Spherical_circle_triangles, have_angles_and_symmetric_derivatives)
       radius[i] = (seed + i) % 3 == 0 ? 0 : uniform(random) / 2;
     }
     const std::array<Edge, 3> side = sides_for(tangent, radius, {0, 0, 0});
-    const Triangle triangle(side[0], side[1], side[2]);
+    const Triangle triangle = triangle_of(side);
     if(!triangle.exists())
       continue;
     for(std::size_t s = 0; s < 3; ++s) {

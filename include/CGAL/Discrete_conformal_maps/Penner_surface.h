@@ -185,13 +185,12 @@ private:
 
   bool is_Delaunay(Halfedge_index h) const
   {
-    if constexpr(internal::Delaunay_filter<FT>::is_useful)
-      if(!has_radii()) {
-        const Uncertain<bool> rounded =
-          internal::Delaunay_filter<FT>::is_Delaunay(scaled_diamond(h));
-        if(is_certain(rounded))
-          return get_certain(rounded);
-      }
+    if constexpr(internal::Delaunay_filter<FT>::is_useful) {
+      const Uncertain<bool> rounded =
+        m_surface.of_diamond([](const auto& edges) { return internal::Delaunay_filter<FT>::is_Delaunay(edges); }, h, m_scaled_length, m_scaled_radius);
+      if(is_certain(rounded))
+        return get_certain(rounded);
+    }
     return m_surface.of_diamond(m_geometry.is_locally_Delaunay_object(), h, m_scaled_length,
                                 m_scaled_radius);
   }

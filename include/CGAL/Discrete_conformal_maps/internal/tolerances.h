@@ -137,7 +137,7 @@ constexpr std::size_t steps_with_bounded_differences = 1000,
 // Errors of curvatures beyond this are no rounding errors.
 constexpr double lost_curvature = 1e-3;
 // A start needs few digits, and few steps.
-constexpr double curvature_at_start = 1e-3;
+constexpr double curvature_at_start = 1e-3, gradient_at_start = 1e-4;
 constexpr std::size_t steps_to_start = 300;
 // The least entry of a damped diagonal, relative to the greatest.
 constexpr double damping = 1e-10;

@@ -7,13 +7,11 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Balanced_circles.h>
-#include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/SparseCholesky>
 #include <boost/property_map/function_property_map.hpp>
@@ -23,41 +21,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <queue>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
-
-// Stores a point of the unit sphere and the direction in which an edge leaves it.
-struct Spherical_frame
-{
-  std::array<Extended, 3> position, direction;
-
-  // Returns the frame of the edge behind this corner.
-  Spherical_frame turned(const Corner<Extended>& corner) const
-  {
-    const auto &p = position, &d = direction;
-    const std::array<Extended, 3> left{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
-                                       p[0] * d[1] - p[1] * d[0]};
-    const Extended norm = sqrt(corner.cosine * corner.cosine + corner.sine * corner.sine);
-    return {p, sum(corner.cosine / norm, d, corner.sine / norm, left)};
-  }
-
-  // Returns the frame of the same edge at its other end, for an edge of length x with sin(x/2) = l.
-  Spherical_frame at_end(const Extended& l) const
-  {
-    const Extended cosine = 1 - 2 * l * l, sine = 2 * l * sqrt(1 - l * l);
-    return {sum(cosine, position, sine, direction), sum(sine, position, -cosine, direction)};
-  }
-
-private:
-  static std::array<Extended, 3> sum(const Extended& x, const std::array<Extended, 3>& a,
-                                     const Extended& y, const std::array<Extended, 3>& b)
-  {
-    return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
-  }
-};
 
 // Computes the hyperideal polyhedron of a decorated sphere, as circles on the unit sphere. It is
 // unique up to Moebius transformations (Schlenker 1998), and rigid. Radii grow from zero, for which
@@ -67,8 +35,6 @@ private:
 class Circles_on_sphere
 {
   typedef Eigen::VectorXd Vector;
-  typedef Intrinsic_triangulations::Decorated_length<Extended> Decorated_length;
-  typedef Penner_surface<Extended> Surface;
 
 public:
   typedef Balanced_circles::Point Point;
@@ -83,17 +49,12 @@ public:
       m_circles(std::move(circles))
   {}
 
-  // Follows the polyhedra to the radii. Returns whether it has reached them.
+  // Follows the polyhedra to the radii with numbers of this type. Returns whether it has reached
+  // them. The balanced circles get the last digits.
+  template <typename FT>
   bool run(Any_visitor& visitor)
   {
-    double part = 0;
-    for(double step = 1; part < 1 && step > least_step && m_steps < most_steps;) {
-      const double next = (std::min)(1., part + step);
-      const bool is_reached = reach(next, visitor);
-      part = is_reached ? next : part;
-      step *= is_reached ? 2 : 0.25;
-    }
-    return part == 1 && measure();
+    return grow<FT>(visitor) && reach<Extended>(1, visitor);
   }
 
   const Balanced_circles& circles() const { return m_circles; }
@@ -101,138 +62,122 @@ public:
   const std::vector<Halfedge_index>& flips() const { return m_flips; }
   // Returns the greatest angle defect of the last polyhedron.
   double angle_error() const { return m_angle_error; }
+  // Returns the number of factorizations.
   std::size_t newton_steps() const { return m_steps; }
 
 private:
-  static constexpr double least_step = 1e-5, greatest_change = 2, enough = 1e-24;
+  static constexpr double least_step = 1e-5, greatest_change = 2;
   static constexpr std::size_t most_steps = 1000, steps_of_Newton = 25;
 
+  // Grows the radii from the part of their squares that has been reached.
+  template <typename FT>
+  bool grow(Any_visitor& visitor)
+  {
+    for(double step = 1; m_part < 1 && step > least_step && m_steps < most_steps;) {
+      const double next = (std::min)(1., m_part + step);
+      const bool is_reached = reach<FT>(next, visitor);
+      m_part = is_reached ? next : m_part;
+      step *= is_reached ? 2 : 0.25;
+    }
+    return m_part == 1;
+  }
+
   // Returns the surface whose radii have this part of their squares.
-  Surface surface_with(double part) const
+  template <typename FT>
+  Spherical_circle_surface<FT> surface_with(double part) const
   {
     const Extended factor = sqrt(Extended(part));
-    std::vector<Extended> radii;
+    std::vector<FT> radii;
     for(const Extended& r : m_radius)
-      radii.push_back(factor * r);
+      radii.push_back(converted<FT>(factor * r));
     const auto tangent = [this, part](Edge_index e) {
       const Extended t = m_tangent[e.idx()], sum = m_radius[m_mesh.vertex(e, 0).idx()] +
                                                    m_radius[m_mesh.vertex(e, 1).idx()];
-      return Extended(sqrt(t * t + (1 - part) * (sum * sum)));
+      return converted<FT>(part == 1 ? t : Extended(sqrt(t * t + (1 - part) * (sum * sum))));
     };
-    return {m_mesh, boost::make_function_property_map<Edge_index>(tangent), Flipping::to_Delaunay,
-            std::move(radii)};
+    return {m_mesh, boost::make_function_property_map<Edge_index>(tangent), std::move(radii)};
   }
 
-  static Spherical_circle_triangle<Extended> triangle(const std::array<Halfedge_index, 3>& side,
-                                                      const Surface& surface)
-  {
-    return {surface.scaled_decorated_length(side[0]), surface.scaled_decorated_length(side[1]),
-            surface.scaled_decorated_length(side[2])};
-  }
-
-  // Newton's method for the radii of this part.
+  // Newton's method for the radii of this part. It repeats steps with the same factorization while
+  // they reduce the defects.
+  template <typename FT>
   bool reach(double part, Any_visitor& visitor)
   {
-    Surface surface = surface_with(part);
+    auto surface = surface_with<FT>(part);
     std::vector<Extended> u = m_circles.log_scale();
+    Fixed_face newton;
     double before = std::numeric_limits<double>::infinity();
-    for(std::size_t step = 0; step < steps_of_Newton; ++step) {
-      ++m_steps;
-      try {
-        surface.scale(u);
-      } catch(const Intrinsic_triangulations::Numerical_error&) {
-        return false;
-      }
-      Vector defect = Vector::Zero(Eigen::Index(u.size()));
-      const Face_index fixed = greatest_face(surface);
-      const Eigen::SparseMatrix<double> matrix = differentiate(surface, fixed, defect);
+    for(std::size_t step = 0; step < steps_of_Newton && surface.scale(u); ++step) {
+      const Vector defect = surface.defects();
       const double error = defect.lpNorm<Eigen::Infinity>();
       if(!std::isfinite(error) || (step > 3 && error > before && error > tolerance::curvature))
         return false;
       visitor.after_iteration(m_steps, error, before);
-      if(error < enough || (error < tolerance::curvature && error > before / 4))
-        return keep(surface, u);
+      if(is_enough<FT>(error, before)) {
+        keep(surface, u, error);
+        return true;
+      }
+      if(!newton.contracts(error, before)) {
+        ++m_steps;
+        if(!newton.factorize(surface))
+          return false;
+      }
       before = error;
-      if(!move(u, matrix, defect, fixed, surface))
+      if(!move(u, newton.direction(defect, surface)))
         return false;
     }
     return false;
   }
 
-  // Adds the angle defects, and returns the derivatives of the sums of angles with the other sign.
-  // Corners of the face `fixed` and isolated vertices have the unit matrix.
-  Eigen::SparseMatrix<double> differentiate(const Surface& surface, Face_index fixed,
-                                            Vector& defect) const
+  // Returns whether defects are small enough, or as small as numbers permit.
+  template <typename FT>
+  static bool is_enough(double error, double before)
   {
-    const Delta_complex& mesh = surface.mesh();
-    std::vector<char> is_free(mesh.num_vertices(), 1);
-    for(Halfedge_index h : sides(fixed, mesh))
-      is_free[mesh.source(h).idx()] = 0;
-    std::vector<Angle_difference<Extended>> sums(mesh.num_vertices(),
-                                                 Angle_difference<Extended>(0));
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](Vertex_index v, Vertex_index w, double x) {
-      if(is_free[v.idx()] && is_free[w.idx()])
-        entries.emplace_back(int(v.idx()), int(w.idx()), x);
-    };
-    bool exist = true;
-    for(Face_index f : mesh.faces()) {
-      const auto side = sides(f, mesh);
-      const auto t = triangle(side, surface);
-      exist = exist && t.exists();
-      for(std::size_t s = 0; s < 3; ++s) {
-        const Vertex_index i = mesh.source(side[s]), j = mesh.target(side[s]);
-        sums[i.idx()].subtract(t.corner(s), t.corner(s).rounded_angle());
-        const double d = static_cast<double>(t.derivative(s)),
-                     own = static_cast<double>(t.cosine_of_side(s)) * d;
-        add(i, j, -d);
-        add(j, i, -d);
-        add(i, i, own);
-        add(j, j, own);
-      }
-    }
-    for(Vertex_index v : mesh.vertices()) {
-      const Eigen::Index i(v.idx());
-      if(!mesh.is_isolated(v))
-        defect[i] = exist ? sums[v.idx()].value() : std::numeric_limits<double>::quiet_NaN();
-      if(mesh.is_isolated(v) || !is_free[v.idx()])
-        entries.emplace_back(int(i), int(i), 1);
-    }
-    Eigen::SparseMatrix<double> result(defect.size(), defect.size());
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
+    constexpr double enough =
+      std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
+    return error < enough || (error < tolerance::curvature && error > tolerance::contraction * before);
   }
 
-  // Returns a face whose shortest side is greatest.
-  static Face_index greatest_face(const Surface& surface)
+  // Computes steps of Newton's method with fixed circles at the corners of a face.
+  class Fixed_face
   {
-    const Delta_complex& mesh = surface.mesh();
-    const auto shortest = [&](Face_index f) {
-      const auto t = triangle(sides(f, mesh), surface);
-      return (std::min)({t.length(0), t.length(1), t.length(2)});
-    };
-    Face_index result;
-    Extended greatest = 0;
-    for(Face_index f : mesh.faces())
-      if(const Extended length = shortest(f); !result.is_valid() || length > greatest) {
-        result = f;
-        greatest = length;
-      }
-    return result;
-  }
+  public:
+    // Returns whether the last step was so good that its factorization is used again.
+    bool contracts(double error, double before)
+    {
+      return m_corrections++ < tolerance::corrections && error <= tolerance::contraction * before;
+    }
 
-  // Makes a step of Newton's method. Its variables are w with dw = cos R du.
-  bool move(std::vector<Extended>& u, const Eigen::SparseMatrix<double>& matrix, Vector right,
-            Face_index fixed, const Surface& surface) const
+    template <typename Surface>
+    bool factorize(const Surface& surface)
+    {
+      m_corrections = 0;
+      m_corner = surface.corners_of_greatest_face();
+      m_solver.compute(surface.matrix(m_corner));
+      return m_solver.info() == Eigen::Success;
+    }
+
+    // Returns the changes of scale factors. The variables are w with dw = cos R du.
+    template <typename Surface>
+    Vector direction(Vector defect, const Surface& surface) const
+    {
+      for(Vertex_index v : m_corner)
+        defect[Eigen::Index(v.idx())] = 0;
+      Vector result = -m_solver.solve(defect);
+      for(Vertex_index v : surface.mesh().vertices())
+        result[Eigen::Index(v.idx())] *=
+          std::hypot(1, static_cast<double>(surface.scaled_radius(v)));
+      return result;
+    }
+
+  private:
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+    std::array<Vertex_index, 3> m_corner;
+    std::size_t m_corrections = tolerance::corrections;
+  };
+
+  static bool move(std::vector<Extended>& u, const Vector& change)
   {
-    for(Halfedge_index h : sides(fixed, surface.mesh()))
-      right[Eigen::Index(surface.mesh().source(h).idx())] = 0;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    if(solver.info() != Eigen::Success)
-      return false;
-    Vector change = -solver.solve(right);
-    for(Vertex_index v : surface.mesh().vertices())
-      change[Eigen::Index(v.idx())] *= std::hypot(1, surface.scaled_radius(v).high());
     const double greatest = change.lpNorm<Eigen::Infinity>();
     if(!std::isfinite(greatest))
       return false;
@@ -242,60 +187,23 @@ private:
     return true;
   }
 
-  // Measures the balanced polyhedron.
-  bool measure()
-  {
-    Surface surface = surface_with(1);
-    surface.scale(m_circles.log_scale());
-    m_flips = surface.flips();
-    Vector defect = Vector::Zero(Eigen::Index(m_radius.size()));
-    differentiate(surface, greatest_face(surface), defect);
-    m_angle_error = defect.lpNorm<Eigen::Infinity>();
-    return std::isfinite(m_angle_error);
-  }
-
-  bool keep(const Surface& surface, const std::vector<Extended>& u)
+  template <typename Surface>
+  void keep(const Surface& surface, const std::vector<Extended>& u, double error)
   {
     std::vector<Extended> radii;
     for(Vertex_index v : surface.mesh().vertices())
-      radii.push_back(surface.scaled_radius(v));
-    m_circles.assign(u, radii, lay_out(surface));
+      radii.emplace_back(surface.scaled_radius(v));
+    m_circles.assign(u, radii, surface.centers());
     m_circles.balance();
-    return true;
-  }
-
-  // Returns the centers of the circles, with each face beside the one before. Directions are
-  // rotated from face to face. Directions computed from positions would multiply errors.
-  static std::vector<Point> lay_out(const Surface& surface)
-  {
-    const Delta_complex& mesh = surface.mesh();
-    std::vector<Point> result(mesh.num_vertices(), Point{0, 0, 1});
-    std::vector<char> is_placed(mesh.num_vertices(), 0), is_done(mesh.num_faces(), 0);
-    std::queue<std::pair<Halfedge_index, Spherical_frame>> next;
-    const auto visit = [&](Halfedge_index h, const Spherical_frame& at_source) {
-      if(!std::exchange(is_placed[mesh.source(h).idx()], char(1)))
-        result[mesh.source(h).idx()] = at_source.position;
-      next.emplace(h, at_source);
-    };
-    visit(mesh.halfedge(*mesh.faces().begin()), {{0, 0, 1}, {1, 0, 0}});
-    for(; !next.empty(); next.pop()) {
-      const auto [h, at_source] = next.front();
-      if(std::exchange(is_done[mesh.face(h).idx()], char(1)))
-        continue;
-      const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
-      const auto t = triangle(side, surface);
-      const Spherical_frame to_third = at_source.turned(t.corner(0));
-      visit(mesh.opposite(side[0]), at_source.at_end(t.length(0)));
-      visit(mesh.opposite(side[1]), to_third.at_end(t.length(2)).turned(t.corner(2)));
-      next.emplace(mesh.opposite(side[2]), to_third);
-    }
-    return result;
+    m_flips = surface.flips();
+    m_angle_error = error;
   }
 
   const Delta_complex& m_mesh;
   std::vector<Extended> m_tangent, m_radius;
   Balanced_circles m_circles;
   std::vector<Halfedge_index> m_flips;
+  double m_part = 0; // of the squares of the radii
   double m_angle_error = std::numeric_limits<double>::infinity();
   std::size_t m_steps = 0;
 };

@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
-#include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
@@ -34,13 +33,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 template <typename FT>
 class Spherical_circle_triangle
 {
-  typedef Intrinsic_triangulations::Decorated_length<FT> Decorated_length;
-
 public:
-  Spherical_circle_triangle(const Decorated_length& ij, const Decorated_length& jk,
-                            const Decorated_length& ki)
-    : m_length{ij.spherical_length() / 2, jk.spherical_length() / 2, ki.spherical_length() / 2},
-      m_depth{depth(ij.source_radius), depth(jk.source_radius), depth(ki.source_radius)}
+  // `length` has sin(x/2) for each side, and `depth` has D for each corner.
+  Spherical_circle_triangle(const std::array<FT, 3>& length, const std::array<FT, 3>& depth)
+    : m_length(length), m_depth(depth)
   {
     using std::sqrt;
     const auto& l = m_length;
@@ -77,7 +73,6 @@ public:
   // Returns cos x for side s.
   FT cosine_of_side(std::size_t s) const { return 1 - 2 * m_length[s] * m_length[s]; }
 
-private:
   // Returns 1 - cos R for a scaled radius tan R.
   static FT depth(const FT& r)
   {
@@ -86,6 +81,7 @@ private:
     return r * r / (inverse * (1 + inverse));
   }
 
+private:
   std::array<FT, 3> m_length, m_depth, m_product;
   std::array<Corner<FT>, 3> m_corner;
 };

@@ -30,14 +30,24 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
+// What an unfolded sphere is needed for.
+enum class Unfolding_use
+{
+  map,
+  start // of a search, which needs few digits
+};
+
 // Unfolds a sphere from one of its vertices, with more and more digits until the result is good.
 class Sphere_unfolding
 {
 public:
   // `mass` contains the mass of each vertex of the surface itself.
   Sphere_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
-                   Vertex_index at_infinity)
-    : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
+                   Vertex_index at_infinity, Unfolding_use use = Unfolding_use::map)
+    : m_problem(problem),
+      m_mass(mass),
+      m_at_infinity(at_infinity),
+      m_is_start(use == Unfolding_use::start)
   {
     m_result.layout.at_infinity = at_infinity;
     m_result.log_scale.assign(problem.size(), 0.);
@@ -59,15 +69,19 @@ public:
 
 private:
   // Returns whether the result is good. Rounding errors alone are far below the tolerance.
-  bool is_good() const { return m_result.is_good(tolerance::good_cross_ratio); }
+  bool is_good() const
+  {
+    return m_is_start ? m_result.layout.exists : m_result.is_good(tolerance::good_cross_ratio);
+  }
 
   void unfold(Any_visitor& visitor)
   {
     if(m_problem.has_needles() && search_on_exact_surface(visitor))
       return;
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
-    if(search(rounded, tolerance::gradient, visitor) || m_problem.is_measured())
-      return; // lengths of the exact surface come next
+    if(search(rounded, m_is_start ? tolerance::gradient_at_start : tolerance::gradient, visitor) ||
+       m_problem.is_measured() || m_is_start)
+      return; // lengths of the exact surface come next, or a better start
     const std::vector<Extended> start = is_lost(rounded.result())
                                           ? flat_start(m_problem, m_at_infinity, visitor)
                                           : std::vector<Extended>();
@@ -144,8 +158,9 @@ private:
   template <typename FT>
   void store_scale_factors(const Spherical_scale_factors<FT>& scale)
   {
-    const bool is_enough = scale.angle_error() <= tolerance::layout_angle &&
-                           scale.result().gradient_error <= tolerance::layout_angle;
+    const double greatest = m_is_start ? tolerance::curvature_at_start : tolerance::layout_angle;
+    const bool is_enough =
+      scale.angle_error() <= greatest && scale.result().gradient_error <= greatest;
     if(is_enough || !m_result.layout.exists) {
       m_result.minimization = scale.result();
       m_result.angle_error = scale.angle_error();
@@ -276,6 +291,7 @@ private:
   Doubled_problem& m_problem;
   const std::vector<double>& m_mass;
   Vertex_index m_at_infinity;
+  bool m_is_start;
   std::vector<double> m_u, m_above_bound; // the scale factors, and what they exceed their bounds by
   std::size_t m_number_of_edges = 0;      // of the triangulation that was laid out
   Unfolded_sphere m_result;

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Circles_on_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
@@ -21,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,26 +39,28 @@ public:
   Circle_sphere_mapping(Doubled_problem& problem, Doubled_problem& without_circles,
                         Any_visitor& visitor)
     : m_problem(problem),
+      m_without_circles(without_circles),
       m_visitor(visitor),
       m_mass(vertex_areas(problem)),
-      m_ideal(best_unfolding(without_circles, m_mass, visitor)),
       m_builder(problem)
   {
     m_builder.set_geometry(Image_geometry::spherical);
     m_layout.is_disk = !problem.has_no_copies();
-    m_layout.at_infinity = m_ideal.layout.at_infinity;
   }
 
   Spherical_conformal_map run()
   {
-    Circles_on_sphere search(m_problem.triangulation().mesh(), tangents(),
-                             m_problem.radii<Extended>(), ideal_circles());
-    m_visitor.start(Flattening_stage::optimize);
-    m_layout.exists = m_ideal.layout.exists && search.run(m_visitor);
+    start_from(rough_unfolding());
+    m_layout.exists = grow<double>();
+    if(!m_layout.exists) {
+      start_from(best_unfolding(m_without_circles, m_mass, m_visitor));
+      m_layout.exists = grow<double>() || grow<Extended>();
+    }
+    m_layout.at_infinity = m_ideal.layout.at_infinity;
     if(!m_layout.exists)
       m_builder.set_cause(m_ideal.layout.exists ? "circles do not grow to their radii"
                                                 : m_ideal.cause);
-    store(search);
+    store(*m_search);
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
@@ -66,11 +70,37 @@ public:
     if(exists)
       m_promises.push_back({"cross_ratio", max_cross_ratio_error(map), tolerance::cross_ratio,
                             Map_status::not_conformal});
-    m_builder.judge(map, search.angle_error(), std::move(m_promises));
+    m_builder.judge(map, m_search->angle_error(), std::move(m_promises));
     return map;
   }
 
 private:
+  Unfolded_sphere rough_unfolding()
+  {
+    const Vertex_index at_infinity = vertices_at_infinity(m_without_circles, m_mass).front();
+    return Sphere_unfolding(m_without_circles, m_mass, at_infinity, Unfolding_use::start)
+      .run(m_visitor);
+  }
+
+  void start_from(Unfolded_sphere ideal)
+  {
+    m_ideal = std::move(ideal);
+    m_steps += m_ideal.minimization.iterations;
+    m_search.emplace(m_problem.triangulation().mesh(), tangents(), m_problem.radii<Extended>(),
+                     ideal_circles());
+    m_visitor.start(Flattening_stage::optimize);
+  }
+
+  // Lets the circles grow, and returns whether they reach their radii.
+  template <typename FT>
+  bool grow()
+  {
+    const std::size_t before = m_search->newton_steps();
+    const bool is_reached = m_ideal.layout.exists && m_search->run<FT>(m_visitor);
+    m_steps += m_search->newton_steps() - before;
+    return is_reached;
+  }
+
   std::vector<Extended> tangents() const
   {
     const auto length = m_problem.lengths<Extended>(m_problem.triangulation());
@@ -109,7 +139,7 @@ private:
       log_scale.push_back(m_layout.exists ? u[v].high() : m_ideal.log_scale[v]);
     m_builder.flip(m_layout.exists ? search.flips() : std::vector<Halfedge_index>());
     Minimization_result minimization = m_ideal.minimization;
-    minimization.iterations += search.newton_steps();
+    minimization.iterations = m_steps;
     m_builder.set_scale_factors(log_scale,
                                 m_layout.exists ? Map_status::success : Map_status::not_converged,
                                 minimization, search.angle_error());
@@ -228,9 +258,12 @@ private:
   }
 
   Doubled_problem& m_problem;
+  Doubled_problem& m_without_circles;
   Any_visitor& m_visitor;
   std::vector<double> m_mass;
   Unfolded_sphere m_ideal;
+  std::optional<Circles_on_sphere> m_search;
+  std::size_t m_steps = 0;
   Map_builder m_builder;
   Spherical_layout m_layout;
   std::vector<Map_promise> m_promises;

@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CIRCLES_SPHERICAL_CIRCLE_SURFACE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CIRCLES_SPHERICAL_CIRCLE_SURFACE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Stores a point of the unit sphere and the direction in which an edge leaves it.
+template <typename FT>
+struct Spherical_frame
+{
+  typedef std::array<FT, 3> Vector;
+  Vector position, direction;
+
+  // Returns the frame of the edge behind this corner.
+  Spherical_frame turned(const Corner<FT>& corner) const
+  {
+    using std::sqrt;
+    const auto &p = position, &d = direction;
+    const Vector left{p[1] * d[2] - p[2] * d[1], p[2] * d[0] - p[0] * d[2],
+                      p[0] * d[1] - p[1] * d[0]};
+    const FT norm = sqrt(FT(corner.cosine * corner.cosine + corner.sine * corner.sine));
+    return {p, sum(corner.cosine / norm, d, corner.sine / norm, left)};
+  }
+
+  // Returns the frame of the same edge at its other end, for an edge of length x with sin(x/2) = l.
+  Spherical_frame at_end(const FT& l) const
+  {
+    using std::sqrt;
+    const FT cosine = 1 - 2 * l * l, sine = 2 * l * sqrt(FT(1 - l * l));
+    return {sum(cosine, position, sine, direction), sum(sine, position, -cosine, direction)};
+  }
+
+private:
+  static Vector sum(const FT& x, const Vector& a, const FT& y, const Vector& b)
+  {
+    return {x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]};
+  }
+};
+
+// Stores a decorated sphere as spherical triangles between the centers of its circles, with their
+// angle defects and derivatives.
+template <typename FT>
+class Spherical_circle_surface
+{
+  typedef Spherical_circle_triangle<FT> Triangle;
+  typedef Spherical_frame<FT> Frame;
+
+public:
+  typedef Eigen::VectorXd Vector;
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  // `tangent` is a property map of the lengths of tangents of `mesh`.
+  template <typename EdgeLengthMap>
+  Spherical_circle_surface(const Delta_complex& mesh, const EdgeLengthMap& tangent,
+                           std::vector<FT> radius)
+    : m_surface(mesh, tangent, Flipping::to_Delaunay, std::move(radius)),
+      m_half_chord(mesh.num_edges()),
+      m_depth(mesh.num_vertices())
+  {}
+
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
+  const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
+  const FT& scaled_radius(Vertex_index v) const { return m_surface.scaled_radius(v); }
+
+  // Sets scale factors, and returns whether all scaled lengths exist.
+  bool scale(const std::vector<Extended>& u)
+  {
+    std::vector<FT> converted_u;
+    for(const Extended& x : u)
+      converted_u.push_back(converted<FT>(x));
+    try {
+      m_surface.scale(converted_u);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      return false;
+    }
+    for(Edge_index e : mesh().edges())
+      m_half_chord[e.idx()] =
+        m_surface.scaled_decorated_length(mesh().halfedge(e)).spherical_length() / 2;
+    for(Vertex_index v : mesh().vertices())
+      m_depth[v.idx()] = Triangle::depth(scaled_radius(v));
+    return true;
+  }
+
+  // Returns the excess of 2 pi over the sum of angles at each vertex, or NaN everywhere if a
+  // triangle does not exist.
+  Vector defects() const
+  {
+    std::vector<Angle_difference<FT>> sums(mesh().num_vertices(), Angle_difference<FT>(FT(0)));
+    bool exist = true;
+    for(Face_index f : mesh().faces()) {
+      const auto side = sides(f, mesh());
+      const Triangle t = triangle(side);
+      exist = exist && t.exists();
+      for(std::size_t s = 0; s < 3; ++s)
+        sums[mesh().source(side[s]).idx()].subtract(t.corner(s), t.corner(s).rounded_angle());
+    }
+    Vector result = Vector::Zero(Eigen::Index(sums.size()));
+    for(Vertex_index v : mesh().vertices())
+      if(!mesh().is_isolated(v))
+        result[Eigen::Index(v.idx())] =
+          exist ? sums[v.idx()].value() : std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
+
+  // Returns the derivatives of the sums of angles with the other sign. Fixed and isolated vertices
+  // have the unit matrix.
+  Matrix matrix(const std::array<Vertex_index, 3>& fixed) const
+  {
+    std::vector<char> is_free(mesh().num_vertices(), 1);
+    for(Vertex_index v : mesh().vertices())
+      is_free[v.idx()] = !mesh().is_isolated(v);
+    for(Vertex_index v : fixed)
+      is_free[v.idx()] = 0;
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](Vertex_index v, Vertex_index w, double x) {
+      if(is_free[v.idx()] && is_free[w.idx()])
+        entries.emplace_back(int(v.idx()), int(w.idx()), x);
+    };
+    for(Face_index f : mesh().faces()) {
+      const auto side = sides(f, mesh());
+      const Triangle t = triangle(side);
+      for(std::size_t s = 0; s < 3; ++s) {
+        const Vertex_index i = mesh().source(side[s]), j = mesh().target(side[s]);
+        const double d = static_cast<double>(t.derivative(s)),
+                     own = static_cast<double>(t.cosine_of_side(s)) * d;
+        add(i, j, -d);
+        add(j, i, -d);
+        add(i, i, own);
+        add(j, j, own);
+      }
+    }
+    for(std::size_t v = 0; v < is_free.size(); ++v)
+      if(!is_free[v])
+        entries.emplace_back(int(v), int(v), 1);
+    Matrix result(Eigen::Index(is_free.size()), Eigen::Index(is_free.size()));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  // Returns the corners of a face whose shortest side is greatest.
+  std::array<Vertex_index, 3> corners_of_greatest_face() const
+  {
+    const auto shortest = [this](Face_index f) {
+      const auto side = sides(f, mesh());
+      return (std::min)({half_chord(side[0]), half_chord(side[1]), half_chord(side[2])});
+    };
+    const auto faces = mesh().faces();
+    const auto side =
+      sides(*std::max_element(faces.begin(), faces.end(), [&](Face_index f, Face_index g) {
+              return shortest(f) < shortest(g);
+            }),
+            mesh());
+    return {mesh().source(side[0]), mesh().source(side[1]), mesh().source(side[2])};
+  }
+
+  // Returns the centers of the circles, with each face beside the one before. Directions are
+  // rotated from face to face. Directions computed from positions would multiply errors.
+  std::vector<std::array<Extended, 3>> centers() const
+  {
+    std::vector<std::array<Extended, 3>> result(mesh().num_vertices(), {0, 0, 1});
+    std::vector<char> is_placed(mesh().num_vertices(), 0), is_done(mesh().num_faces(), 0);
+    std::queue<std::pair<Halfedge_index, Frame>> next;
+    const auto visit = [&](Halfedge_index h, const Frame& at_source) {
+      const auto& p = at_source.position;
+      if(!std::exchange(is_placed[mesh().source(h).idx()], char(1)))
+        result[mesh().source(h).idx()] = {Extended(p[0]), Extended(p[1]), Extended(p[2])};
+      next.emplace(h, at_source);
+    };
+    visit(mesh().halfedge(*mesh().faces().begin()), {{0, 0, 1}, {1, 0, 0}});
+    for(; !next.empty(); next.pop()) {
+      const auto [h, at_source] = next.front();
+      if(std::exchange(is_done[mesh().face(h).idx()], char(1)))
+        continue;
+      const std::array<Halfedge_index, 3> side{h, mesh().next(h), mesh().prev(h)};
+      const Triangle t = triangle(side);
+      const Frame to_third = at_source.turned(t.corner(0));
+      visit(mesh().opposite(side[0]), at_source.at_end(t.length(0)));
+      visit(mesh().opposite(side[1]), to_third.at_end(t.length(2)).turned(t.corner(2)));
+      next.emplace(mesh().opposite(side[2]), to_third);
+    }
+    return result;
+  }
+
+private:
+  const FT& half_chord(Halfedge_index h) const { return m_half_chord[Edge_index(h).idx()]; }
+
+  Triangle triangle(const std::array<Halfedge_index, 3>& side) const
+  {
+    const auto depth = [&](std::size_t s) { return m_depth[mesh().source(side[s]).idx()]; };
+    return {{half_chord(side[0]), half_chord(side[1]), half_chord(side[2])},
+            {depth(0), depth(1), depth(2)}};
+  }
+
+  Penner_surface<FT> m_surface;
+  std::vector<FT> m_half_chord, m_depth; // of edges and vertices, after scaling
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CIRCLES_SPHERICAL_CIRCLE_SURFACE_H
