@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -55,6 +56,23 @@ public:
   bool run(Any_visitor& visitor)
   {
     return grow<FT>(visitor) && reach<Extended>(1, visitor);
+  }
+
+  // Returns why the radii have not been reached.
+  std::string cause() const
+  {
+    if(m_part > 0)
+      return "circles grow only to the part " + std::to_string(m_part) +
+             " of the squares of their radii";
+    auto ideal = surface_with<Extended>(0);
+    const bool has_lengths = ideal.scale(m_circles.log_scale());
+    const double error = has_lengths ? ideal.defects().lpNorm<Eigen::Infinity>() : 0;
+    return !has_lengths           ? "lengths on the sphere exceed the range of numbers"
+           : !std::isfinite(error) ? "a face of the polyhedron without circles contains the center "
+                                     "within rounding"
+           : error > tolerance::layout_angle
+             ? "rounding of lengths exceeds angles of the polyhedron without circles"
+             : "circles do not grow";
   }
 
   const Balanced_circles& circles() const { return m_circles; }

@@ -34,7 +34,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 enum class Unfolding_use
 {
   map,
-  start // of a search, which needs few digits
+  rough_start,  // of a search, with few digits
+  precise_start // with the digits of `Extended`
 };
 
 // Unfolds a sphere from one of its vertices, with more and more digits until the result is good.
@@ -47,7 +48,7 @@ public:
     : m_problem(problem),
       m_mass(mass),
       m_at_infinity(at_infinity),
-      m_is_start(use == Unfolding_use::start)
+      m_use(use)
   {
     m_result.layout.at_infinity = at_infinity;
     m_result.log_scale.assign(problem.size(), 0.);
@@ -71,16 +72,19 @@ private:
   // Returns whether the result is good. Rounding errors alone are far below the tolerance.
   bool is_good() const
   {
-    return m_is_start ? m_result.layout.exists : m_result.is_good(tolerance::good_cross_ratio);
+    return is_rough() ? m_result.layout.exists : m_result.is_good(tolerance::good_cross_ratio);
   }
+
+  bool is_rough() const { return m_use == Unfolding_use::rough_start; }
 
   void unfold(Any_visitor& visitor)
   {
     if(m_problem.has_needles() && search_on_exact_surface(visitor))
       return;
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
-    if(search(rounded, m_is_start ? tolerance::gradient_at_start : tolerance::gradient, visitor) ||
-       m_problem.is_measured() || m_is_start)
+    const bool is_found =
+      search(rounded, is_rough() ? tolerance::gradient_at_start : tolerance::gradient, visitor);
+    if((is_found && m_use != Unfolding_use::precise_start) || m_problem.is_measured() || is_rough())
       return; // lengths of the exact surface come next, or a better start
     const std::vector<Extended> start = is_lost(rounded.result())
                                           ? flat_start(m_problem, m_at_infinity, visitor)
@@ -158,7 +162,7 @@ private:
   template <typename FT>
   void store_scale_factors(const Spherical_scale_factors<FT>& scale)
   {
-    const double greatest = m_is_start ? tolerance::curvature_at_start : tolerance::layout_angle;
+    const double greatest = is_rough() ? tolerance::curvature_at_start : tolerance::layout_angle;
     const bool is_enough =
       scale.angle_error() <= greatest && scale.result().gradient_error <= greatest;
     if(is_enough || !m_result.layout.exists) {
@@ -291,7 +295,7 @@ private:
   Doubled_problem& m_problem;
   const std::vector<double>& m_mass;
   Vertex_index m_at_infinity;
-  bool m_is_start;
+  Unfolding_use m_use;
   std::vector<double> m_u, m_above_bound; // the scale factors, and what they exceed their bounds by
   std::size_t m_number_of_edges = 0;      // of the triangulation that was laid out
   Unfolded_sphere m_result;

@@ -53,6 +53,19 @@ struct Unfolded_sphere
     return is_certified() && cross_ratio_error <= greatest_error;
   }
 
+  // Returns the logarithmic scale factor of a vertex of the surface itself with all digits. They are
+  // known unless positions exceed their range.
+  Extended precise_log_scale(Vertex_index v) const
+  {
+    const double rounded = log_scale[v.idx()], shift = log_scale[layout.at_infinity.idx()];
+    if(v == layout.at_infinity || rounded == 0 || in_plane.empty())
+      return rounded;
+    const auto& [x, y] = layout.in_plane[v.idx()];
+    const Extended ln_four = 2 * Intrinsic_triangulations::internal::ln_two(),
+                   result = ln_four + in_plane[v.idx()].value - shift - log(1 + (x * x + y * y));
+    return std::abs(result.high() - rounded) < tolerance::bound ? result : Extended(rounded);
+  }
+
   // Compares results. Certified results come first, then results with less error.
   bool operator<(const Unfolded_sphere& other) const
   {

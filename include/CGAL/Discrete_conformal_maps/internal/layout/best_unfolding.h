@@ -24,12 +24,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Results with different copies of a disk cannot be compared: unless the first is good, they have
 // the whole copy. `mass` has the mass of each vertex of the surface.
 inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
-                                      Any_visitor& visitor)
+                                      Any_visitor& visitor,
+                                      Unfolding_use use = Unfolding_use::map)
 {
   constexpr std::size_t maximum_number_of_trials = 4;
   const std::vector<Vertex_index> vertices = vertices_at_infinity(problem, mass);
   const auto unfolded = [&](Vertex_index v) {
-    return Sphere_unfolding(problem, mass, v).run(visitor);
+    return Sphere_unfolding(problem, mass, v, use).run(visitor);
   };
   const auto is_good = [](const Unfolded_sphere& sphere) {
     return sphere.is_good(tolerance::good_cross_ratio);

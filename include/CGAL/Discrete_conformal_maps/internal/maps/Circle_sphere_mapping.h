@@ -53,13 +53,13 @@ public:
     start_from(rough_unfolding());
     m_layout.exists = grow<double>();
     if(!m_layout.exists) {
-      start_from(best_unfolding(m_without_circles, m_mass, m_visitor));
+      start_from(
+        best_unfolding(m_without_circles, m_mass, m_visitor, Unfolding_use::precise_start));
       m_layout.exists = grow<double>() || grow<Extended>();
     }
     m_layout.at_infinity = m_ideal.layout.at_infinity;
     if(!m_layout.exists)
-      m_builder.set_cause(m_ideal.layout.exists ? "circles do not grow to their radii"
-                                                : m_ideal.cause);
+      m_builder.set_cause(m_ideal.layout.exists ? m_search->cause() : m_ideal.cause);
     store(*m_search);
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
@@ -78,7 +78,7 @@ private:
   Unfolded_sphere rough_unfolding()
   {
     const Vertex_index at_infinity = vertices_at_infinity(m_without_circles, m_mass).front();
-    return Sphere_unfolding(m_without_circles, m_mass, at_infinity, Unfolding_use::start)
+    return Sphere_unfolding(m_without_circles, m_mass, at_infinity, Unfolding_use::rough_start)
       .run(m_visitor);
   }
 
@@ -117,7 +117,7 @@ private:
     std::vector<Extended> log_scale;
     for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
       const Vertex_index w = m_problem.originals()[v];
-      log_scale.emplace_back(m_ideal.log_scale[w.idx()]);
+      log_scale.push_back(m_ideal.layout.exists ? m_ideal.precise_log_scale(w) : Extended(0));
       position.push_back(m_ideal.layout.exists ? m_ideal.layout.position_in<Extended>(w)
                                                : Point{0, 0, 1});
       if(v >= m_problem.size())
@@ -140,6 +140,8 @@ private:
     m_builder.flip(m_layout.exists ? search.flips() : std::vector<Halfedge_index>());
     Minimization_result minimization = m_ideal.minimization;
     minimization.iterations = m_steps;
+    if(!m_layout.exists && m_ideal.layout.exists)
+      minimization.status = Minimization_status::rounding_limit;
     m_builder.set_scale_factors(log_scale,
                                 m_layout.exists ? Map_status::success : Map_status::not_converged,
                                 minimization, search.angle_error());

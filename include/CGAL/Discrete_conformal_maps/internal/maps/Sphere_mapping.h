@@ -277,8 +277,7 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
     if(circles.exist()) {
-      // The start needs few digits.
-      Doubled_problem without_circles(surface, none, Flipping::to_Delaunay);
+      Doubled_problem without_circles(surface, none, Flipping::to_Delaunay, exactness);
       without_circles.set_concurrency(parameters.concurrency);
       Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness, circles);
       problem.set_concurrency(parameters.concurrency);
