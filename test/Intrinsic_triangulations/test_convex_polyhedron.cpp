@@ -477,11 +477,20 @@ namespace {
 
 typedef std::array<double, 3> Coordinates;
 
+// The changes of signs of coordinates.
+enum class Signs
+{
+  all,
+  even
+};
+
+bool is_even(unsigned int signs) { return ((signs ^ signs >> 1 ^ signs >> 2) & 1u) == 0; }
+
 // Adds the points of all signs, and of all even permutations or of all permutations, of `p`.
-void add_orbit(const Coordinates& p, bool has_odd, std::set<Coordinates>& points)
+void add_orbit(const Coordinates& p, bool has_odd, Signs changes, std::set<Coordinates>& points)
 {
   for(unsigned int signs = 0; signs < 8; ++signs)
-    for(std::size_t shift = 0; shift < 3; ++shift) {
+    for(std::size_t shift = 0; shift < 3 && (changes == Signs::all || is_even(signs)); ++shift) {
       Coordinates q;
       for(std::size_t c = 0; c < 3; ++c)
         q[(c + shift) % 3] = (signs >> c & 1u ? -1 : 1) * p[c] + 0.; // no negative zero
@@ -492,11 +501,11 @@ void add_orbit(const Coordinates& p, bool has_odd, std::set<Coordinates>& points
 }
 
 // Returns a solid as the hull of orbits of points.
-Mesh solid(const std::vector<Coordinates>& orbits, bool has_odd)
+Mesh solid(const std::vector<Coordinates>& orbits, bool has_odd, Signs changes = Signs::all)
 {
   std::set<Coordinates> coordinates;
   for(const Coordinates& p : orbits)
-    add_orbit(p, has_odd, coordinates);
+    add_orbit(p, has_odd, changes, coordinates);
   std::vector<Point> points;
   for(const Coordinates& p : coordinates)
     points.emplace_back(p[0], p[1], p[2]);
@@ -509,10 +518,9 @@ Mesh snub_cube()
   const double t = 1.8392867552141612;
   std::vector<Point> points;
   for(unsigned int signs = 0; signs < 8; ++signs) {
-    const bool is_even = ((signs & 1u) + (signs >> 1 & 1u) + (signs >> 2 & 1u)) % 2 == 0;
     const auto sign = [signs](unsigned int c) { return signs >> c & 1u ? -1. : 1.; };
     const double x = sign(0), y = sign(1) / t, z = sign(2) * t;
-    if(is_even)
+    if(is_even(signs))
       for(const Point& p : {Point(x, y, z), Point(y, z, x), Point(z, x, y)})
         points.push_back(p);
     else
@@ -520,6 +528,20 @@ Mesh snub_cube()
         points.push_back(p);
   }
   return convex_hull(points);
+}
+
+// The snub dodecahedron has points of an even number of positive signs. Here xi is the real root of
+// xi^3 - 2 xi = phi.
+Mesh snub_dodecahedron(double phi)
+{
+  const double xi = 1.7155614996973678, a = xi - 1 / xi, b = xi * phi + phi * phi + phi / xi,
+               c = b / phi, d = a * phi, e = a / phi, f = b * phi;
+  return solid({{-2 * a, -2, -2 * b},
+                {-(a + c + phi), -(-d + b + 1 / phi), -(e + f - 1)},
+                {-(a + c - phi), -(d - b + 1 / phi), -(e + f + 1)},
+                {-(-e + f + 1), -(-a + c - phi), -(d + b - 1 / phi)},
+                {-(-e + f - 1), -(a - c - phi), -(d + b + 1 / phi)}},
+               false, Signs::even);
 }
 
 // Cuts the surface of a solid along all edges without a dual spanning tree, unfolds it, and folds
@@ -596,7 +618,16 @@ TEST(Convex_polyhedron, solids_fold_from_nets)
     {solid({{0, 1, 3 * phi}, {1, 2 + phi, 2 * phi}, {phi, 2, 2 * phi + 1}}, false), 60},
     {solid({{0, 1 / phi, 2 + phi}, {1 / phi, phi, 2 * phi}, {phi, 2, phi + 1}}, false), 60},
     {solid({{1, 1, phi * phi * phi}, {phi * phi, phi, 2 * phi}, {2 + phi, 0, phi * phi}}, false),
-     60}};
+     60},
+    {solid({{1, 1, 3}}, true, Signs::even), 12},
+    {solid({{1 / phi, 1 / phi, 3 + phi},
+            {2 / phi, phi, 1 + 2 * phi},
+            {1 / phi, phi * phi, 3 * phi - 1},
+            {2 * phi - 1, 2, 2 + phi},
+            {phi, 3, 2 * phi}},
+           false),
+     120},
+    {snub_dodecahedron(phi), 60}};
   for(const auto& [mesh, n] : solids) {
     ASSERT_EQ(mesh.number_of_vertices(), n);
     const Polyhedron p = folded_from_net(mesh);
