@@ -137,8 +137,10 @@ constexpr std::size_t steps_with_bounded_differences = 1000,
 // Errors of curvatures beyond this are no rounding errors.
 constexpr double lost_curvature = 1e-3;
 // A start needs few digits, and few steps.
-constexpr double curvature_at_start = 1e-3, gradient_at_start = 1e-4;
+constexpr double curvature_at_start = 1e-3;
 constexpr std::size_t steps_to_start = 300;
+// Circles change angles by more than these errors of a sphere without circles.
+constexpr double gradient_without_circles = 1e-2, curvature_without_circles = 3e-2;
 // The least entry of a damped diagonal, relative to the greatest.
 constexpr double damping = 1e-10;
 // A diagonal is lifted against rounding in a factorization by a hundred units, then more and more.

@@ -45,10 +45,7 @@ public:
   // `mass` contains the mass of each vertex of the surface itself.
   Sphere_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
                    Vertex_index at_infinity, Unfolding_use use = Unfolding_use::map)
-    : m_problem(problem),
-      m_mass(mass),
-      m_at_infinity(at_infinity),
-      m_use(use)
+    : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity), m_use(use)
   {
     m_result.layout.at_infinity = at_infinity;
     m_result.log_scale.assign(problem.size(), 0.);
@@ -82,8 +79,8 @@ private:
     if(m_problem.has_needles() && search_on_exact_surface(visitor))
       return;
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
-    const bool is_found =
-      search(rounded, is_rough() ? tolerance::gradient_at_start : tolerance::gradient, visitor);
+    const bool is_found = search(
+      rounded, is_rough() ? tolerance::gradient_without_circles : tolerance::gradient, visitor);
     if((is_found && m_use != Unfolding_use::precise_start) || m_problem.is_measured() || is_rough())
       return; // lengths of the exact surface come next, or a better start
     const std::vector<Extended> start = is_lost(rounded.result())
@@ -162,7 +159,8 @@ private:
   template <typename FT>
   void store_scale_factors(const Spherical_scale_factors<FT>& scale)
   {
-    const double greatest = is_rough() ? tolerance::curvature_at_start : tolerance::layout_angle;
+    const double greatest =
+      is_rough() ? tolerance::curvature_without_circles : tolerance::layout_angle;
     const bool is_enough =
       scale.angle_error() <= greatest && scale.result().gradient_error <= greatest;
     if(is_enough || !m_result.layout.exists) {
