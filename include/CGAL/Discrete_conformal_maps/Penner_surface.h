@@ -186,8 +186,9 @@ private:
   bool is_Delaunay(Halfedge_index h) const
   {
     if constexpr(internal::Delaunay_filter<FT>::is_useful) {
-      const Uncertain<bool> rounded =
-        m_surface.of_diamond([](const auto& edges) { return internal::Delaunay_filter<FT>::is_Delaunay(edges); }, h, m_scaled_length, m_scaled_radius);
+      const Uncertain<bool> rounded = m_surface.of_diamond(
+        [](const auto& edges) { return internal::Delaunay_filter<FT>::is_Delaunay(edges); }, h,
+        m_scaled_length, m_scaled_radius);
       if(is_certain(rounded))
         return get_certain(rounded);
     }

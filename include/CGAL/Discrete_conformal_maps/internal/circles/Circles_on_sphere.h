@@ -67,7 +67,7 @@ public:
     auto ideal = surface_with<Extended>(0);
     const bool has_lengths = ideal.scale(m_circles.log_scale());
     const double error = has_lengths ? ideal.defects().lpNorm<Eigen::Infinity>() : 0;
-    return !has_lengths           ? "lengths on the sphere exceed the range of numbers"
+    return !has_lengths            ? "lengths on the sphere exceed the range of numbers"
            : !std::isfinite(error) ? "a face of the polyhedron without circles contains the center "
                                      "within rounding"
            : error > tolerance::layout_angle
@@ -153,7 +153,8 @@ private:
   {
     constexpr double enough =
       std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
-    return error < enough || (error < tolerance::curvature && error > tolerance::contraction * before);
+    return error < enough ||
+           (error < tolerance::curvature && error > tolerance::contraction * before);
   }
 
   // Computes steps of Newton's method with fixed circles at the corners of a face.

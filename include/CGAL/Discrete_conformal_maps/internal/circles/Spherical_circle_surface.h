@@ -166,11 +166,10 @@ public:
       return (std::min)({half_chord(side[0]), half_chord(side[1]), half_chord(side[2])});
     };
     const auto faces = mesh().faces();
-    const auto side =
-      sides(*std::max_element(faces.begin(), faces.end(), [&](Face_index f, Face_index g) {
-              return shortest(f) < shortest(g);
-            }),
-            mesh());
+    const auto side = sides(
+      *std::max_element(faces.begin(), faces.end(),
+                        [&](Face_index f, Face_index g) { return shortest(f) < shortest(g); }),
+      mesh());
     return {mesh().source(side[0]), mesh().source(side[1]), mesh().source(side[2])};
   }
 

@@ -53,8 +53,8 @@ struct Unfolded_sphere
     return is_certified() && cross_ratio_error <= greatest_error;
   }
 
-  // Returns the logarithmic scale factor of a vertex of the surface itself with all digits. They are
-  // known unless positions exceed their range.
+  // Returns the logarithmic scale factor of a vertex of the surface itself with all digits. It is
+  // rounded if positions exceed their range.
   Extended precise_log_scale(Vertex_index v) const
   {
     const double rounded = log_scale[v.idx()], shift = log_scale[layout.at_infinity.idx()];

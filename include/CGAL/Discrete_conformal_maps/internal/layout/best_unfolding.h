@@ -24,8 +24,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Results with different copies of a disk cannot be compared: unless the first is good, they have
 // the whole copy. `mass` has the mass of each vertex of the surface.
 inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
-                                      Any_visitor& visitor,
-                                      Unfolding_use use = Unfolding_use::map)
+                                      Any_visitor& visitor, Unfolding_use use = Unfolding_use::map)
 {
   constexpr std::size_t maximum_number_of_trials = 4;
   const std::vector<Vertex_index> vertices = vertices_at_infinity(problem, mass);

@@ -140,8 +140,6 @@ private:
     m_builder.flip(m_layout.exists ? search.flips() : std::vector<Halfedge_index>());
     Minimization_result minimization = m_ideal.minimization;
     minimization.iterations = m_steps;
-    if(!m_layout.exists && m_ideal.layout.exists)
-      minimization.status = Minimization_status::rounding_limit;
     m_builder.set_scale_factors(log_scale,
                                 m_layout.exists ? Map_status::success : Map_status::not_converged,
                                 minimization, search.angle_error());

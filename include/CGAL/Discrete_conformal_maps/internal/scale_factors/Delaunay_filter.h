@@ -52,9 +52,9 @@ public:
     return is_not_greater(1 / (jk * ki) + 1 / (il * lj), jk / ki + ki / jk + il / lj + lj / il);
   }
 
-  // The same for the weighted condition, see `Hyperideal_geometry_traits::Is_locally_Delaunay`. Both
+  // Decides the weighted condition, see `Hyperideal_geometry_traits::Is_locally_Delaunay`. Both
   // sides are sums of positive terms of degree seven. Bounds on the Gram coordinates exclude that
-  // products of the greatest terms leave the range of `double`.
+  // the greatest terms leave the range of `double`.
   static Uncertain<bool>
   is_Delaunay(const Intrinsic_triangulations::Diamond<Decorated_length<FT>>& edges)
   {
