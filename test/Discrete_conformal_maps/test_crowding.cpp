@@ -307,10 +307,12 @@ void lead_back_to_a_flat_rectangle(double height)
   energy.set_origin(start);
   energy.evaluate(Eigen::VectorXd::Zero(Eigen::Index(problem.size())));
   DCM::Default_flattening_visitor silent;
-  const auto result =
-    DCM::internal::Difference_bounded_newton<decltype(energy)>(energy, problem.domain(true))
-      .run(1e-13, 300, silent);
-  EXPECT_EQ(result.status, DCM::Minimization_status::converged);
+  const auto run = [&](std::size_t maximum_work) {
+    return DCM::internal::Difference_bounded_newton<decltype(energy)>(energy, problem.domain(true))
+      .run(1e-13, 300, maximum_work, silent);
+  };
+  EXPECT_EQ(run(energy.work()).status, DCM::Minimization_status::iteration_limit);
+  EXPECT_EQ(run(1000000).status, DCM::Minimization_status::converged);
   const std::vector<FT> u = energy.scale_factors();
   for(const FT& x : u)
     EXPECT_NEAR(static_cast<double>(FT(x - u.front())), 0, 1e-9);

@@ -331,4 +331,20 @@ TEST(Map_status, follows_from_promises_alone)
   EXPECT_EQ(status_of({kept, unknown}, Map_status::not_converged), Map_status::not_conformal);
 }
 
+// A success has no greater error of curvatures than promised, whatever the search has reported.
+TEST(Map_status, curvature_errors_of_successes_are_measured)
+{
+  using DCM::internal::curvature_error_of;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto curvature = [](double error) {
+    return DCM::Map_promise{"curvature", error, 1e-10, Map_status::wrong_curvature};
+  };
+  const DCM::Map_promise wrong{"cross_ratio", 1, 1e-8, Map_status::not_conformal};
+  for(const double search : {1.2, nan})
+    EXPECT_EQ(curvature_error_of({curvature(1e-12), curvature(1e-11)}, search), 1e-11);
+  EXPECT_EQ(curvature_error_of({curvature(1e-12), wrong}, 1.2), 1.2);
+  EXPECT_EQ(curvature_error_of({curvature(2)}, 1.2), 2);
+  EXPECT_TRUE(std::isnan(curvature_error_of({curvature(nan)}, 1.2)));
+}
+
 } // namespace Test_map_status

@@ -50,6 +50,17 @@ inline Map_status status_of(const std::vector<Map_promise>& promises, Map_status
 // Returns the greater of two errors; NaN is greater than all numbers.
 inline double greater_error(double a, double b) { return b <= a || std::isnan(a) ? a : b; }
 
+// Returns the error of the curvatures of a map with these promises. The error of the search counts
+// only if the map fails.
+inline double curvature_error_of(const std::vector<Map_promise>& promises, double search)
+{
+  double result = status_of(promises, Map_status::success) == Map_status::success ? 0 : search;
+  for(const Map_promise& p : promises)
+    if(p.if_missed == Map_status::wrong_curvature)
+      result = greater_error(result, p.error);
+  return result;
+}
+
 } // namespace internal
 
 } // namespace CGAL::Discrete_conformal_maps

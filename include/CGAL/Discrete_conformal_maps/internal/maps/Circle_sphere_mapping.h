@@ -70,7 +70,7 @@ public:
     if(exists)
       m_promises.push_back({"cross_ratio", max_cross_ratio_error(map), tolerance::cross_ratio,
                             Map_status::not_conformal});
-    m_builder.judge(map, m_search->angle_error(), std::move(m_promises));
+    m_builder.judge(map, std::move(m_promises));
     return map;
   }
 

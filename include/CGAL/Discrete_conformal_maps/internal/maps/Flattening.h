@@ -29,6 +29,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -55,6 +56,10 @@ public:
 
   // Starts from scale factors at the vertices of the input.
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
+
+  // Starts from scale factors that were found with bounded differences for the same surface.
+  void resume(const std::vector<Extended>& found) { m_scale.resume(found); }
+  const std::vector<Extended>& found_with_bounds() const { return m_scale.found_with_bounds(); }
 
   // Finds scale factors. Cones are placed first, at the first call, for a finite bound of scale
   // factors.
@@ -132,7 +137,7 @@ public:
       for(const auto& part : {planar_promises(picture), shape.promises(map, whole_charts(map))})
         promises.insert(promises.end(), part.begin(), part.end());
     }
-    m_builder.judge(map, greater_error(m_errors.greatest(), m_rounded_error), std::move(promises));
+    m_builder.judge(map, std::move(promises));
     return map;
   }
 
@@ -359,22 +364,40 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
                                Map_parameters parameters, Visitor visitor)
 {
   const Shape shape(input, parameters);
-  shape.prescribe(parameters.conditions);
   const Vertex_circles circles(parameters.radii);
-  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                        Exactness exactness) {
-    Shape own_shape = shape;
+  Shape last_shape = shape;
+  std::vector<Extended> found;
+  const auto work = std::make_shared<Search_work>();
+  const auto search = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                          Exactness exactness) {
+    Shape own_shape = found.empty() ? shape : last_shape;
+    own_shape.prescribe(parameters.conditions);
     Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
                             exactness, circles);
     problem.set_concurrency(parameters.concurrency);
+    problem.share_work(work);
     Flattening flattening(problem, visitor);
     flattening.start_from(parameters.log_scale);
+    flattening.resume(found);
     flattening.attempt([&] {
       own_shape.solve(problem, flattening, [&] {
         flattening.find_scale_factors(minimizer_of(parameters), parameters.cones);
       });
     });
+    found = flattening.found_with_bounds();
+    last_shape = own_shape;
     return flattening.finish(Named_layout{parameters.layout}, own_shape);
+  };
+  // Scale factors found before may be too imprecise for needles. Then the search starts again.
+  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
+                        Exactness exactness) {
+    if(!found.empty()) {
+      auto map = search(surface, exactness);
+      if(map.status() == Map_status::success)
+        return map;
+      found.clear();
+    }
+    return search(std::move(surface), exactness);
   };
   if(!parameters.has_exact_decisions)
     return with_digits_as_needed(std::move(input), find, !circles.exist());

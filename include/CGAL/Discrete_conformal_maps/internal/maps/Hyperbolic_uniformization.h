@@ -68,7 +68,7 @@ public:
     if(m_layout.exists)
       m_builder.find_crowded([this](Halfedge_index h) { return length_in_disk(h); });
     auto map = m_builder.template map<Hyperbolic_conformal_map>(std::move(m_layout));
-    m_builder.judge(map, m_errors.greatest(), std::move(promises));
+    m_builder.judge(map, std::move(promises));
     return map;
   }
 

@@ -130,12 +130,11 @@ public:
     set_crowded(is_crowded);
   }
 
-  // Determines the status of the map, by measurements on it. `curvature_error` is the error at all
-  // vertices.
-  void judge(Discrete_conformal_map& map, double curvature_error, std::vector<Map_promise> promises)
+  // Determines the status of the map and the error of its curvatures, by measurements on it.
+  void judge(Discrete_conformal_map& map, std::vector<Map_promise> promises)
   {
-    m_outcome.max_curvature_error = greater_error(m_outcome.max_curvature_error, curvature_error);
     m_outcome.status = status_of(promises, m_outcome.status);
+    m_outcome.max_curvature_error = curvature_error_of(promises, m_outcome.max_curvature_error);
     m_outcome.promises = std::move(promises);
     map.set_outcome(m_outcome);
   }
@@ -259,7 +258,8 @@ private:
       return m_problem.scaled(scale.template precise_values<More_extended>()).flips();
     if(scale.is_extended() && (m_problem.has_needles() || !m_problem.is_exact()))
       return m_problem.scaled(scale.template precise_values<Extended>()).flips();
-    return m_problem.scaled(scale.values()).flips();
+    return m_problem.scaled(std::vector<double>(scale.values().begin(), scale.values().end()))
+      .flips();
   }
 
   // Makes T_3 exactly ideal Delaunay with the stored scale factors and lengths in `double`, if

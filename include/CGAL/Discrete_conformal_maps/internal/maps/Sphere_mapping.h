@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,7 @@ public:
     if(m_layout.exists)
       m_builder.find_crowded([this](Halfedge_index h) { return m_builder.scaled_length(h); });
     auto map = m_builder.template map<Spherical_conformal_map>(std::move(m_layout));
-    m_builder.judge(map, m_errors.greatest(), std::move(m_promises));
+    m_builder.judge(map, std::move(m_promises));
     return map;
   }
 
@@ -274,6 +275,7 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
 {
   const Vertex_circles circles(parameters.radii);
   const std::vector<Vertex_condition> none(input.mesh().num_vertices());
+  const auto work = std::make_shared<Search_work>();
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
     if(circles.exist()) {
@@ -285,6 +287,7 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
     }
     Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness);
     problem.set_concurrency(parameters.concurrency);
+    problem.share_work(work);
     return Sphere_mapping(problem, visitor).run();
   };
   return with_digits_as_needed(std::move(input), find, !circles.exist());

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Laplacian_elimination.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -40,7 +41,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 template <typename Energy>
 class Difference_bounded_newton
 {
-  typedef typename Energy::FT FT;
+  typedef typename Logarithm_of<typename Energy::FT>::type FT;
   typedef std::vector<FT> Values;
   typedef Eigen::VectorXd Vector;
   typedef Eigen::SparseMatrix<double> Matrix;
@@ -53,15 +54,15 @@ public:
   {}
 
   // Takes steps from the origin of the energy until no entry of the gradient is above `tolerance`.
-  // Twice its rounding error is enough, if a map may have that. Flips count as work.
+  // Twice its rounding error is enough, if a map may have that. Measured faces and flips are work.
   template <typename Visitor>
-  Minimization_result run(double tolerance, std::size_t maximum_number_of_steps, Visitor& visitor)
+  Minimization_result run(double tolerance, std::size_t maximum_number_of_steps,
+                          std::size_t maximum_work, Visitor& visitor)
   {
-    Minimization_status status = move_to(m_energy.scale_factors())
-                                   ? Minimization_status::converged
-                                   : Minimization_status::not_finite;
+    Minimization_status status =
+      move_to(position()) ? Minimization_status::converged : Minimization_status::not_finite;
     while(status == Minimization_status::converged && !is_within(tolerance))
-      if(m_result.iterations == maximum_number_of_steps || has_worked_enough())
+      if(m_result.iterations == maximum_number_of_steps || m_energy.work() > maximum_work)
         status = Minimization_status::iteration_limit;
       else {
         status = step();
@@ -87,11 +88,19 @@ private:
     FT inverse;
   };
 
+  Values position() const
+  {
+    Values result;
+    for(const auto& u : m_energy.scale_factors())
+      result.push_back(converted<FT>(u));
+    return result;
+  }
+
   // Returns whether the gradient is known at `u`.
   bool move_to(const Values& u)
   {
     ++m_result.evaluations;
-    m_energy.set_origin(u);
+    m_energy.set_origin({u.begin(), u.end()});
     try {
       m_energy.evaluate(Vector::Zero(Eigen::Index(m_energy.size())));
     } catch(const Intrinsic_triangulations::Flip_limit_exceeded&) {
@@ -109,19 +118,12 @@ private:
                                                                     2 * m_energy.gradient_error()));
   }
 
-  bool has_worked_enough() const
-  {
-    const auto& surface = m_energy.energy().surface();
-    return m_result.evaluations * surface.mesh().num_faces() + surface.number_of_flips() / 10 >
-           tolerance::work_with_bounded_differences;
-  }
-
   Minimization_status step()
   {
     Values direction;
     if(!find(direction))
       return Minimization_status::not_finite;
-    const Values base = m_energy.scale_factors();
+    const Values base = position();
     const Vector gradient = m_gradient;
     const double slope = product(gradient, direction);
     if(!(slope < 0) && !m_secants.empty()) { // by rounding

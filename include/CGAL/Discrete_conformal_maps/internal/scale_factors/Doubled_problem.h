@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
@@ -82,6 +83,10 @@ public:
   // Returns whether functions that solve the problem use several threads.
   Intrinsic_triangulations::Concurrency concurrency() const { return m_concurrency; }
   void set_concurrency(Intrinsic_triangulations::Concurrency c) { m_concurrency = c; }
+
+  // Returns the work of all searches for a map, which problems on the same surface may share.
+  Search_work& work() const { return *m_work; }
+  void share_work(std::shared_ptr<Search_work> work) { m_work = std::move(work); }
 
   // Returns T_1 and T_2.
   const Triangulation& triangulation() const { return m_triangulation; }
@@ -266,10 +271,6 @@ public:
       extend(result.flips());
     }
   }
-  Penner_surface<double> scaled(const Vector& scale)
-  {
-    return scaled(std::vector<double>(scale.begin(), scale.end()));
-  }
 
   // Copies the whole surface. Returns whether this copies more faces than before.
   bool complete()
@@ -441,6 +442,7 @@ private:
   std::vector<Edge_index> m_seams;     // between faces with and without copies
   std::vector<Edge_index> m_exceeded;  // where the copy is not deep enough
   std::shared_ptr<Shared_order> m_order = std::make_shared<Shared_order>();
+  std::shared_ptr<Search_work> m_work = std::make_shared<Search_work>();
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

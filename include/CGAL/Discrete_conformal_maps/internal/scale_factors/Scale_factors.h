@@ -31,9 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -55,7 +53,13 @@ public:
   Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
   // Returns whether the scale factors were found with bounded differences of neighbors.
-  bool has_bounded_differences() const { return m_bounds_differences; }
+  bool has_bounded_differences() const { return !m_found.empty(); }
+  // Returns these scale factors, if they were found.
+  const std::vector<Extended>& found_with_bounds() const { return m_found; }
+
+  // Begins with another search with bounded differences, from scale factors found before, if any
+  // were.
+  void resume(const std::vector<Extended>& found) { m_found = m_resumed = found; }
 
   // Takes scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
@@ -74,11 +78,13 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    m_start = precise_values<Extended>();
-    if(m_bounds_differences)
-      bound_differences(minimizer, tolerance, visitor);
-    if(!m_bounds_differences)
+    const bool is_resumed = !m_resumed.empty();
+    m_start = is_resumed ? std::exchange(m_resumed, {}) : precise_values<Extended>();
+    if(!has_bounded_differences() || !bounds_differences(visitor)) {
+      if(is_resumed)
+        m_start = precise_values<Extended>();
       minimize_from_start(minimizer, tolerance, visitor);
+    }
     m_start.clear();
     if(m_status == Map_status::not_converged && is_within(tolerance))
       m_status = Map_status::success;
@@ -129,40 +135,38 @@ private:
   {
     bool (Scale_factors::*is_needed)(double tolerance) const;
     void (Scale_factors::*run)(const Any_minimizer&, double tolerance, Any_visitor&);
-    bool bends_boundaries = false;
+    bool starts_beyond_range = false, bends_boundaries = false;
   };
 
   void minimize_from_start(const Any_minimizer& minimizer, double& tolerance, Any_visitor& visitor)
   {
-    // The searches are tried in this order. Some are skipped beyond the range of `double`.
+    // The searches are tried in this order.
     static constexpr Search searches[] = {
       {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
-      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},
-      {&Scale_factors::is_far_off, &Scale_factors::bound_differences},
       {&Scale_factors::needs_most_digits, &Scale_factors::minimize_in<More_extended>},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, true},
-      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true},
-      {&Scale_factors::is_lost, &Scale_factors::bound_differences}};
-    constexpr std::size_t first_beyond_range = 6;
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, false, true},
+      {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range, true},
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true, true}};
     m_is_wide = false;
     if(m_problem.bend() > 0)
       tolerance = tolerance::promised_angle;
     m_max_curvature_error = std::numeric_limits<double>::infinity();
     const bool is_in_range =
       !Triangle<double>::has_similar_ones || m_problem.has_precise_lengths() || !is_beyond_range();
-    for(std::size_t i = is_in_range ? 0 : first_beyond_range; i < std::size(searches); ++i) {
-      if((this->*searches[i].is_needed)(tolerance)) {
-        if(searches[i].bends_boundaries) {
+    for(const Search& search : searches) {
+      if((is_in_range || search.starts_beyond_range) && (this->*search.is_needed)(tolerance)) {
+        if(search.bends_boundaries) {
           m_problem.bend_straight_boundaries();
           tolerance = tolerance::promised_angle;
         }
-        (this->*searches[i].run)(minimizer, tolerance, visitor);
+        (this->*search.run)(minimizer, tolerance, visitor);
       }
-      if(is_within(tolerance) || m_bounds_differences)
+      if(is_within(tolerance) || (is_far_off(tolerance) && bounds_differences(visitor)))
         return;
     }
+    if(is_lost(tolerance))
+      bounds_differences(visitor);
   }
 
   // Minimizes in `double`, if it resolves the minimum. The result is measured with all digits.
@@ -207,28 +211,29 @@ private:
   }
 
   // Searches from the start, on the exact surface, with bounded differences of neighbors; once in
-  // each minimization. If no scale factors are found, nothing has changed but the numbers of steps.
-  // If they are, the next minimization begins with this search.
-  void bound_differences(const Any_minimizer&, double, Any_visitor& visitor)
+  // each minimization. Returns whether scale factors are found. If not, nothing has changed but the
+  // numbers of steps. If they are, the next minimization begins with this search.
+  bool bounds_differences(Any_visitor& visitor)
   {
-    m_bounds_differences = false;
+    m_found.clear();
     if constexpr(Triangle<double>::has_similar_ones)
-      if(!m_start.empty()) {
+      if(!m_start.empty() && m_problem.work().left_with_bounded_differences() > 0) {
         Doubled_problem problem = m_problem;
-        const auto values = std::tuple(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
-                                       m_max_curvature_error, m_rounding_error);
-        m_bounds_differences = is_found_with_bounds(visitor);
+        const Scale_state before = state();
+        const bool is_found = is_found_with_bounds(visitor);
         m_start.clear();
-        if(!m_bounds_differences) {
+        if(is_found)
+          m_found = precise_values<Extended>();
+        else {
           m_problem = std::move(problem);
           const Minimization_result last = m_result;
-          std::tie(m_u, m_precise, m_is_wide, m_result, m_status, m_has_layout,
-                   m_max_curvature_error, m_rounding_error) = values;
+          state() = before;
           m_result.iterations = last.iterations;
           m_result.evaluations = last.evaluations;
           static_cast<Factorization_counts&>(m_result) = last;
         }
       }
+    return has_bounded_differences();
   }
   bool is_found_with_bounds(Any_visitor& visitor)
   {
@@ -251,23 +256,16 @@ private:
   {
     try {
       energy.evaluate(Vector::Zero(m_u.size()));
-      note_last(energy,
-                Difference_bounded_newton<Energy<FT>>(energy, domain())
-                  .run(tolerance::gradient, tolerance::steps_with_bounded_differences, visitor));
+      note_last(energy, Difference_bounded_newton<Energy<FT>>(energy, domain())
+                          .run(tolerance::gradient, tolerance::steps_with_bounded_differences,
+                               m_problem.work().left_with_bounded_differences(), visitor));
+      m_problem.work().with_bounded_differences += energy.work();
       if(m_status != Map_status::success && m_max_curvature_error <= tolerance::lost_curvature)
-        descend(energy, tolerance::gradient, visitor);
+        descend(energy, tolerance::gradient, m_problem.work().left_with_more_digits(), visitor);
     } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
     return m_status == Map_status::success && m_max_curvature_error <= tolerance::promised_angle;
-  }
-
-  // Returns whether the error of curvatures moves no side in the plane by more than promised.
-  bool can_be_laid_out() const
-  {
-    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
-    return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
-           tolerance::promised_length * shortest;
   }
 
   template <typename FT>
@@ -306,19 +304,24 @@ private:
     return result;
   }
 
+  // Nothing changes unless errors become smaller. Lengths may be beyond the range of `FT`.
   template <typename FT>
   void sharpen_in(Any_visitor& visitor)
   {
+    const Scale_state before = state();
     auto energy = energy_at_start<FT>(m_problem.triangulation());
     note_values(energy);
-    const Map_status status = m_status;
+    const double error = m_max_curvature_error;
     if(can_descend<FT>())
-      descend(energy, tolerance::rounding_of_gradient<FT>(), visitor);
+      descend(energy, tolerance::rounding_of_gradient<FT>(), tolerance::work_to_sharpen, visitor);
     else
-      approach(energy, m_max_curvature_error, visitor);
+      approach(energy, error, visitor);
     note_values(energy);
-    m_status = status; // the curvatures have been good enough before
-    store(energy.scale_factors());
+    if(m_max_curvature_error <= error) {
+      m_status = before.m_status; // the curvatures have been good enough before
+      store(energy.scale_factors());
+    } else
+      state() = before;
   }
 
   // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
@@ -357,7 +360,7 @@ private:
   void descend_from_start(Energy<FT>& energy, double tolerance, Any_visitor& visitor)
   {
     const Vector start = m_u;
-    descend(energy, tolerance::gradient, visitor);
+    descend(energy, tolerance::gradient, m_problem.work().left_with_more_digits(), visitor);
     if(is_within(tolerance))
       store(energy.scale_factors());
     else if(!std::is_same_v<FT, More_extended>)
@@ -374,10 +377,13 @@ private:
   }
 
   template <typename FT>
-  void descend(Energy<FT>& energy, double gradient_tolerance, Any_visitor& visitor)
+  void descend(Energy<FT>& energy, double gradient_tolerance, std::size_t maximum_work,
+               Any_visitor& visitor)
   {
-    note_last(energy, Precise_newton_iteration<Energy<FT>>(energy, domain())
-                        .run(gradient_tolerance, tolerance::steps_with_more_digits, visitor));
+    Precise_newton_iteration<Energy<FT>> newton(energy, domain());
+    note_last(energy, newton.run(gradient_tolerance, tolerance::steps_with_more_digits,
+                                 maximum_work, visitor));
+    m_problem.work().with_more_digits += newton.work();
   }
 
   template <typename FT>
@@ -430,8 +436,9 @@ private:
                                                              : Map_status::not_converged;
   }
 
-  std::vector<Extended> m_start; // empty if a search with bounded differences has used it
-  bool m_bounds_differences = false;
+  std::vector<Extended> m_start;   // empty if a search with bounded differences has used it
+  std::vector<Extended> m_found;   // with bounded differences
+  std::vector<Extended> m_resumed; // scale factors of a problem before, until they are used
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -24,9 +24,21 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores scale factors at the vertices of the surface of a doubled problem, with all their digits,
-// and the end of their search.
-class Scale_values
+// Stores scale factors with all their digits, and the end of their search.
+struct Scale_state
+{
+  Eigen::VectorXd m_u;
+  std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;
+  bool m_is_wide = false;
+  Minimization_result m_result;
+  Map_status m_status = Map_status::success;
+  bool m_has_layout = true;
+  double m_max_curvature_error = 0;
+  double m_rounding_error = 0; // of the curvatures
+};
+
+// Represents scale factors at the vertices of the surface of a doubled problem.
+class Scale_values : protected Scale_state
 {
 public:
   typedef Eigen::VectorXd Vector;
@@ -70,7 +82,9 @@ public:
   }
 
 protected:
-  Scale_values(Doubled_problem& problem, const Vector& start) : m_problem(problem), m_u(start) {}
+  Scale_values(Doubled_problem& problem, const Vector& start) : m_problem(problem) { m_u = start; }
+
+  Scale_state& state() { return *this; }
 
   // Returns whether scale factors differ so much that intermediate lengths may be beyond the range
   // of `double`.
@@ -146,15 +160,15 @@ protected:
            std::isfinite(m_max_curvature_error);
   }
 
+  // Returns whether the error of curvatures moves no side in the plane by more than promised.
+  bool can_be_laid_out() const
+  {
+    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
+    return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
+           tolerance::promised_length * shortest;
+  }
+
   Doubled_problem& m_problem;
-  Vector m_u;
-  std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;
-  bool m_is_wide = false;
-  Minimization_result m_result;
-  Map_status m_status = Map_status::success;
-  bool m_has_layout = true;
-  double m_max_curvature_error = 0;
-  double m_rounding_error = 0; // of the curvatures
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -132,9 +132,11 @@ public:
       domain.is_fixed.push_back(is_fixed(v));
     energy.set_origin(m_u);
     energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
+    Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
     const Minimization_result last =
-      Precise_newton_iteration<Energy>(energy, domain, m_bound)
-        .run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits, visitor);
+      newton.run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
+                 m_problem.work().left_with_more_digits(), visitor);
+    m_problem.work().with_more_digits += newton.work();
     m_u = energy.scale_factors();
     add_result(last);
     m_angle_error = angle_error(energy.gradient());

@@ -66,11 +66,11 @@ public:
   void evaluate(const Vector& x)
   {
     m_has_Hessian = false;
-    m_energy->evaluate(m_problem.expanded(x));
+    evaluate_expanded(x);
     while(has_extended()) {
       m_energy.emplace(m_make());
       m_energy->set_origin(m_problem.expanded(m_origin));
-      m_energy->evaluate(m_problem.expanded(x));
+      evaluate_expanded(x);
     }
     m_gradient = m_energy->gradient().head(x.size()).cwiseProduct(m_part);
   }
@@ -81,6 +81,9 @@ public:
     m_energy->set_origin(m_problem.expanded(origin));
   }
   void move_origin() { set_origin(scale_factors()); }
+
+  // Returns the number of flips and of faces that have been measured.
+  std::size_t work() const { return m_measured_faces + m_energy->surface().flips().size(); }
 
   // Moves some variables, and returns the sum of the derivatives by them, or NaN if a scaled length
   // is not a length. All other values are unchanged until `evaluate()`.
@@ -101,6 +104,7 @@ public:
     } catch(const Intrinsic_triangulations::Numerical_error&) {
       return std::numeric_limits<double>::quiet_NaN();
     }
+    m_measured_faces += usual_degree * vertices.size();
     double result = 0;
     for(std::size_t v : variables)
       result +=
@@ -151,6 +155,14 @@ public:
   }
 
 private:
+  static constexpr std::size_t usual_degree = 6;
+
+  void evaluate_expanded(const Vector& x)
+  {
+    m_measured_faces += m_energy->surface().mesh().num_faces();
+    m_energy->evaluate(m_problem.expanded(x));
+  }
+
   // Makes the matrix symmetric, because rounding of the sums below depends on the order of their
   // terms.
   static void make_symmetric(Matrix& matrix)
@@ -192,6 +204,7 @@ private:
   std::optional<Energy> m_energy;
   Vector m_part; // of each vertex of the double that counts for the surface
   Vector m_gradient;
+  std::size_t m_measured_faces = 0;
   std::vector<Vertex_index> m_next_copy; // see `Doubled_problem::next_copies()`
   mutable Matrix m_Hessian;
   mutable bool m_has_Hessian = false;

@@ -247,6 +247,18 @@ private:
   std::int64_t m_window;
 };
 
+// Selects a number type for logarithms of numbers of type `FT`. They need no separate exponents.
+template <typename FT>
+struct Logarithm_of
+{
+  typedef FT type;
+};
+template <typename Mantissa>
+struct Logarithm_of<Wide_number<Mantissa>>
+{
+  typedef Mantissa type;
+};
+
 template <typename Mantissa>
 int exponent_of(const Wide_number<Mantissa>& x)
 {
