@@ -37,9 +37,6 @@ public:
   // edges are mollified by `epsilon` unless it is zero.
   void restart(double epsilon);
 
-  // Allows the output of a map that is not a success.
-  void set_failure_expected(bool is_expected) { m_options.is_failure_expected = is_expected; }
-
   // Sets the stages after the input has been read, except the last, "write".
   void plan(const std::vector<Stages>& parts);
 

@@ -27,14 +27,6 @@ bool can_be_mollified(const Common_options& options)
   return !options.is_exact && !options.is_strict && options.mollification == 0;
 }
 
-// Throws an error of the same kind with a longer message.
-[[noreturn]] void throw_again(const Numerical_error& e, const std::string& more)
-{
-  if(dynamic_cast<const Map_failure*>(&e))
-    throw Map_failure(e.what() + more);
-  throw Numerical_error(e.what() + more);
-}
-
 int compute_with_longer_edges(Command_run& run, const std::function<int()>& compute,
                               const Numerical_error& e)
 {
@@ -52,29 +44,20 @@ int compute_with_longer_edges(Command_run& run, const std::function<int()>& comp
       advice = std::string("; --mollify ") + name + " gives no result either";
     }
   }
-  throw_again(e, advice);
+  throw Numerical_error(e.what() + advice);
 }
 
 } // namespace
 
 int attempt(Command_run& run, const std::function<int()>& compute)
 {
-  const bool is_failure_kept = run.options().is_failure_kept;
-  if(!can_be_mollified(run.options())) {
-    run.set_failure_expected(is_failure_kept);
+  if(!can_be_mollified(run.options()))
     return compute();
-  }
   try {
-    try {
-      return compute();
-    } catch(const Numerical_error& e) {
-      return compute_with_longer_edges(run, compute, e);
-    }
-  } catch(const Map_failure&) {
-    if(!is_failure_kept)
-      throw;
-    run.restart(0);
-    run.set_failure_expected(true);
     return compute();
+  } catch(const Map_failure&) {
+    throw;
+  } catch(const Numerical_error& e) {
+    return compute_with_longer_edges(run, compute, e);
   }
 }

@@ -11,8 +11,8 @@
 
 // Returns the result of `compute()`, an exit code. If rounding makes it impossible because of
 // almost flat triangles, it is computed again with longer edges. If this fails, too, the error of
-// the unchanged surface is thrown. A map that is not a success is written if this is requested and
-// no other one exists.
+// the unchanged surface is thrown. A map that fails is not computed again, because it would be the
+// map of another surface.
 int attempt(Command_run& run, const std::function<int()>& compute);
 
 // Returns the result of a command that is a class.

@@ -69,7 +69,7 @@ void Component_maps::for_each(
         throw IT::Invalid_input(name(c) + ": " + e.what());
       leave_out(c, e, own);
     } catch(const IT::Numerical_error& e) {
-      if(!options.is_failure_expected)
+      if(!options.is_failure_kept)
         throw Map_failure(name(c) + ": " + e.what());
       leave_out(c, e, own);
     }

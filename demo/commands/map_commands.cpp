@@ -84,7 +84,7 @@ void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out)
   if(map.status() == DCM::Map_status::success)
     return;
   const std::string text = failure(run, map);
-  if(!run.options().is_failure_expected)
+  if(!run.options().is_failure_kept)
     throw Map_failure(text);
   if(!is_laid_out)
     throw Map_failure(text + "; there is no layout to write");

@@ -31,7 +31,6 @@ struct Common_options
   bool is_largest_chosen = false;       // the component with the greatest area
   bool is_exact = false;                // decisions about Delaunay edges, with a certificate
   bool is_failure_kept = false;         // a map that is no success is written
-  bool is_failure_expected = false;     // this is what there is, after all else has been tried
   bool is_quiet = false;
   std::size_t threads = 0;        // 0 for as many as there are processors
   bool are_soups_allowed = false; // by the command: edges and vertices that are not manifold

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Integers, floats, integers, number
-from .errors import (ArrayError, InputError, MollificationWarning, NumericalError,
+from .errors import (ArrayError, InputError, MapError, MollificationWarning, NumericalError,
                      UnderflowError)
 
 Result = TypeVar("Result")
@@ -115,13 +115,14 @@ def _level_of_caller() -> int:
 
 def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
     """Return the result of `compute(slack)`. With "auto", the slack is the least one of a list for
-    which it raises no NumericalError. Slack does not help against underflow."""
+    which it raises no NumericalError. Slack does not help against underflow, and a map that fails
+    would be replaced by the map of another surface."""
     slack = mollification(mollify)
     if slack is not None:
         return compute(slack)
     try:
         return compute(0.0)
-    except UnderflowError:
+    except (UnderflowError, MapError):
         raise
     except NumericalError as error:
         first = error

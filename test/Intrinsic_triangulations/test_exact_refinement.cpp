@@ -226,8 +226,9 @@ TEST(Exact_refinement, edges_without_doubt_are_straight)
         continue;
       ++certain;
       EXPECT_TRUE(exact.is_input_edge(h) || exact.is_straight(h)) << seed << ' ' << e;
-      if(!std::isnan(straight.length))
+      if(!std::isnan(straight.length)) {
         EXPECT_NEAR(straight.length / to_double(precise(h)), 1, straight.error) << seed << ' ' << e;
+      }
     }
   }
   EXPECT_GT(certain, 1000u);

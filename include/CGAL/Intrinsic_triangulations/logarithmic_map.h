@@ -134,8 +134,8 @@ private:
     const Location q = v == Delta_complex::null_vertex()
                          ? end
                          : face_location(Edge_point<FT>{part.last, FT(1)}, m_mesh);
-    const Location p =
-      from_vertex ? face_location(Edge_point<FT>{h, FT(0)}, m_mesh) : this->point(part.origin);
+    const Location p = from_vertex ? face_location(Edge_point<FT>{h, FT(0)}, m_mesh)
+                                   : m_views.origin(part.origin).source();
     return {h, face.between(coordinates_from(h, p, m_mesh), coordinates_from(h, q, m_mesh))};
   }
 
@@ -147,7 +147,7 @@ private:
     const Index first = m_views.origin(origin).first;
     if(first == origin)
       return start;
-    const Location p = this->point(first);
+    const Location p = m_views.origin(first).source();
     const Index c = Charts::side_of(halfedge_of(surface_point(p, m_mesh)), m_mesh);
     const Index frame = 3 * p.first.idx(), o = m_views.charts().across(c);
     return {m_mesh.halfedge(p.first),
