@@ -8,6 +8,7 @@
 #include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/circle_angles.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 

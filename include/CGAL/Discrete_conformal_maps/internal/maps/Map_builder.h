@@ -258,8 +258,8 @@ private:
       return m_problem.scaled(scale.template precise_values<More_extended>()).flips();
     if(scale.is_extended() && (m_problem.has_needles() || !m_problem.is_exact()))
       return m_problem.scaled(scale.template precise_values<Extended>()).flips();
-    return m_problem.scaled(std::vector<double>(scale.values().begin(), scale.values().end()))
-      .flips();
+    const auto& values = scale.values();
+    return m_problem.scaled(std::vector<double>(values.begin(), values.end())).flips();
   }
 
   // Makes T_3 exactly ideal Delaunay with the stored scale factors and lengths in `double`, if
