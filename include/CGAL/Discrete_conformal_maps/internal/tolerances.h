@@ -128,9 +128,9 @@ constexpr double near_vertices = 1e-8;
 constexpr double group_ratio = 30, weight_of_group = 100;
 // The number of steps that are taken with more digits, on the exact surface. With 32 digits, all
 // such searches for a map measure so many faces and flip so many edges. Few of them are needed to
-// sharpen a result.
+// sharpen a result, or for a sphere, whose searches start at several vertices.
 constexpr std::size_t steps_with_more_digits = 300, work_with_more_digits = 18000000,
-                      work_to_sharpen = 2000000;
+                      work_for_sphere = 4000000, work_to_sharpen = 2000000;
 // A minimization that has not converged after so many steps is given up.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after so many steps. All such searches for a map end after

@@ -133,9 +133,9 @@ public:
     energy.set_origin(m_u);
     energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
     Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
-    const Minimization_result last =
-      newton.run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
-                 m_problem.work().left_with_more_digits(), visitor);
+    const Minimization_result last = newton.run(
+      tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
+      (std::min)(m_problem.work().left_with_more_digits(), tolerance::work_for_sphere), visitor);
     m_problem.work().with_more_digits += newton.work();
     m_u = energy.scale_factors();
     add_result(last);
