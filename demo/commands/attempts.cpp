@@ -55,8 +55,8 @@ int attempt(Command_run& run, const std::function<int()>& compute)
     return compute();
   try {
     return compute();
-  } catch(const Map_failure&) {
-    throw;
+  } catch(const Map_failure& e) {
+    throw Map_failure(e.what() + std::string(", or --mollify 1e-8 for slightly longer edges"));
   } catch(const Numerical_error& e) {
     return compute_with_longer_edges(run, compute, e);
   }
