@@ -12,6 +12,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 BLUE, GREY, ORANGE, GREEN, INK = "#1f6fb4", "#8a8a8a", "#c8501e", "#147a5a", "#222222"
 PALE = "#eef4fa"
+SMALL = 19  # captions: 11 pixels where a page shows 900 pixels at 520
 
 
 class Figure:
@@ -21,7 +22,7 @@ class Figure:
         self.path, self.height, self.center, self.scale = path, height, (0, 0), 1
         self.lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
                       f'viewBox="0 0 {width} {height}" font-family="DejaVu Sans, Verdana, sans-serif" '
-                      f'font-size="17" text-anchor="middle">', f"<title>{title}</title>",
+                      f'font-size="20" text-anchor="middle">', f"<title>{title}</title>",
                       f'<rect width="{width}" height="{height}" fill="#ffffff"/>']
 
     def frame(self, x, y, scale):
@@ -63,7 +64,7 @@ class Figure:
         for p in points:
             self.circle(p, pixels / self.scale, color, "none")
 
-    def text(self, p, words, color=INK, size=17, dx=0, dy=6, anchor="middle", halo=False):
+    def text(self, p, words, color=INK, size=20, dx=0, dy=6, anchor="middle", halo=False):
         x, y = self.at(p)
         extra = ' stroke="#ffffff" stroke-width="4" paint-order="stroke" stroke-linejoin="round"' if halo else ""
         self.lines.append(f'<text x="{x + dx:.1f}" y="{y + dy:.1f}" fill="{color}" font-size="{size}" '
@@ -108,12 +109,12 @@ def ptolemy():
             fig.text(1.13 * p, f"<tspan font-style='italic'>{name}</tspan>")
     fig.frame(0, 0, 1)
     fig.line((285, -150), (315, -150), arrow=True)
-    fig.text((300, -318), "ℓ<tspan baseline-shift='sub' font-size='11'>kl</tspan> "
-             "ℓ<tspan baseline-shift='sub' font-size='11'>ij</tspan> = "
-             "ℓ<tspan baseline-shift='sub' font-size='11'>jk</tspan> "
-             "ℓ<tspan baseline-shift='sub' font-size='11'>il</tspan> + "
-             "ℓ<tspan baseline-shift='sub' font-size='11'>ki</tspan> "
-             "ℓ<tspan baseline-shift='sub' font-size='11'>lj</tspan>", dy=0)
+    fig.text((300, -318), "ℓ<tspan baseline-shift='sub' font-size='14'>kl</tspan> "
+             "ℓ<tspan baseline-shift='sub' font-size='14'>ij</tspan> = "
+             "ℓ<tspan baseline-shift='sub' font-size='14'>jk</tspan> "
+             "ℓ<tspan baseline-shift='sub' font-size='14'>il</tspan> + "
+             "ℓ<tspan baseline-shift='sub' font-size='14'>ki</tspan> "
+             "ℓ<tspan baseline-shift='sub' font-size='14'>lj</tspan>", dy=0)
     # the cone z = r, seen a little from above, with the hyperboloid in it
     fig.frame(740, 285, 105)
 
@@ -137,7 +138,7 @@ def ptolemy():
     for p in tips:
         fig.line(0j, p, color=INK, width=1.2, arrow=True)
     for p, name, dx, dy in zip(tips, "jkil", (20, 18, -19, -16), (0, -6, -4, 21)):
-        fig.text(p, f"v<tspan baseline-shift='sub' font-size='11'>{name}</tspan>", dx=dx, dy=dy, size=15, halo=True)
+        fig.text(p, f"v<tspan baseline-shift='sub' font-size='14'>{name}</tspan>", dx=dx, dy=dy, size=SMALL, halo=True)
     fig.write()
 
 
@@ -179,9 +180,9 @@ def three_way():
     layers = [([(a, p), (b, p), (d, p), (p, q), (b, q), (c, q), (d, q)], GREY),
               ([(a, p), (b, p), (d, p), (b, d), (b, q), (c, q), (d, q)], BLUE),
               ([(a, p), (d, p), (p, q), (a, q), (b, q), (c, q), (p, c)], ORANGE)]
-    names = ["<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>1</tspan>, the input",
-             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>2</tspan>, Delaunay",
-             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='11'>3</tspan>, ideal Delaunay",
+    names = ["<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='14'>1</tspan>, the input",
+             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='14'>2</tspan>, Delaunay",
+             "<tspan font-style='italic'>T</tspan><tspan baseline-shift='sub' font-size='14'>3</tspan>, ideal Delaunay",
              "their subdivision"]
     for k, name in enumerate(names):
         fig.frame(25 + 222 * k, 142, 112)
@@ -199,7 +200,7 @@ def three_way():
                     if x is not None:
                         fig.dot(x, pixels=3)
         fig.dot(p, q, *corners, pixels=4)
-        fig.text(.8 - .1j, name, dy=42, size=15)
+        fig.text(.8 - .1j, name, dy=42, size=SMALL)
     fig.write()
 
 
@@ -230,7 +231,7 @@ def peacock():
     fig.dot(*tips)
     fig.dot(root, color=ORANGE, pixels=6)
     fig.text(root, "∞", ORANGE, dx=18, dy=8, size=20)
-    fig.text(-1.38j, "the surface: shortest geodesics from ∞ to all vertices", size=15, dy=0)
+    fig.text(-1.38j, "shortest geodesics from ∞ to all vertices", size=SMALL, dy=0)
     fig.frame(660, 175, 120)
     points = [-1.5 - .5j, -1 + .35j, -.7 - .7j, -.35 + .75j, 0 - .15j, .35 - .85j, .5 + .6j, .95 - .1j,
               1.5 + .3j, 1.3 - .75j]
@@ -243,7 +244,7 @@ def peacock():
         p = points[i]
         fig.line(p, p * (1 + .42 / abs(p)), color=GREEN, width=1.8, arrow=True)
     fig.dot(*points)
-    fig.text(-1.57j, "the rest in the plane, bounded by the neighbors of ∞", size=15, dy=0)
+    fig.text(-1.57j, "the plane: neighbors of ∞ at the border", size=SMALL, dy=0)
     fig.write()
 
 
@@ -271,7 +272,7 @@ def star():
             direction += t
         return result
 
-    captions = ["cut open: angles of 295° in all", "scaled to flatness", "the vertex removed"]
+    captions = ["cut open: 295° in all", "scaled to flatness", "the vertex removed"]
     for k, caption in enumerate(captions):
         fig.frame(150 + 300 * k, 145, 108)
         scale = 1 if k == 0 else high
@@ -286,7 +287,7 @@ def star():
                 fig.line(rim[i], rim[j], color=ORANGE, width=1.8)
         fig.line(*rim, color=BLUE)
         fig.dot(*rim)
-        fig.text(-1.3j, caption, size=15)
+        fig.text(-1.3j, caption, size=SMALL)
     fig.write()
 
 
@@ -312,7 +313,7 @@ def transport():
                 fig.line(p, p - .42 * p / abs(p), color=ORANGE, width=2, arrow=True)
         fig.dot(*rim, pixels=3)
         fig.text(-1.32j, "before: the mass of a vertex" if not is_after else
-                 "after: at its neighbors, with the way back", size=15)
+                 "after: at its neighbors", size=SMALL)
     fig.write()
 
 
@@ -324,7 +325,7 @@ def tufted():
     for w in ways:
         fig.line(0j, w)
     fig.dot(0j, color=ORANGE, pixels=6)
-    fig.text(-1.3j, "three triangles at one edge, seen along it", size=15)
+    fig.text(-1.3j, "three triangles at an edge", size=SMALL)
     fig.frame(560, 140, 105)
     for k, w in enumerate(ways):
         nxt = ways[(k + 1) % 3]
@@ -338,7 +339,7 @@ def tufted():
         fig.line(p, turn[0], *curve, turn[1], q, color=color)
     for w in ways:
         fig.line(w + .09j * w, w + .09 * w, w - .09j * w, color=GREY, width=1.2, dash="3 3")
-    fig.text(-1.3j, "each has two sides; facing sides are glued", size=15)
+    fig.text(-1.3j, "facing sides are glued", size=SMALL)
     fig.write()
 
 
@@ -348,19 +349,19 @@ def stages():
     boxes = [("stored lengths", "with error bounds:", "nearly all edges"),
              ("squared lengths", "of straight edges:", "ties, too"),
              ("strips, rounded", "53, 102 or 512 bits", "with error bounds"),
-             ("strips, exact", "sums of square roots:", "ties, too")]
+             ("strips, exact", "sums of roots:", "ties, too")]
     for k, (name, *words) in enumerate(boxes):
-        x = 20 + 222 * k
-        fig.polygon((x, -40), (x + 172, -40), (x + 172, -140), (x, -140), color=BLUE, width=2)
-        fig.text((x + 86, -66), name)
+        x = 10 + 229 * k
+        fig.polygon((x, -40), (x + 192, -40), (x + 192, -140), (x, -140), color=BLUE, width=2)
+        fig.text((x + 96, -66), name)
         for i, line in enumerate(words):
-            fig.text((x + 86, -94 - 22 * i), line, size=14, color="#444444")
+            fig.text((x + 96, -94 - 22 * i), line, size=17, color="#444444")
         if k < 3:
-            fig.line((x + 174, -90), (x + 218, -90), arrow=True, width=2)
-            fig.text((x + 196, -74), "?", size=18, dy=0)
-        fig.line((x + 86, -142), (x + 86, -186), arrow=True, width=2, color=GREEN)
-    fig.polygon((20, -190), (858, -190), (858, -232), (20, -232), fill="#e8f3ee", color=GREEN, width=2)
-    fig.text((439, -211), "the sign is certain: flip, keep, or a tie, which keeps the edge", size=15)
+            fig.line((x + 195, -90), (x + 226, -90), arrow=True, width=2)
+            fig.text((x + 210, -74), "?", size=18, dy=0)
+        fig.line((x + 96, -142), (x + 96, -186), arrow=True, width=2, color=GREEN)
+    fig.polygon((10, -190), (889, -190), (889, -232), (10, -232), fill="#e8f3ee", color=GREEN, width=2)
+    fig.text((450, -211), "the sign is certain: flip, keep, or a tie, which keeps the edge", size=SMALL)
     fig.write()
 
 

@@ -26,7 +26,8 @@ public:
     : m_text(text)
   {
     m_text << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\""
-           << height << "\">\n<style>path{fill:none;stroke-width:.4;stroke-linejoin:round;"
+           << height << "\" viewBox=\"0 0 " << width << ' ' << height
+           << "\">\n<style>path{fill:none;stroke-width:.4;stroke-linejoin:round;"
            << "stroke-linecap:round}";
     for(const Line_style& style : styles)
       m_text << '.' << style.name << "{stroke:" << text_of(style.color)
