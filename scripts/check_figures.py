@@ -6,6 +6,7 @@
 """Checks that measured figures stand only in tables that scripts/make_tables.py writes: check_figures.py [ROOT].
 Prints file:line of times, amounts of memory, percentages and ratios in sentences of the manual and of
 README.md, of tables of figures that are typed in, and of tables that no page includes or no benchmark makes.
+Prints drawings that do not scale with the page, too.
 Exits with 1 if there is any."""
 
 import re
@@ -97,11 +98,18 @@ def other_summary():
         yield f"{path.relative_to(make_tables.ROOT)}: the summary differs from the tables"
 
 
+def drawings_of_one_size():
+    """Returns drawings without a viewBox: windows that are narrower cut them off."""
+    for path in sorted(make_tables.ROOT.glob("doc/*/fig/*.svg")):
+        if " viewBox=" not in path.read_text().split(">", 1)[0]:
+            yield f"{path.relative_to(make_tables.ROOT)}: a drawing without a viewBox"
+
+
 def main():
     if len(sys.argv) > 1:
         make_tables.ROOT = Path(sys.argv[1]).resolve()
     pages = sorted(make_tables.ROOT.glob("doc/*/*.txt"))
-    found = [*orphans(pages), *other_summary()]
+    found = [*orphans(pages), *other_summary(), *drawings_of_one_size()]
     for page in [*pages, make_tables.ROOT / "README.md"]:
         for line, message in sorted([*figures_in_sentences(page), *typed_tables(page)]):
             found.append(f"{page.relative_to(make_tables.ROOT)}:{line}: {message}")
