@@ -5,14 +5,16 @@
 
 """Follows the questions of the first page of each manual: check_questions.py DOC, the folder with
 PACKAGE/html. Every question has links, each to a section that exists. These sections name every function,
-class and option of the answer. Prints each violation, and exits with 1 if there is any."""
+class and option of the answer. The first page of the first package links to all other tables, so each answer
+is two clicks from it. Some first page links to every page, and all links of pages lead to something.
+Prints each violation, and exits with 1 if there is any."""
 
 import html
 import re
 import sys
 from pathlib import Path
 
-# First pages and headings of their tables. From the first page of the first package, the others are one click.
+# First pages and headings of their tables.
 TABLES = [("Intrinsic_triangulations", "it_tasks"), ("Discrete_conformal_maps", "dcm_tasks"),
           ("Intrinsic_simplification", "is_tasks")]
 FEWEST_QUESTIONS = 30
@@ -69,8 +71,34 @@ def complaints(doc):
         yield f"there are {number} questions only"
 
 
+def links_of(page):
+    """Pairs of the file and the anchor of each link of a page, from its own text without menus."""
+    text = page.read_text()
+    text = text[text.find('<div class="contents">'):]
+    for target, anchor in re.findall(r'href="([^"#:]*)(?:#([^"]*))?"', text):
+        yield (page.parent / target).resolve() if target else page, anchor
+
+
+def unreachable(doc):
+    """Complaints about tables and pages without a link from a first page, and about links that lead nowhere."""
+    first_pages = [doc / package / "html/index.html" for package, _ in TABLES]
+    clicks = {link for page in first_pages for link in links_of(page)}
+    for (package, anchor), page in zip(TABLES[1:], first_pages[1:]):
+        if (page.resolve(), anchor) not in set(links_of(first_pages[0])):
+            yield f"{package}: the first page does not link to its questions"
+    pages = [page for package, _ in TABLES for page in sorted((doc / package / "html").glob("*.html"))
+             if re.match(r"Chapter_|(?:it|dcm|is)_page_", page.name)]
+    for page in [*first_pages, *pages]:
+        if page in pages and page.resolve() not in {target for target, _ in clicks}:
+            yield f"{page.name}: no first page links to it"
+        for target, anchor in links_of(page):
+            if not target.exists() or anchor and not re.search(f'(?:id|name)="{re.escape(anchor)}"', target.read_text()):
+                yield f"{page.name}: broken link to {target.name}#{anchor}"
+
+
 def main():
-    found = list(complaints(Path(sys.argv[1])))
+    doc = Path(sys.argv[1])
+    found = [*complaints(doc), *unreachable(doc)]
     print(*found, sep="\n")
     sys.exit(1 if found else 0)
 

@@ -2,8 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Tests that scripts/check_figures.py finds figures outside tables and tables without a page or a
-benchmark, and nothing else; and that scripts/make_tables.py reads what benchmarks print and keeps old
+"""Tests that scripts/check_figures.py finds figures outside tables, tables without a page or a
+benchmark, and drawings of one size, and nothing else; and that scripts/make_tables.py reads what benchmarks print and keeps old
 tables if they fail: check_figures.py SCRIPTS."""
 
 import contextlib
@@ -65,6 +65,9 @@ def check_manual():
         summary = root / "doc/Intrinsic_triangulations/tables/summary.md"
         summary.write_text(summary.read_text().replace(" ms |", "1 ms |"))
         expect("summary.md: the summary differs" in complaints(root), "another summary")
+        drawing = root / "doc/Intrinsic_triangulations/fig/flip.svg"
+        drawing.write_text(drawing.read_text().replace("viewBox", "box"))
+        expect("flip.svg: a drawing without a viewBox" in complaints(root), "a drawing of one size")
 
 
 def check_tables():
