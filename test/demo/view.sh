@@ -310,7 +310,7 @@ PYTHON
       return place && Math.hypot(...place.picture) < .6 })'
 fi
 
-# Pictures are XML, have every polygon, and are the same in each run.
+# Pictures are XML, have every polygon, scale with a page, and are the same in each run.
 expect 0 flatten flat.mesh.off -o a.obj --picture a.svg
 expect 0 flatten flat.mesh.off -o a.obj --picture b.svg
 cmp a.svg b.svg
@@ -318,6 +318,10 @@ python3 -c 'import sys, xml.dom.minidom as dom
 paths = dom.parse("a.svg").getElementsByTagName("path")
 polygons = [p for p in paths if p.hasAttribute("style")]
 sys.exit(len(polygons) != 2 * 72)' || fail 'polygons are missing in a.svg'
+python3 -c 'import sys, xml.dom.minidom as dom
+picture = dom.parse("a.svg").documentElement
+width, height = picture.getAttribute("width"), picture.getAttribute("height")
+sys.exit(picture.getAttribute("viewBox") != f"0 0 {width} {height}")' || fail 'a.svg does not scale'
 
 # A section is what is near, at its size: an edge of length 1/6 in a circle of 1/4 is 560 * 1/6 / (1/2) long.
 expect 0 flatten flat.mesh.off -o a.obj --picture b.svg --section .5,.5,0 0.25
