@@ -55,10 +55,19 @@ target_precompile_headers(unit_tests_precompiled PRIVATE
   "${CMAKE_CURRENT_SOURCE_DIR}/Intrinsic_triangulations/testing.h"
   $<$<BOOL:${Eigen_FOUND}>:<Eigen/SparseCholesky$<ANGLE-R>>)
 
+# Surfaces for tests are generated and read by functions that are compiled once.
+file(GLOB surface_sources CONFIGURE_DEPENDS
+  "${CMAKE_CURRENT_SOURCE_DIR}/Intrinsic_triangulations/*.cpp")
+list(FILTER surface_sources EXCLUDE REGEX "/(test_[^/]*|counted_new)\\.cpp$")
+add_library(unit_test_surfaces STATIC EXCLUDE_FROM_ALL ${surface_sources})
+target_link_libraries(unit_test_surfaces PRIVATE unit_test_dependencies)
+target_precompile_headers(unit_test_surfaces REUSE_FROM unit_tests_precompiled)
+set_target_properties(unit_test_surfaces PROPERTIES UNITY_BUILD ON)
+
 # One executable with the tests in the source files of a directory, and for compilers that only look
 # for warnings a target <name>_syntax.
 function(add_unit_tests name)
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS test_*.cpp counted_new.cpp)
   if(NOT Ceres_FOUND)
     list(FILTER sources EXCLUDE REGEX "_ceres_")
   endif()
@@ -73,7 +82,7 @@ function(add_unit_tests name)
   add_library(${name}_syntax OBJECT EXCLUDE_FROM_ALL ${sources})
   target_compile_options(${name}_syntax PRIVATE -fsyntax-only)
   foreach(target IN ITEMS ${name} ${name}_syntax)
-    target_link_libraries(${target} PRIVATE unit_test_dependencies)
+    target_link_libraries(${target} PRIVATE unit_test_surfaces unit_test_dependencies)
     target_precompile_headers(${target} REUSE_FROM unit_tests_precompiled)
     # Templates are instantiated once for several files, each of which has its own namespace.
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 21)

@@ -457,11 +457,10 @@ TEST(Certify_order, agrees_with_exact_places)
 
 Mesh read_data_mesh(const std::string& name)
 {
-  Mesh mesh;
   for(const std::string& file : data_meshes(10000000))
     if(std::filesystem::path(file).filename() == name)
-      CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh);
-  return mesh;
+      return read_repaired_mesh(file);
+  return Mesh();
 }
 
 // Checks that all edges and pairs are counted, except for the end of a second copy, whose elements

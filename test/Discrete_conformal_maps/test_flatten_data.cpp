@@ -5,7 +5,6 @@
 #include "../Intrinsic_triangulations/data_meshes.h"
 #include "flat_maps.h"
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
@@ -20,7 +19,7 @@ Mesh read(const std::string& file)
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   Mesh result;
-  if(CGAL::IO::read_polygon_soup(file, points, polygons) &&
+  if(read_soup(file, points, polygons) &&
      IT::diagnose_polygon_soup(points, polygons).is_valid())
     PMP::polygon_soup_to_polygon_mesh(points, polygons, result);
   return result;

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "flat_changes.h"
 #include "known_surfaces.h"
 #include "path_checks.h"
@@ -259,8 +260,8 @@ TEST(Curve_across, on_data_meshes)
 {
   for(const std::string& file : data_meshes(60000)) {
     SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    const Mesh mesh = read_mesh(file);
+    if(!CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
       continue;
     try {
       Triangulation t(mesh);

@@ -5,7 +5,6 @@
 #include "data_meshes.h"
 #include "subdivision_checks.h"
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
@@ -39,7 +38,7 @@ struct Soup
   bool is_read;
 
   explicit Soup(const std::string& file)
-    : is_read(CGAL::IO::read_polygon_soup(file, points, polygons))
+    : is_read(read_soup(file, points, polygons))
   {}
 
   bool is_valid_polygon(const std::vector<std::size_t>& polygon) const

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "flat_pair.h"
 #include "hard_meshes.h"
 
@@ -91,9 +92,9 @@ TEST(Simplicial, mesh_in_space)
 {
   for(const std::string& file : data_meshes(300000)) {
     SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) ||
-       mesh.number_of_faces() == 0 || !CGAL::is_valid_polygon_mesh(mesh))
+    const Mesh mesh = read_mesh(file);
+    if(!CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0 ||
+        !CGAL::is_valid_polygon_mesh(mesh))
       continue;
     Triangulation tri(mesh);
     IT::refine(tri, IT::parameters::simplicial(true));

@@ -9,7 +9,6 @@
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
