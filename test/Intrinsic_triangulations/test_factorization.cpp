@@ -2,12 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sparse Cholesky factorizations of both libraries are compared with dense products.
+// Sparse Cholesky factorizations of both libraries are compared with dense products, and conjugate
+// gradients with a factorization.
 
 #include "testing.h"
 
 #include <CGAL/Intrinsic_triangulations/Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/conjugate_gradients.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
 #endif
@@ -214,6 +216,54 @@ TEST(Factorization, of_nothing)
   const Factorization<double> empty(Eigen::SparseMatrix<double>(0, 0), "matrix");
   EXPECT_EQ(empty.solve(Eigen::VectorXd()).size(), 0);
   EXPECT_THROW(Factorization<double>(Eigen::SparseMatrix<double>(3, 3), "matrix"), Numerical_error);
+}
+
+// Stores equations with the diagonal as a preconditioner.
+struct Equations
+{
+  Eigen::SparseMatrix<double> matrix;
+
+  Eigen::VectorXd product(const Eigen::VectorXd& x) const { return matrix * x; }
+  Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const
+  {
+    return r.cwiseQuotient(Eigen::VectorXd(matrix.diagonal()));
+  }
+};
+
+TEST(Conjugate_gradients, solve)
+{
+  CGAL::Random random(6);
+  for(const int size : {1, 2, 50, 500}) {
+    const Equations equations{definite_matrix<double>(size, random)};
+    const Eigen::VectorXd b = random_vector<double>(size, random);
+    const auto result = solve_by_conjugate_gradients(equations, b, 1e-12, 200);
+    EXPECT_EQ(result.status, Iteration_status::converged);
+    EXPECT_LE(result.error, 1e-12);
+    const Eigen::VectorXd exact = Factorization<double>(equations.matrix, "matrix").solve(b);
+    EXPECT_LE((result.solution - exact).norm(), 1e-10 * exact.norm());
+  }
+}
+
+TEST(Conjugate_gradients, failure_has_a_name)
+{
+  CGAL::Random random(7);
+  const Equations equations{definite_matrix<double>(500, random)};
+  Eigen::VectorXd b = random_vector<double>(500, random);
+  const auto few = solve_by_conjugate_gradients(equations, b, 1e-12, 3);
+  EXPECT_EQ(few.status, Iteration_status::iteration_limit);
+  EXPECT_EQ(few.iterations, 3u);
+  const Eigen::VectorXd rest = b - equations.product(few.solution);
+  EXPECT_NEAR(
+    few.error,
+    std::sqrt(rest.dot(equations.preconditioned(rest)) / b.dot(equations.preconditioned(b))),
+    1e-14);
+  EXPECT_EQ(solve_by_conjugate_gradients(equations, b, 1e-30, 1000).status,
+            Iteration_status::no_progress);
+  b[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(solve_by_conjugate_gradients(equations, b, 1e-12, 1000).status,
+            Iteration_status::no_progress);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(500);
+  EXPECT_EQ(solve_by_conjugate_gradients(equations, zero, 1e-12, 1000).solution, zero);
 }
 
 } // namespace Test_factorization

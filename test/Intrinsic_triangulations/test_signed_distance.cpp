@@ -6,11 +6,16 @@
 
 #include "surface_curves.h"
 
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Part_means.h>
+#include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
+
+#include <set>
 
 namespace Test_signed_distance {
 
@@ -352,6 +357,87 @@ TEST(Signed_heat_distance, means_over_all_parts_of_the_curve_are_zero)
     });
     EXPECT_NEAR(integral(known.t, part, d), 0, 1e-12);
     EXPECT_GT(part.size(), 10);
+  }
+}
+
+// Returns dashes of a curve: segments that share no vertex with the faces of segments before.
+Curve dashes_of(const Curve& curve, const Delta_complex& mesh)
+{
+  std::set<std::size_t> used;
+  return part_of(curve, [&](std::size_t i) {
+    const auto side = IT::sides(curve[i].face, mesh);
+    for(const auto h : side)
+      if(used.count(mesh.source(h).idx()) > 0)
+        return false;
+    for(const auto h : side)
+      used.insert(mesh.source(h).idx());
+    return true;
+  });
+}
+
+// Returns the function next to `function` in the Dirichlet norm whose means over all segments are
+// zero, from dense equations with a multiplier for each segment.
+Values next_with_zero_means(const Triangulation& t, const Curve& curve, const Values& function)
+{
+  const Eigen::MatrixXd laplacian(IT::cotan_laplacian(t.intrinsic()));
+  const Eigen::Index n = laplacian.rows(), k = static_cast<Eigen::Index>(curve.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + k, n + k);
+  matrix.topLeftCorner(n, n) = laplacian;
+  for(Eigen::Index j = 0; j < k; ++j)
+    for(Eigen::Index v = 0; v < n; ++v)
+      matrix(n + j, v) = matrix(v, n + j) =
+        integral(t, {curve[static_cast<std::size_t>(j)]}, Values::Unit(n, v));
+  Values right_side = Values::Zero(n + k);
+  right_side.head(n) = laplacian * function;
+  return matrix.fullPivLu().solve(right_side).head(n);
+}
+
+TEST(Signed_heat_distance, means_become_equal_as_by_dense_equations)
+{
+  CGAL::Random random(8);
+  for(const auto family : {circle_in_square, circle_on_sphere, parallels_of_torus}) {
+    const Known_curve known = family(14, random);
+    const auto surface = known.t.intrinsic();
+    const Curve dashes = dashes_of(known.curve(), known.t.mesh());
+    EXPECT_GT(dashes.size(), 5u);
+    const IT::Mesh_components components(surface.mesh());
+    const IT::Poisson_solver<double> poisson(surface);
+    Values function = exact(known);
+    for(double& value : function)
+      value += random.get_double(-known.edge, known.edge);
+    const Values expected = next_with_zero_means(known.t, dashes, function);
+    IT::internal::Part_means(surface, components, poisson, dashes).equalize(function);
+    function.array() -=
+      integral(known.t, {dashes[0]}, function) / IT::curve_length(surface, {dashes[0]});
+    EXPECT_LT((function - expected).cwiseAbs().maxCoeff(), 1e-9 * known.edge) << known.name;
+  }
+}
+
+// Segments in distant faces all over a square and a small sphere are parts of their own.
+TEST(Signed_heat_distance, many_parts)
+{
+  Mesh mesh = unit_square(60, 1);
+  const auto n = mesh.number_of_vertices();
+  CGAL::copy_face_graph(unit_sphere(10), mesh);
+  for(std::size_t v = n; v < mesh.number_of_vertices(); ++v) {
+    Point& p = mesh.point(Vertex_index(static_cast<unsigned int>(v)));
+    p = CGAL::ORIGIN + 1e-9 * (p - CGAL::ORIGIN);
+  }
+  const Triangulation t(mesh);
+  Curve everywhere;
+  for(Face_index f : t.mesh().faces())
+    everywhere.push_back({f, {1, 0, 0}, {0, 0.5, 0.5}});
+  const Curve dots = dashes_of(everywhere, t.mesh());
+  EXPECT_GT(dots.size(), 400u);
+  const Values d = IT::signed_heat_distance(t.intrinsic(), dots);
+  const auto size = static_cast<Eigen::Index>(n);
+  const double large = d.head(size).cwiseAbs().maxCoeff(),
+               small = d.tail(d.size() - size).cwiseAbs().maxCoeff();
+  EXPECT_LT(small, 1e-8);
+  for(const auto& dot : dots) {
+    const bool is_small = t.mesh().source(t.mesh().halfedge(dot.face)).idx() >= n;
+    EXPECT_NEAR(integral(t, {dot}, d) / IT::curve_length(t.intrinsic(), {dot}), 0,
+                1e-11 * (is_small ? small : large));
   }
 }
 

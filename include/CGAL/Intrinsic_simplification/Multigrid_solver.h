@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/conjugate_gradients.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <CGAL/assertions.h>
@@ -222,39 +223,16 @@ private:
 
 } // namespace internal
 
+using Intrinsic_triangulations::to_string;
+
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// the outcome of an iteration.
-enum class Multigrid_status
-{
-  converged,       ///< the error is below the tolerance
-  iteration_limit, ///< the limit of iterations was reached
-  no_progress      ///< the error does not decrease, by rounding or as a number is not finite
-};
+typedef Intrinsic_triangulations::Iteration_status Multigrid_status;
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// returns a short sentence for `status`.
-inline const char* to_string(Multigrid_status status)
-{
-  switch(status) {
-    case Multigrid_status::converged: return "converged";
-    case Multigrid_status::iteration_limit:
-      return "not converged after as many iterations as are allowed";
-    case Multigrid_status::no_progress: return "the error no longer decreases";
-  }
-  return "unknown";
-}
-
-/// \ingroup PkgIntrinsicSimplificationApplications
-/// a solution with its estimated error.
-struct Multigrid_result
-{
-  Eigen::VectorXd solution;   ///< the last iterate
-  std::size_t iterations = 0; ///< the number of iterations
-  /// the estimated relative error of the solution in the energy norm \f$\sqrt{x^T A x}\f$, from its
-  /// residual and the preconditioner
-  double error = 0;
-  Multigrid_status status = Multigrid_status::no_progress; ///< the outcome of the iteration
-};
+/// a solution with its estimated relative error in the energy norm \f$\sqrt{x^T A x}\f$, from its
+/// residual and the preconditioner.
+typedef Intrinsic_triangulations::Iterative_solution<double> Multigrid_result;
 
 /// \ingroup PkgIntrinsicSimplificationApplications
 /// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the
@@ -304,14 +282,20 @@ public:
                          std::size_t maximum_number_of_iterations = 200) const
   {
     make_compatible(b);
-    const double scale = std::sqrt(b.dot(preconditioned(b)));
-    Multigrid_result result;
-    result.solution = Vector::Zero(b.size());
-    if(scale == 0)
-      result.status = Multigrid_status::converged;
-    else
-      iterate(b, scale, tolerance, maximum_number_of_iterations, result);
-    return result;
+    return Intrinsic_triangulations::solve_by_conjugate_gradients(*this, b, tolerance,
+                                                                  maximum_number_of_iterations);
+  }
+
+  /// returns the product of the matrix and a vector.
+  Vector product(const Vector& x) const { return m_cycle.finest().matrix().transpose() * x; }
+
+  /// applies the preconditioner, which is symmetric, too.
+  Vector preconditioned(Vector r) const
+  {
+    make_compatible(r);
+    Vector z = m_cycle(r);
+    remove_means(z); // otherwise, rounding would let constants grow
+    return z;
   }
 
   /// returns the number of entries of all matrices and prolongations.
@@ -319,60 +303,6 @@ public:
 
 private:
   typedef std::vector<double> Component_sums;
-
-  // Applies the conjugate gradient method. It restarts with the true residual if this is larger
-  // than the updated residual.
-  void iterate(const Vector& b, double scale, double tolerance, std::size_t limit,
-               Multigrid_result& result) const
-  {
-    double last = std::numeric_limits<double>::infinity();
-    for(;;) {
-      Vector r = m_cycle.finest().residual(b, result.solution);
-      Vector z = preconditioned(r);
-      result.error = std::sqrt((std::max)(r.dot(z), 0.)) / scale;
-      if(result.error <= tolerance)
-        result.status = Multigrid_status::converged;
-      else if(result.iterations >= limit)
-        result.status = Multigrid_status::iteration_limit;
-      else if(!(result.error < last / 2))
-        result.status = Multigrid_status::no_progress;
-      else {
-        last = result.error;
-        const double least = internal::residual_rounding * last;
-        conjugate_gradients(r, z, scale * (std::max)(tolerance, least), limit, result);
-        continue;
-      }
-      return;
-    }
-  }
-
-  // Applies conjugate gradients; `z` is the preconditioned residual `r` of the current solution.
-  void conjugate_gradients(Vector& r, Vector& z, double tolerance, std::size_t limit,
-                           Multigrid_result& result) const
-  {
-    Vector p = z;
-    for(double rz = r.dot(z); rz > tolerance * tolerance && result.iterations < limit;) {
-      const Vector ap = m_cycle.finest().matrix().transpose() * p;
-      const double step = rz / p.dot(ap);
-      result.solution += step * p;
-      r -= step * ap;
-      z = preconditioned(r);
-      const double next = r.dot(z);
-      p = z + (next / rz) * p;
-      rz = next;
-      ++result.iterations;
-    }
-  }
-
-  // Applies the preconditioner, which is symmetric, too. Without the projections, rounding would
-  // let constants grow.
-  Vector preconditioned(Vector r) const
-  {
-    make_compatible(r);
-    Vector z = m_cycle(r);
-    remove_means(z);
-    return z;
-  }
 
   std::size_t component(Eigen::Index v) const { return m_components[static_cast<std::size_t>(v)]; }
 

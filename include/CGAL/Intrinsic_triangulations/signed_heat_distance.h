@@ -17,19 +17,18 @@
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Part_means.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
-#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -38,7 +37,6 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -267,11 +265,13 @@ public:
   {}
 
   /// computes the signed distance of every vertex to a curve; infinite on a component without a
-  /// segment of positive length. Complexity: for each part of the curve, linear in the size of the
-  /// factorizations.
+  /// segment of positive length. Complexity: linear in the size of the factorizations, for each
+  /// iteration that makes the means over several parts equal. The number of iterations grows like
+  /// the square root of the number of parts.
   /// \param curve segments, with the negative side on their left
   /// \throws Underflow_error if normals underflow somewhere, at distances as in `Heat_distance`
-  /// \throws Numerical_error if normals cancel on a whole component
+  /// \throws Numerical_error if normals cancel on a whole component. Or if the means over the parts
+  ///         of the curve differ by more than 2^-20 of the greatest distance
   Vector distances(const Surface_curve<FT>& curve) const
   {
     const std::vector<FT> length = length_on_components(curve);
@@ -279,15 +279,12 @@ public:
     normalize(normals, length);
     normalize(rounded, length);
     Vector result = m_poisson.solve(m_divergence * (rounded - FT(2) * normals));
-    equalize_means(result, curve);
+    internal::Part_means(m_surface, m_components, m_poisson, curve).equalize(result);
     subtract_mean(result, curve, length);
     return result;
   }
 
 private:
-  typedef Eigen::SparseMatrix<FT> Matrix;
-  typedef Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> Small_matrix;
-
   std::size_t component(Face_index f) const
   {
     return m_components[m_surface.mesh().source(m_surface.mesh().halfedge(f)).idx()];
@@ -328,83 +325,12 @@ private:
     return (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();
   }
 
-  // Calls `visit(v, weight)` for the vertices whose values determine the integral over a segment.
-  template <typename Visit>
-  void for_each_weight(const Curve_segment<FT>& segment, const Visit& visit) const
-  {
-    const auto h = sides(segment.face, m_surface.mesh());
-    const FT half = internal::segment_length(m_surface, segment) / 2;
-    for(std::size_t k = 0; k < 3; ++k)
-      visit(m_surface.mesh().source(h[k]).idx(), half * (segment.source[k] + segment.target[k]));
-  }
-
-  // Returns a number of the part of each segment.
-  std::vector<std::size_t> parts(const Surface_curve<FT>& curve) const
-  {
-    const Delta_complex& mesh = m_surface.mesh();
-    boost::disjoint_sets_with_storage<> sets(mesh.num_vertices());
-    for(const Curve_segment<FT>& segment : curve)
-      for(Halfedge_index h : sides(segment.face, mesh))
-        sets.union_set(mesh.source(h).idx(), mesh.target(h).idx());
-    std::map<std::size_t, std::size_t> number; // of each representative
-    std::vector<std::size_t> result;
-    for(const Curve_segment<FT>& segment : curve) {
-      const std::size_t v = sets.find_set(mesh.source(mesh.halfedge(segment.face)).idx());
-      result.push_back(number.try_emplace(v, number.size()).first->second);
-    }
-    return result;
-  }
-
-  // Returns a column for each part of the curve after the first part on its component. Its product
-  // with a function is the difference of the means over both parts.
-  Matrix differences_of_means(const Surface_curve<FT>& curve) const
-  {
-    const std::vector<std::size_t> part = parts(curve);
-    std::vector<Eigen::Triplet<FT>> weights, differences;
-    for(std::size_t i = 0; i < curve.size(); ++i)
-      for_each_weight(curve[i], [&](std::size_t v, const FT& weight) {
-        weights.emplace_back(static_cast<int>(v), static_cast<int>(part[i]), weight);
-      });
-    const std::size_t size = curve.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1;
-    const Matrix integrals = matrix_of(weights, m_surface.mesh().num_vertices(), size);
-    std::vector<int> first(m_components.size(), -1); // part
-    int columns = 0;
-    for(int p = 0; p < integrals.cols(); ++p) {
-      const FT length = integrals.col(p).sum();
-      if(!(length > 0))
-        continue;
-      int& f = first[m_components[static_cast<std::size_t>(
-        typename Matrix::InnerIterator(integrals, p).row())]];
-      if(f == -1)
-        f = p;
-      else {
-        differences.emplace_back(p, columns, 1 / length);
-        differences.emplace_back(f, columns++, -1 / FT(integrals.col(f).sum()));
-      }
-    }
-    return integrals * matrix_of(differences, size, static_cast<std::size_t>(columns));
-  }
-
-  // Makes the means over all parts of the curve on a component equal. The gradient remains as close
-  // to the normals as this permits.
-  void equalize_means(Vector& distance, const Surface_curve<FT>& curve) const
-  {
-    const Matrix differences = differences_of_means(curve);
-    if(differences.cols() == 0)
-      return;
-    Small_matrix responses(differences.cols(), differences.cols());
-    for(Eigen::Index i = 0; i < differences.cols(); ++i)
-      responses.col(i) = differences.transpose() * m_poisson.solve(Vector(differences.col(i)));
-    const Vector forces = responses.ldlt().solve(Vector(differences.transpose() * distance));
-    distance -= m_poisson.solve(Vector(differences * forces));
-  }
-
   void subtract_mean(Vector& distance, const Surface_curve<FT>& curve,
                      const std::vector<FT>& length) const
   {
     std::vector<FT> integral(m_components.size(), FT(0));
     for(const Curve_segment<FT>& segment : curve)
-      for_each_weight(segment, [&](std::size_t v, const FT& weight) {
+      internal::for_each_weight(m_surface, segment, [&](std::size_t v, const FT& weight) {
         integral[m_components[v]] += weight * distance[static_cast<Eigen::Index>(v)];
       });
     for(Eigen::Index v = 0; v < distance.size(); ++v) {

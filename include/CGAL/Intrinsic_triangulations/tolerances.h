@@ -10,6 +10,7 @@
 #include <CGAL/number_type_basic.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -170,7 +171,28 @@ constexpr double greatest_crossing_width() { return 0x1p-40; }
 constexpr double inward_moves[] = {0., 0x1p-30, 0x1p-15, 0x1p-8, 0x1p-4, 0x1p-2};
 constexpr double greatest_move_on_edge() { return 0x1p-15; }
 
+// Returns the relative residual below which the residual that conjugate gradients update may differ
+// from the true one. It is the result of some hundred updates.
+template <typename FT>
+constexpr FT residual_rounding()
+{
+  return 1000 * std::numeric_limits<FT>::epsilon();
+}
+
+// Returns the greatest norm of the differences of means over parts of a curve, divided by the
+// greatest distance. Iterations stop at the first bound. Beyond the second one, which is far below
+// the error of distances, signed distances count as failed.
+constexpr double mean_tolerance() { return 0x1p-40; }
+constexpr double greatest_mean_difference() { return 0x1p-20; }
+
 // ---- Limits of effort ----
+
+// Returns the maximal number of iterations that make the means over parts of a curve equal. Parts
+// all over a square or along a circle need about five times the square root of their number.
+inline std::size_t greatest_number_of_mean_iterations(std::size_t parts)
+{
+  return 200 + static_cast<std::size_t>(50 * std::sqrt(static_cast<double>(parts)));
+}
 
 // Returns the factor by which the heat flow may exceed its default time, before distances count as
 // out of range.

@@ -50,10 +50,6 @@ constexpr double greatest_squared_tangent = 0.0036;
 // absolute values. Each entry is a sum of some ten numbers.
 constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 
-// Below this relative residual, the residual that conjugate gradients update may differ from the
-// true one. It is the result of some hundred updates.
-constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
-
 // The areas of the pieces of a face and its area differ by at most this value. Each area has the
 // rounding error of a product of as many matrices as operations. Slivers lose half of all digits.
 constexpr double tiling_rounding = 1e-6;
