@@ -48,6 +48,7 @@ bool is_allowed(IT::Defect_kind kind, const Common_options& options)
   switch(kind) {
     case IT::Defect_kind::NON_MANIFOLD_EDGE:
     case IT::Defect_kind::NON_MANIFOLD_VERTEX:
+    case IT::Defect_kind::NON_ORIENTABLE_COMPONENT:
     case IT::Defect_kind::INCONSISTENT_ORIENTATION: return options.are_soups_allowed;
     case IT::Defect_kind::ZERO_LENGTH_EDGE: return options.mollification > 0;
     case IT::Defect_kind::NON_TRIANGULAR_FACE: return !options.is_strict;
@@ -63,7 +64,9 @@ const char* advice(const IT::Input_diagnosis& diagnosis, const Common_options& o
   if(diagnosis.count(IT::Defect_kind::LENGTH_OUT_OF_RANGE) > 0)
     return "; scale the mesh";
   if(number_of_soup_defects(diagnosis) > 0 && !options.are_soups_allowed && !options.is_repaired())
-    return "; --repair makes it a surface";
+    return diagnosis.count(IT::Defect_kind::NON_ORIENTABLE_COMPONENT) > 0
+             ? "; --repair cuts it open"
+             : "; --repair makes it a surface";
   if(number_of_polygons(diagnosis) > 0 && options.is_strict)
     return "; split it, or leave out --strict";
   return options.is_repaired() ? "; `intrinsic view` shows where" : "; --repair may mend it";

@@ -48,6 +48,7 @@ Element_error::Elements elements_of(const Input_diagnosis::Occurrence& place,
 bool is_about_manifolds(Defect_kind kind)
 {
   return kind == Defect_kind::NON_MANIFOLD_EDGE || kind == Defect_kind::NON_MANIFOLD_VERTEX ||
+         kind == Defect_kind::NON_ORIENTABLE_COMPONENT ||
          kind == Defect_kind::INCONSISTENT_ORIENTATION;
 }
 

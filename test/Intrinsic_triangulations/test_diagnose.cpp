@@ -348,8 +348,29 @@ TEST(Diagnose, moebius_strip_has_one_boundary)
   const Polygons strip = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 0, 4}, {4, 0, 1}};
   const Input_diagnosis d = diagnose(points(5), strip);
   EXPECT_GT(d.count(Defect_kind::INCONSISTENT_ORIENTATION), 0u);
+  EXPECT_EQ(d.count(Defect_kind::NON_ORIENTABLE_COMPONENT), 1u);
   EXPECT_EQ(d.statistics().boundary_loops, 1u);
   EXPECT_EQ(d.statistics().euler_characteristic, 0);
+}
+
+// The projective plane has no orientation. Neither reversed faces nor a second component, which has
+// one, change that.
+TEST(Diagnose, projective_plane_is_not_orientable)
+{
+  const Polygons plane = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                          {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+  for(unsigned int reversed = 0; reversed < 1u << plane.size(); ++reversed) {
+    Polygons faces = tetrahedron;
+    std::swap(faces[3][0], faces[3][1]);
+    for(std::size_t f = 0; f < plane.size(); ++f) {
+      faces.push_back({plane[f][0] + 4, plane[f][1] + 4, plane[f][2] + 4});
+      if(reversed >> f & 1)
+        std::swap(faces.back()[0], faces.back()[1]);
+    }
+    const Input_diagnosis d = diagnose(points(10), faces);
+    ASSERT_EQ(d.count(Defect_kind::NON_ORIENTABLE_COMPONENT), 1u);
+    ASSERT_EQ(d.occurrences(Defect_kind::NON_ORIENTABLE_COMPONENT)[0].face, 4u);
+  }
 }
 
 TEST(Diagnose, annulus_has_two_boundaries)

@@ -34,6 +34,8 @@ broken()
 broken repeated.mesh.off 'face with a repeated vertex: 1, first at face 1'
 broken edge_of_three.mesh.off 'non-manifold edge: 1, first between vertices 0 and 1 (face 0)'
 broken orientation.mesh.off 'inconsistent orientation: 1, first between vertices 0 and 2'
+off moebius '0 0 0,1 0 0,0 1 0,1 1 1,0 0 2' '0 1 2,1 3 2,2 3 4,3 0 4,4 0 1'
+broken moebius.mesh.off 'non-orientable component: 1, first at face 0'
 broken bow_tie.mesh.off 'non-manifold vertex: 1, first at vertex 0'
 broken zero_length.mesh.off 'zero-length edge: 1, first between vertices 1 and 2 (face 1)'
 broken overflow.mesh.obj 'invalid edge length: 1, first between vertices 0 and 1'

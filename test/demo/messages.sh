@@ -88,6 +88,7 @@ off repeated_only "$square" '0 2 2'
 off pillow "$tetrahedron" "$tetrahedron_faces"
 off two_triangles '0 0 0,1 0 0,0 1 0,5 0 0,6 0 0,5 1 0' '0 1 2,3 4 5'
 off apart '0 0 0,1 0 0,0 1 0,7 7 7' '0 1 2'
+off moebius '0 0 0,1 0 0,0 1 0,1 1 1,0 0 2' '0 1 2,1 3 2,2 3 4,3 0 4,4 0 1'
 off crossed '0 0 0,1 0 0,1 1 0,0 1 0' '0 2 1 3'
 off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
 
@@ -179,6 +180,7 @@ calls <<'TABLE'
 2 | ; correct it in the file | delaunay later.mesh.obj -o a.ply
 2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply
 2 | --repair makes it a surface | delaunay edge_of_three.mesh.off -o a.ply
+2 | --repair cuts it open | delaunay moebius.mesh.off -o a.ply
 2 | this format cannot be binary (.ply can) | delaunay flat.mesh.off -o a.vtp --binary
 2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --save a.ply
 2 | there is no option '--unknown-option' | info flat.mesh.off --unknown-option

@@ -26,6 +26,7 @@ enum class Defect_kind : std::size_t
   REPEATED_VERTEX_IN_FACE,
   NON_TRIANGULAR_FACE,
   NON_MANIFOLD_EDGE,
+  NON_ORIENTABLE_COMPONENT,
   INCONSISTENT_ORIENTATION,
   NON_MANIFOLD_VERTEX,
   ZERO_LENGTH_EDGE,
@@ -62,7 +63,7 @@ struct Defect_description
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
 /// all kinds of defects, in the order of their enumerators, the fatal ones first.
-inline constexpr std::array<Defect_description, 16> defect_descriptions = {{
+inline constexpr std::array<Defect_description, 17> defect_descriptions = {{
   {Defect_kind::NON_FINITE_COORDINATE, "non-finite coordinate", true, Defect_element::VERTEX,
    "a coordinate is infinite or not a number"},
   {Defect_kind::FACE_INDEX_OUT_OF_RANGE, "face index out of range", true, Defect_element::FACE,
@@ -73,6 +74,8 @@ inline constexpr std::array<Defect_description, 16> defect_descriptions = {{
    "only triangles are accepted"},
   {Defect_kind::NON_MANIFOLD_EDGE, "non-manifold edge", true, Defect_element::EDGE,
    "an edge must have one or two faces"},
+  {Defect_kind::NON_ORIENTABLE_COMPONENT, "non-orientable component", true, Defect_element::FACE,
+   "the surface is one-sided, so no orientation of its faces is consistent"},
   {Defect_kind::INCONSISTENT_ORIENTATION, "inconsistent orientation", true, Defect_element::EDGE,
    "the two faces at an edge run along it in the same direction"},
   {Defect_kind::NON_MANIFOLD_VERTEX, "non-manifold vertex", true, Defect_element::VERTEX,

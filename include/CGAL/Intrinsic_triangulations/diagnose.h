@@ -71,6 +71,7 @@ public:
       check_edge(e);
       glue_faces_along(e);
     }
+    check_orientability();
     check_vertices();
     count_components();
     count_elements();
@@ -108,6 +109,31 @@ private:
       m_components.union_set(m_complex.corner_face[s.corner], m_complex.corner_face[t.corner]);
       for(const int end : {0, 1})
         m_fans.union_set(m_complex.corner_at(s, end), m_complex.corner_at(t, end));
+    }
+  }
+
+  // Glues two copies of each face, one for each orientation, along edges with two faces. If both
+  // copies of a face become connected, no orientation of its component is consistent.
+  void check_orientability()
+  {
+    if(m_diagnosis.count(Defect_kind::INCONSISTENT_ORIENTATION) == 0)
+      return;
+    const std::size_t n = m_complex.number_of_faces();
+    Disjoint_sets copies(2 * n);
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
+      if(m_complex.sides_of(e) == 2) {
+        const Edge_side &s = side(e, 0), &t = side(e, 1);
+        const std::size_t f = m_complex.corner_face[s.corner], g = m_complex.corner_face[t.corner];
+        const bool is_reversed = s.forward == t.forward;
+        copies.union_set(f, is_reversed ? g + n : g);
+        copies.union_set(f + n, is_reversed ? g : g + n);
+      }
+    std::vector<bool> is_met(2 * n, false);
+    for(std::size_t f = 0; f < n; ++f) {
+      const std::size_t root = copies.find_set(f);
+      if(root == copies.find_set(f + n) && !is_met[root])
+        m_diagnosis.add(Defect_kind::NON_ORIENTABLE_COMPONENT, m_complex.face(f));
+      is_met[root] = true;
     }
   }
 
