@@ -123,10 +123,13 @@ def read_obj(path):
         elif words[0] == "l":
             mesh.lines.append(numpy.array([int(w) - 1 for w in words[1:]]))
         elif words[0] == "f":
-            corners = [[int(i) - 1 for i in w.split("/") if i] for w in words[1:]]
-            mesh.faces.append(numpy.array([c[0] for c in corners]))
-            mesh.texture_faces.append(numpy.array([c[1] for c in corners if len(c) > 1]))
-    mesh.points, mesh.texture = numpy.array(points), numpy.array(texture)
+            corners = [(w + "/").split("/")[:2] for w in words[1:]]  # without normals
+            mesh.faces.append(numpy.array([int(v) - 1 for v, vt in corners]))
+            mesh.texture_faces.append(numpy.array([int(vt) - 1 for v, vt in corners if vt]))
+    rows = numpy.array(points)
+    mesh.points, mesh.texture = rows[:, :3], numpy.array(texture)
+    for name, values in zip(("red", "green", "blue"), rows.T[3:]):
+        mesh.vertex[name] = values
     return mesh
 
 

@@ -40,6 +40,13 @@ holds '(read("a.ply").points == read("flat.mesh.off").points).all()' \
   'len(read("d.ply").edges) == len(read("d.ply").edge["input_edge"]) == 3 * 64 + 16' \
   'len(read("a.off").faces) == len(read("d.ply").faces) == 128'
 
+# Colors and normals of .obj are neither positions nor texture coordinates.
+printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\n' > normals.mesh.obj
+expect 0 delaunay normals.mesh.obj -o n.obj --quiet
+holds 'read("n.obj").points.tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0]]' \
+  'read("n.obj").vertex["green"].tolist() == [0, 1, 0]' \
+  '[len(f) for f in read("n.obj").texture_faces] == [0]'
+
 # Matrices: on the unit square the mass is one, constants are in the kernel of the symmetric Laplacian,
 # and the gradient of a linear function has length one.
 expect 0 operators flat.mesh.off --prefix m --quiet
