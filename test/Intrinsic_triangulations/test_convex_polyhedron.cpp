@@ -273,6 +273,30 @@ TEST(Convex_polyhedron, recognizes_polygons_with_two_sides)
   }
 }
 
+// Corners are at random places of a thin ellipse, which is turned.
+TEST(Convex_polyhedron, recognizes_thin_polygons)
+{
+  CGAL::Random random(9);
+  for(const std::size_t n : {3, 4, 5, 8, 20})
+    for(const double length : {1e2, 1e4})
+      for(const double turn : {0., 0.3}) {
+        std::vector<double> angle(n);
+        for(double& a : angle)
+          a = random.get_double(0, 2 * pi);
+        std::sort(angle.begin(), angle.end());
+        std::vector<Point> corner;
+        for(const double a : angle) {
+          const double x = length * std::cos(a), y = std::sin(a);
+          corner.emplace_back(x * std::cos(turn) - y * std::sin(turn),
+                              x * std::sin(turn) + y * std::cos(turn), 0);
+        }
+        const Mesh mesh = double_polygon(corner, 1);
+        const Polyhedron p = IT::convex_polyhedron(mesh);
+        EXPECT_EQ(p.kind(), IT::Polyhedron_kind::polygon) << n << ' ' << length;
+        expect_congruent(p, mesh, 1e-14 * length);
+      }
+}
+
 // Rounded lengths belong to a polyhedron whose heights are rounding errors.
 TEST(Convex_polyhedron, finds_polygons_from_lengths)
 {

@@ -79,7 +79,8 @@ public:
   /// the distance of its ends, relative to the length.
   double max_edge_error() const { return m_max_edge_error; }
 
-  /// returns the part of the curvature that was left at the apex at the end of the path.
+  /// returns the part of the curvature that was left at the apex at the end of the path. It is zero
+  /// for a polygon that was found without a path.
   double last_curvature() const { return m_last_curvature; }
 
   /// returns the number of steps of Newton's method.
@@ -115,7 +116,8 @@ private:
 /// coordinate. `Convex_polyhedron::kind()` returns how convexity has been decided. An exception
 /// reports that measurements confirm no result.
 ///
-/// The pyramids over the triangles have a common apex \cgalCite{BI08}. Its distances from the
+/// Distances of vertices determine a polygon with two sides, which is tried first. For others, the
+/// pyramids over the triangles have a common apex \cgalCite{BI08}. Its distances from the
 /// vertices begin large, and are followed until the edges to the apex have no curvature. The
 /// triangulation is always weighted Delaunay for the squares of the distances. Then Newton's method
 /// gives the edges their lengths in space, and concave edges are flipped. Derivatives have type

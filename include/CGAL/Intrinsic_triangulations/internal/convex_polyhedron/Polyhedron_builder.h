@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Curvature_path.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Curved_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Edge_fitting.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Polygon_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/lay_out_pyramids.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
@@ -48,11 +49,15 @@ public:
     Curved_vertices curved = curved_vertices(tri, tolerance);
     m_flat_vertices = std::move(curved.flat_vertices);
     m_number_of_unknown = curved.number_of_unknown;
+    if(failure_of_polygon(curved, flat_height * flat_height).empty()) {
+      m_last_t = 0;
+      return;
+    }
     Curvature_path path(curved.surface);
     path.follow_to(t_at_end);
     m_last_t = path.t();
     m_newton_steps = path.newton_steps();
-    find(path, curved.vertices);
+    find(path, curved);
   }
 
   const std::vector<Point>& points() const { return m_points; }
@@ -74,17 +79,21 @@ public:
 private:
   static constexpr double t_at_end = 1e-14; // of the path
   // Lengths determine heights to half of the digits only. If heights are less, relative to the
-  // size, a polygon with two sides is tried first.
+  // size, a polygon with two sides is tried first. Its edges then have errors of the square.
   static constexpr double flat_height = 1e-7;
   static constexpr double position_error = 0x1p-50; // relative to the largest coordinate
   static constexpr int most_fittings = 20;
 
   // Takes a polyhedron or a polygon, whichever measurements confirm.
-  void find(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
+  void find(const Curvature_path& path, const Curved_vertices& curved)
   {
+    const auto failure = [&](bool is_polygon) {
+      return is_polygon ? failure_of_polygon(curved, m_greatest_edge_error)
+                        : failure_of_polyhedron(path, curved.vertices);
+    };
     const bool is_flat = has_no_heights(path.surface(), path.radii());
-    const std::string first = failure_of(is_flat, path, vertices);
-    const std::string second = first.empty() ? first : failure_of(!is_flat, path, vertices);
+    const std::string first = failure(is_flat);
+    const std::string second = first.empty() ? first : failure(!is_flat);
     if(second.empty())
       return;
     std::ostringstream text;
@@ -94,21 +103,34 @@ private:
     throw Numerical_error(text.str());
   }
 
-  // Builds a polygon or a polyhedron. Returns why it is no result, or nothing.
-  std::string failure_of(bool is_polygon, const Curvature_path& path,
-                         const std::vector<Vertex_index>& vertices)
+  // Builds a polyhedron. Returns why it is no result, or nothing.
+  std::string failure_of_polyhedron(const Curvature_path& path,
+                                    const std::vector<Vertex_index>& vertices)
+  {
+    return failure_of([&] { build_polyhedron(path, vertices); }, m_greatest_edge_error);
+  }
+
+  // Builds a polygon whose edges have at most this relative error, and does the same.
+  std::string failure_of_polygon(const Curved_vertices& curved, double greatest_edge_error)
+  {
+    return failure_of([&] { build_polygon(curved); }, greatest_edge_error);
+  }
+
+  template <typename Build>
+  std::string failure_of(const Build& build, double greatest_edge_error)
   {
     try {
-      is_polygon ? build_polygon(path, vertices) : build_polyhedron(path, vertices);
+      build();
     } catch(const Numerical_error& error) {
       return error.what();
     }
     if(m_kind != Polyhedron_kind::convex_before_rounding && !m_certificate.is_convex())
       return to_string(m_certificate);
-    return are_edges_accurate() ? "" : "edges have other lengths than on the surface";
+    return are_edges_accurate(greatest_edge_error) ? ""
+                                                   : "edges have other lengths than on the surface";
   }
 
-  bool are_edges_accurate() const
+  bool are_edges_accurate(double greatest_error) const
   {
     double size = 0;
     for(const Point& p : m_points)
@@ -116,7 +138,7 @@ private:
         size = (std::max)(size, std::abs(p[i]));
     const auto edges = m_tri.mesh().edges();
     return std::all_of(edges.begin(), edges.end(), [&](Edge_index e) {
-      return edge_error(e) <= m_greatest_edge_error * m_tri.length(e) + position_error * size;
+      return edge_error(e) <= greatest_error * m_tri.length(e) + position_error * size;
     });
   }
 
@@ -127,16 +149,15 @@ private:
     return std::abs(distance<double>(p, q) - m_tri.length(e));
   }
 
-  // Projects pyramids to a plane.
-  void build_polygon(const Curvature_path& path, const std::vector<Vertex_index>& vertices)
+  void build_polygon(const Curved_vertices& curved)
   {
+    const Polygon_layout polygon(curved.surface);
+    if(!polygon.exists())
+      throw Numerical_error("the surface is no polygon");
     m_kind = Polyhedron_kind::polygon;
-    std::vector<Precise_vector> positions =
-      Pyramid_layout(path.surface(), path.radii()).positions();
-    for(Precise_vector& p : positions)
-      p.z = 0;
+    std::vector<Precise_vector> positions = polygon.positions();
     round(positions);
-    finish(path.surface(), vertices);
+    finish(polygon.surface(), curved.vertices);
   }
 
   // Makes the edges of the last pyramids straight lines in space.
@@ -227,11 +248,13 @@ private:
   // Flips T2 such that its edges are edges of the polyhedron, or lie in its faces.
   void triangulate()
   {
-    const auto weight = boost::make_function_property_map<Vertex_index>([this](Vertex_index v) {
-      return CGAL::squared_distance(m_points[v.idx()], Point(CGAL::ORIGIN));
+    const bool is_polygon = m_kind == Polyhedron_kind::polygon;
+    const double part = is_polygon ? 1 - Polygon_layout::less_weight : 1;
+    const auto weight = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+      return part * CGAL::squared_distance(m_points[v.idx()], Point(CGAL::ORIGIN));
     });
-    make_weighted_Delaunay(m_tri, weight);
-    if(m_kind != Polyhedron_kind::polygon)
+    make_weighted_Delaunay(m_tri, weight, parameters::exact_decisions(is_polygon));
+    if(!is_polygon)
       flip_concave_edges_of_T2();
     m_tri.recompute_lengths();
   }
