@@ -175,7 +175,7 @@ def soup_operators(
     V : (n, 3) array of floats, or a mesh object
         Positions.
     F : (m, 3) array of integers
-        The corners of each face. If it is empty, points are triangulated with their neighbors.
+        The corners of each face. Without faces, points are triangulated with their neighbors.
     neighbors : int
         How many neighbors of each point, at least 3.
     mollify, progress
@@ -195,7 +195,8 @@ def soup_operators(
     >>> float(operators.mass.sum())
     1.5
     """
-    points, faces = arrays(V, F)
+    is_cloud = F is None and isinstance(V, (np.ndarray, list, tuple))
+    points, faces = arrays(V, np.zeros((0, 3), np.int64) if is_cloud else F)
     least = count(neighbors, "neighbors", 3)
     repeated = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
     if repeated.any():

@@ -86,6 +86,8 @@ class Operators(unittest.TestCase):
     def test_points_without_faces(self):
         V = intrinsic.shapes.icosphere(4)[0]
         cloud = intrinsic.soup_operators(V, [])
+        np.testing.assert_array_equal(intrinsic.soup_operators(V).mass.toarray(),
+                                      cloud.mass.toarray())
         self.assertLess(abs(cloud.mass.sum() - 4 * np.pi), 0.3)
         self.assertLess(abs(cloud.laplacian.sum(axis=1)).max(), 1e-9)
 
