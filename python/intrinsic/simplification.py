@@ -32,6 +32,9 @@ class CoarseMesh:
     input_vertex : (k,) int array
         The vertex of the input; -1 for vertices that were inserted because of loops or several
         edges with the same ends.
+    input_points : pair of (k,) int and (k, 3) float arrays
+        The point of the input at each vertex: a face and barycentric coordinates. The face is -1
+        at vertices without faces.
     quality : dict
         "distance_to_coarse" and "distance_to_fine", how far both surfaces are apart, and numbers of
         "inserted_vertices", "flipped_faces", "degenerate_faces" and "self_intersections".
@@ -40,6 +43,7 @@ class CoarseMesh:
     V: Floats
     F: Integers
     input_vertex: Integers
+    input_points: SurfacePoints
     quality: dict[str, float]
 
     @property

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_simplification/coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -102,27 +103,43 @@ py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const 
   }));
 }
 
+// Returns a vertex as a point of a face; without a face if the vertex is isolated.
+Location place_of(IS::Vertex_index v, const IS::Delta_complex& mesh)
+{
+  return mesh.is_isolated(v)
+           ? Location()
+           : IT::face_location(IT::Edge_point<double>{IT::first_outgoing_halfedge(v, mesh), 0},
+                               mesh);
+}
+
 // Returns the coarse triangulation in space. It has positions, corners, their vertices of the input
-// (-1 for inserted ones), and the distance of both surfaces.
+// (-1 for inserted ones), their points on the input, and the distance of both surfaces.
 py::tuple mesh_in_space(const Bound_simplification& self)
 {
   Mesh mesh;
   std::vector<std::int64_t> parents;
+  std::vector<Location> places;
   const auto quality = released([&] {
     const auto fine_vertex =
       mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
-    const auto result = IS::coarse_mesh(
-      self.evolving(), self.fine(), mesh,
-      IS::parameters::input_point_map(self.surface().point_map()).parent_vertex_map(fine_vertex));
-    for(const Mesh::Vertex_index v : mesh.vertices())
-      parents.push_back(fine_vertex[v].is_valid() ? std::int64_t(fine_vertex[v].idx()) : -1);
+    const auto location =
+      mesh.add_property_map<Mesh::Vertex_index, IS::Surface_map::Location>("v:location").first;
+    const auto result = IS::coarse_mesh(self.evolving(), self.fine(), mesh,
+                                        IS::parameters::input_point_map(self.surface().point_map())
+                                          .parent_vertex_map(fine_vertex)
+                                          .location_map(location));
+    for(const Mesh::Vertex_index v : mesh.vertices()) {
+      const IS::Vertex_index parent = fine_vertex[v];
+      parents.push_back(parent.is_valid() ? std::int64_t(parent.idx()) : -1);
+      places.push_back(parent.is_valid() ? place_of(parent, self.fine().mesh()) : location[v]);
+    }
     return result;
   });
   std::vector<std::array<double, 3>> points;
   for(const Point& p : mesh.points())
     points.push_back({p.x(), p.y(), p.z()});
   return py::make_tuple(array_of(std::move(points)), array_of(corners_of(mesh)),
-                        array_of(std::move(parents)),
+                        array_of(std::move(parents)), arrays_of(places),
                         py::dict(py::arg("distance_to_coarse") = quality.distance_to_coarse,
                                  py::arg("distance_to_fine") = quality.distance_to_fine,
                                  py::arg("inserted_vertices") = quality.inserted_vertices,

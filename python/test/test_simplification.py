@@ -63,6 +63,18 @@ class Simplify(unittest.TestCase):
         np.testing.assert_array_equal(mesh.V[:60], V[coarse.vertices])
         self.assertLess(mesh.quality["distance_to_coarse"], 0.3)
 
+    def test_points_of_coarse_mesh(self):
+        """Each vertex of a coarse mesh, also an inserted one, lies at its point of the input."""
+        V, F = support.meshes()["torus"]
+        V = np.vstack([V, [[9, 9, 9]]])  # without a face
+        mesh = intrinsic.simplify(V, F, 5).coarse_mesh()
+        faces, barycentric = mesh.input_points
+        self.assertGreater((mesh.input_vertex < 0).sum(), 0)
+        self.assertEqual((faces < 0).tolist(), (mesh.input_vertex == len(V) - 1).tolist())
+        on = faces >= 0
+        at = (V[F[faces[on]]] * barycentric[on][:, :, None]).sum(axis=1)
+        np.testing.assert_allclose(at, mesh.V[on], atol=1e-12)
+
     def test_loops(self):
         """A coarse triangulation with loops is a Triangulation, but no mesh."""
         V, F = support.meshes()["torus"]
