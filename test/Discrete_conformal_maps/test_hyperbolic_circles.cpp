@@ -64,6 +64,31 @@ Numbers random_variables(const Radii& radii, double scale, unsigned int seed)
   return result;
 }
 
+// Lengths sinh(x/2) between centers of circles need not satisfy the triangle inequality, although
+// the sides x do. Sides here follow from two of them and their angle.
+TEST(Hyperbolic_circles, have_centers_with_any_hyperbolic_triangle)
+{
+  std::size_t count = 0;
+  for(const double b : {1e-3, 0.1, 1., 4., 12.})
+    for(const double c : {1e-3, 0.3, 1., 5., 12.})
+      for(const double angle : {1e-3, 1., 2., 3., 3.14}) {
+        const Number x = b, y = c, phi = angle,
+                     cosh_a = cosh(x) * cosh(y) - sinh(x) * sinh(y) * cos(phi);
+        const std::array<Number, 3> l{sinh(Number(x / 2)), sinh(Number(y / 2)),
+                                      sqrt(Number((cosh_a - 1) / 2))};
+        const DCM::internal::Hyperbolic_triangle<Number> triangle({l[0], l[2], l[1]});
+        EXPECT_NEAR(double(triangle.angle(0) - phi), 0, 1e-30) << b << ' ' << c << ' ' << angle;
+        const Number cosh_b = cosh(x), cosh_c = cosh(y);
+        const auto opposite = [](const Number& p, const Number& q, const Number& r) {
+          return acos(Number((q * r - p) / sqrt(Number((q * q - 1) * (r * r - 1)))));
+        };
+        EXPECT_NEAR(double(triangle.angle(1) - opposite(cosh_c, cosh_a, cosh_b)), 0, 1e-30);
+        EXPECT_NEAR(double(triangle.angle(2) - opposite(cosh_b, cosh_a, cosh_c)), 0, 1e-30);
+        count += l[2] > l[0] + l[1];
+      }
+  EXPECT_GT(count, 30u);
+}
+
 TEST(Hyperbolic_circles, have_the_angles_and_derivatives_of_fifty_digits)
 {
   for(const Named_triangulation& s : traced(small_surfaces()))

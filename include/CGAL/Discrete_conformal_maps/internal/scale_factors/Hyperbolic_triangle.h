@@ -28,7 +28,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 //
 // With the sine instead of the cosine, the left side is d. Here d^2 is 16 times the squared area of
 // the Euclidean triangle with sides l, plus 4 (l_a l_b l_c)^2. No term cancels more than in that
-// triangle, which is the limit for short sides.
+// triangle, which is the limit for short sides. Between centers of circles, this triangle need not
+// exist.
 //
 // With circles at the corners, sides join their centers. A circle of hyperbolic radius R has the
 // scaled radius r with tanh R = 2 r. Angles are not a gradient with respect to scale factors u, but
@@ -53,9 +54,7 @@ public:
     : m_squares(l[0] * l[0] + l[1] * l[1] + l[2] * l[2])
   {
     using std::sqrt;
-    const FT volume = 2 * l[0] * l[1] * l[2];
-    const FT sine =
-      sqrt(Intrinsic_triangulations::squared_quadrupled_area(l[0], l[1], l[2]) + volume * volume);
+    const FT sine = sqrt(squared_sine(l));
     for(std::size_t s = 0; s < 3; ++s) {
       const FT &b = l[s], &c = l[(s + 2) % 3], bc = b * c;
       m_product[s] = Intrinsic_triangulations::doubled_corner_product(l[(s + 1) % 3], b, c);
@@ -133,6 +132,29 @@ public:
   }
 
 private:
+  // Returns d^2, or zero if the triangle inequality is violated.
+  static FT squared_sine(const std::array<FT, 3>& l)
+  {
+    const FT squared_area = Intrinsic_triangulations::squared_quadrupled_area(l[0], l[1], l[2]),
+             volume = 2 * l[0] * l[1] * l[2];
+    return squared_area > 0 ? FT(squared_area + volume * volume)
+                            : squared_sine_without_Euclidean_triangle(l);
+  }
+
+  // Returns d^2 by the hyperbolic formula of Heron, the product of sinh s, sinh(s - x_a), sinh(s -
+  // x_b) and sinh(s - x_c) for half the perimeter s. The first and the third factor are multiplied,
+  // and so are the others.
+  static FT squared_sine_without_Euclidean_triangle(std::array<FT, 3> l)
+  {
+    using std::sqrt;
+    std::sort(l.begin(), l.end());
+    const auto& [b, c, a] = l;
+    const FT sum = a * sqrt(FT(1 + c * c)) + c * sqrt(FT(1 + a * a)), // sinh((x_a + x_c) / 2)
+      difference = (a - c) * ((a + c) / sum),                         // sinh((x_a - x_c) / 2)
+      slack = b - difference;
+    return slack > 0 ? FT((sum - b) * (sum + b) * slack * (b + difference)) : FT(0);
+  }
+
   // Returns cosh R - 1 for a scaled radius r with 2 r = tanh R.
   static FT cosh_excess(const FT& r)
   {
