@@ -359,51 +359,78 @@ private:
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };
 
+// Flattens a surface, with other digits at each call. Calls share their limit of work. Scale factors
+// that one call has found with bounded differences are the start of the next one.
+template <typename Shape>
+class Repeated_flattening
+{
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
+
+public:
+  Repeated_flattening(const Surface& input, const Map_parameters& parameters, Any_visitor& visitor)
+    : m_first_shape(input, parameters),
+      m_shape(m_first_shape),
+      m_parameters(parameters),
+      m_circles(parameters.radii),
+      m_visitor(visitor)
+  {}
+
+  bool has_circles() const { return m_circles.exist(); }
+
+  // Returns the map. The start may be too imprecise for needles: if it leads to no map, the search
+  // restarts without it.
+  Planar_conformal_map operator()(const Surface& surface, Exactness exactness)
+  {
+    const bool is_resumed = !m_found.empty();
+    auto map = flattened(surface, exactness);
+    if(!is_resumed || map.status() == Map_status::success)
+      return map;
+    m_found.clear();
+    m_shape = m_first_shape;
+    return flattened(surface, exactness);
+  }
+
+private:
+  Planar_conformal_map flattened(Surface surface, Exactness exactness)
+  {
+    m_shape.prescribe(m_parameters.conditions);
+    Doubled_problem problem(std::move(surface), m_parameters.conditions, m_parameters.flipping,
+                            exactness, m_circles);
+    problem.set_concurrency(m_parameters.concurrency);
+    problem.share_work(m_work);
+    Flattening flattening(problem, m_visitor);
+    flattening.start_from(m_parameters.log_scale);
+    flattening.resume(m_found);
+    Shape shape = m_shape;
+    flattening.attempt([&] {
+      shape.solve(problem, flattening, [&] {
+        flattening.find_scale_factors(minimizer_of(m_parameters), m_parameters.cones);
+      });
+    });
+    m_found = flattening.found_with_bounds();
+    m_shape = m_found.empty() ? m_first_shape : shape;
+    return flattening.finish(Named_layout{m_parameters.layout}, shape);
+  }
+
+  const Shape m_first_shape;
+  Shape m_shape; // with the scale factors that were found
+  Map_parameters m_parameters;
+  Vertex_circles m_circles;
+  Any_visitor& m_visitor;
+  std::vector<Extended> m_found;
+  std::shared_ptr<Search_work> m_work = std::make_shared<Search_work>();
+};
+
 template <typename Shape, typename Visitor>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                Map_parameters parameters, Visitor visitor)
 {
-  const Shape shape(input, parameters);
-  const Vertex_circles circles(parameters.radii);
-  Shape last_shape = shape;
-  std::vector<Extended> found;
-  const auto work = std::make_shared<Search_work>();
-  const auto search = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                          Exactness exactness) {
-    Shape own_shape = found.empty() ? shape : last_shape;
-    own_shape.prescribe(parameters.conditions);
-    Doubled_problem problem(std::move(surface), parameters.conditions, parameters.flipping,
-                            exactness, circles);
-    problem.set_concurrency(parameters.concurrency);
-    problem.share_work(work);
-    Flattening flattening(problem, visitor);
-    flattening.start_from(parameters.log_scale);
-    flattening.resume(found);
-    flattening.attempt([&] {
-      own_shape.solve(problem, flattening, [&] {
-        flattening.find_scale_factors(minimizer_of(parameters), parameters.cones);
-      });
-    });
-    found = flattening.found_with_bounds();
-    last_shape = own_shape;
-    return flattening.finish(Named_layout{parameters.layout}, own_shape);
-  };
-  // Scale factors found before may be too imprecise for needles. Then the search starts again.
-  const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
-                        Exactness exactness) {
-    if(!found.empty()) {
-      auto map = search(surface, exactness);
-      if(map.status() == Map_status::success)
-        return map;
-      found.clear();
-    }
-    return search(std::move(surface), exactness);
-  };
+  Repeated_flattening<Shape> find(input, parameters, visitor);
   if(!parameters.has_exact_decisions)
-    return with_digits_as_needed(std::move(input), find, !circles.exist());
-  if(circles.exist())
+    return with_digits_as_needed(std::move(input), find, !find.has_circles());
+  if(find.has_circles())
     throw Intrinsic_triangulations::Invalid_input("decisions about circles cannot be exact");
-  return find(std::move(input), Exactness::decisions);
+  return find(input, Exactness::decisions);
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -308,28 +309,26 @@ private:
 };
 
 // Returns the map. Rounded lengths of a double are not symmetric, and generators of its group
-// multiply the difference. So a map that is not glued is searched again with exact lengths.
+// multiply the difference. More digits are used if the map is then not glued.
 template <typename Visitor>
 Hyperbolic_conformal_map
 uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
             const Map_parameters& parameters, Visitor visitor)
 {
   const Vertex_circles circles(parameters.radii);
-  bool is_doubled = false;
+  const auto work = std::make_shared<Search_work>();
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
     Doubled_problem problem(std::move(surface), parameters.conditions, Flipping::to_Delaunay,
                             exactness, circles);
     problem.check_hyperbolic();
     problem.set_concurrency(parameters.concurrency);
+    problem.share_work(work);
     Hyperbolic_uniformization uniformization(problem, visitor);
     uniformization.find_scale_factors(minimizer_of(parameters));
-    is_doubled = !problem.has_no_copies();
     return uniformization.finish();
   };
-  Hyperbolic_conformal_map map = with_digits_as_needed(input, find, !circles.exist());
-  return is_doubled && map.status() == Map_status::not_glued ? find(input, Exactness::lengths)
-                                                             : std::move(map);
+  return with_digits_as_needed(input, find, !circles.exist());
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

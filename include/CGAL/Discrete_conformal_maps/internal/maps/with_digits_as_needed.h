@@ -41,8 +41,8 @@ bool may_need_digits(const Map& map)
 //
 // \throws Error as the last call of `find()` does
 template <typename Find>
-auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                           const Find& find, bool measurable = true)
+auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input, Find&& find,
+                           bool measurable = true)
 {
   typedef decltype(find(std::move(input), Exactness::none)) Map;
   if(!has_exact_metric(input))
