@@ -10,6 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Difference_bounded_newton.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
@@ -321,5 +323,29 @@ void lead_back_to_a_flat_rectangle(double height)
 TEST(Bounded_differences, lead_back_to_a_flat_rectangle) { lead_back_to_a_flat_rectangle(1); }
 
 TEST(Bounded_differences, lead_back_past_jumps_of_angles) { lead_back_to_a_flat_rectangle(1e-5); }
+
+// Searches in more digits leave less work for others, and none can do more than the rest.
+TEST(Search_work, has_one_limit_for_all_searches)
+{
+  typedef DCM::internal::Extended Extended;
+  typedef DCM::internal::More_extended More_extended;
+  DCM::internal::Search_work work;
+  const std::size_t whole = work.left(), end = work.end_of_part(), face = 1000;
+  EXPECT_GT(end, std::size_t(0));
+  EXPECT_LT(end, whole);
+  work.add<double>(face);
+  const std::size_t rounded = whole - work.left();
+  work.add<Extended>(face);
+  EXPECT_LT(rounded, face);
+  EXPECT_EQ(work.left(), whole - rounded - face);
+  work.add<More_extended>(face);
+  EXPECT_LT(work.left() + 6 * face, whole - rounded - face);
+  EXPECT_GT(work.end_of_part(), end);
+  work.add<Extended>(end);
+  EXPECT_EQ(work.left(end), std::size_t(0));
+  EXPECT_GT(work.left(), std::size_t(0));
+  work.add<Extended>(whole);
+  EXPECT_EQ(work.left(), std::size_t(0));
+}
 
 } // namespace Test_crowding

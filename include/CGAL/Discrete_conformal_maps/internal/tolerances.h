@@ -126,17 +126,15 @@ constexpr double stiffness = 1e-10, negative_weight = 1e-6;
 // `double` do not determine their angles.
 constexpr double near_vertices = 1e-8;
 constexpr double group_ratio = 30, weight_of_group = 100;
-// The number of steps that are taken with more digits, on the exact surface. With 32 digits, all
-// such searches for a map measure so many faces and flip so many edges. Few of them are needed to
-// sharpen a result, or for a sphere, whose searches start at several vertices.
-constexpr std::size_t steps_with_more_digits = 300, work_with_more_digits = 18000000,
-                      work_for_sphere = 4000000, work_to_sharpen = 2000000;
+// The number of steps that are taken with more digits, on the exact surface.
+constexpr std::size_t steps_with_more_digits = 300;
+// All searches for a map that may fail measure so many faces and flip so many edges, with 32
+// digits. One of several searches has this part of the rest.
+constexpr std::size_t work_for_map = 15000000, parts_of_work = 5;
 // A minimization that has not converged after so many steps is given up.
 constexpr std::size_t steps_to_lose_the_way = 250;
-// A search with bounded differences ends after so many steps. All such searches for a map end after
-// so many measured faces and flips.
-constexpr std::size_t steps_with_bounded_differences = 1000,
-                      work_with_bounded_differences = 3000000;
+// A search with bounded differences ends after so many steps.
+constexpr std::size_t steps_with_bounded_differences = 1000;
 // Errors of curvatures beyond this are no rounding errors.
 constexpr double lost_curvature = 1e-3;
 // A start needs few digits, and few steps.

@@ -20,7 +20,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Unfolds a sphere from several vertices. Returns the first good result, or else the best one.
+// Unfolds a sphere from several vertices, unless their searches have done all work that a map may
+// take. Returns the first good result, or else the best one.
 // Results with different copies of a disk cannot be compared: unless the first is good, they have
 // the whole copy. `mass` has the mass of each vertex of the surface.
 inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
@@ -41,8 +42,9 @@ inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vecto
     best = unfolded(vertices.front());
   // Vertices far apart in the order of areas are most likely far apart on the surface.
   const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
-  for(std::size_t i = stride;
-      !is_good(best) && i < vertices.size() && i < maximum_number_of_trials * stride; i += stride)
+  for(std::size_t i = stride; !is_good(best) && problem.work().left() > 0 && i < vertices.size() &&
+                              i < maximum_number_of_trials * stride;
+      i += stride)
     if(Unfolded_sphere next = unfolded(vertices[i]); next < best)
       best = std::move(next);
   return best;

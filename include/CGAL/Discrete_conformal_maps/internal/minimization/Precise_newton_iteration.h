@@ -13,7 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -66,7 +66,7 @@ public:
   }
 
   // Takes steps until no entry of the gradient is above `tolerance`, or twice its rounding error.
-  // `work()` may grow up to `maximum_work`.
+  // The work of the energy may grow up to `maximum_work`.
   template <typename Visitor>
   Minimization_result run(double tolerance, std::size_t maximum_number_of_steps,
                           std::size_t maximum_work, Visitor& visitor)
@@ -88,15 +88,6 @@ public:
     return m_result;
   }
 
-  // Returns the number of measured faces and flips, times their cost, which is one with 32 digits.
-  // For needles in 384 bits, 7 times the cost has been measured.
-  std::size_t work() const
-  {
-    const double digits =
-      double(std::numeric_limits<FT>::digits) / double(std::numeric_limits<Extended>::digits);
-    return std::size_t(double(m_energy.work()) * digits * std::sqrt(digits));
-  }
-
 private:
   // This is the greatest distance from the path, relative to the greatest entry of the gradient on
   // it.
@@ -115,7 +106,7 @@ private:
     m_position = 1;
   }
 
-  bool has_worked_enough() const { return work() > m_maximum_work; }
+  bool has_worked_enough() const { return Search_work::of<FT>(m_energy.work()) > m_maximum_work; }
 
   bool has_bounds() const { return !m_lower_bound.empty(); }
   bool is_at_bound(std::size_t v) const

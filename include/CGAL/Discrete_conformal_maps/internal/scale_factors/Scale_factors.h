@@ -61,6 +61,9 @@ public:
   // were.
   void resume(const std::vector<Extended>& found) { m_found = m_resumed = found; }
 
+  // Lets all searches do only a part of the work that is left.
+  void limit_work() { m_end_of_work = m_problem.work().end_of_part(); }
+
   // Takes scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
   {
@@ -217,7 +220,7 @@ private:
   {
     m_found.clear();
     if constexpr(Triangle<double>::has_similar_ones)
-      if(!m_start.empty() && m_problem.work().left_with_bounded_differences() > 0) {
+      if(!m_start.empty() && left_work() > 0) {
         Doubled_problem problem = m_problem;
         const Scale_state before = state();
         const bool is_found = is_found_with_bounds(visitor);
@@ -258,10 +261,10 @@ private:
       energy.evaluate(Vector::Zero(m_u.size()));
       note_last(energy, Difference_bounded_newton<Energy<FT>>(energy, domain())
                           .run(tolerance::gradient, tolerance::steps_with_bounded_differences,
-                               m_problem.work().left_with_bounded_differences(), visitor));
-      m_problem.work().with_bounded_differences += energy.work();
+                               left_work() / tolerance::parts_of_work, visitor));
+      m_problem.work().template add<FT>(energy.work());
       if(m_status != Map_status::success && m_max_curvature_error <= tolerance::lost_curvature)
-        descend(energy, tolerance::gradient, m_problem.work().left_with_more_digits(), visitor);
+        descend(energy, tolerance::gradient, left_work(), visitor);
     } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
@@ -313,7 +316,8 @@ private:
     note_values(energy);
     const double error = m_max_curvature_error;
     if(can_descend<FT>())
-      descend(energy, tolerance::rounding_of_gradient<FT>(), tolerance::work_to_sharpen, visitor);
+      descend(energy, tolerance::rounding_of_gradient<FT>(), left_work() / tolerance::parts_of_work,
+              visitor);
     else
       approach(energy, error, visitor);
     note_values(energy);
@@ -360,7 +364,7 @@ private:
   void descend_from_start(Energy<FT>& energy, double tolerance, Any_visitor& visitor)
   {
     const Vector start = m_u;
-    descend(energy, tolerance::gradient, m_problem.work().left_with_more_digits(), visitor);
+    descend(energy, tolerance::gradient, left_work(), visitor);
     if(is_within(tolerance))
       store(energy.scale_factors());
     else if(!std::is_same_v<FT, More_extended>)
@@ -380,11 +384,15 @@ private:
   void descend(Energy<FT>& energy, double gradient_tolerance, std::size_t maximum_work,
                Any_visitor& visitor)
   {
+    const std::size_t before = energy.work();
     Precise_newton_iteration<Energy<FT>> newton(energy, domain());
     note_last(energy, newton.run(gradient_tolerance, tolerance::steps_with_more_digits,
-                                 maximum_work, visitor));
-    m_problem.work().with_more_digits += newton.work();
+                                 Search_work::of<FT>(before) + maximum_work, visitor));
+    m_problem.work().template add<FT>(energy.work() - before);
   }
+
+  // Returns the work that is left for searches.
+  std::size_t left_work() const { return m_problem.work().left(m_end_of_work); }
 
   template <typename FT>
   void note_last(const Energy<FT>& energy, const Minimization_result& last)
@@ -436,6 +444,7 @@ private:
                                                              : Map_status::not_converged;
   }
 
+  std::size_t m_end_of_work = tolerance::work_for_map;
   std::vector<Extended> m_start;   // empty if a search with bounded differences has used it
   std::vector<Extended> m_found;   // with bounded differences
   std::vector<Extended> m_resumed; // scale factors of a problem before, until they are used

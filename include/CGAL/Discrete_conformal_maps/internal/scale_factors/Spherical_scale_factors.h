@@ -119,6 +119,7 @@ public:
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);
+    m_problem.work().template add<FT>(energy.work());
     m_angle_error = angle_error(energy.gradient());
   }
 
@@ -133,10 +134,10 @@ public:
     energy.set_origin(m_u);
     energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
     Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
-    const Minimization_result last = newton.run(
-      tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
-      (std::min)(m_problem.work().left_with_more_digits(), tolerance::work_for_sphere), visitor);
-    m_problem.work().with_more_digits += newton.work();
+    const Minimization_result last =
+      newton.run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
+                 m_problem.work().left() / tolerance::parts_of_work, visitor);
+    m_problem.work().template add<FT>(energy.work());
     m_u = energy.scale_factors();
     add_result(last);
     m_angle_error = angle_error(energy.gradient());

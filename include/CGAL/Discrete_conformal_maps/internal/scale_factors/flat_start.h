@@ -52,6 +52,7 @@ inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index a
   };
   prescribe(4 * boost::math::constants::pi<double>() / copies);
   Scale_factors<Flat_triangle> scale(problem, Eigen::VectorXd::Zero(Eigen::Index(problem.size())));
+  scale.limit_work();
   scale.minimize(Newton_minimizer(tolerance::gradient, tolerance::steps_to_start),
                  tolerance::curvature_at_start, visitor);
   prescribe(0);
