@@ -359,8 +359,8 @@ private:
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
 };
 
-// Flattens a surface, with other digits at each call. Calls share their limit of work. Scale factors
-// that one call has found with bounded differences are the start of the next one.
+// Flattens a surface, with other digits at each call. Calls share their limit of work. Scale
+// factors that one call has found with bounded differences are the start of the next one.
 template <typename Shape>
 class Repeated_flattening
 {
