@@ -50,7 +50,7 @@ struct Map_certificate
 /// \f$10^{-14}\f$ (`Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`), and in
 /// a fixed triangulation by any amount.
 ///
-/// Complexity: linear in the edges and crossings, as a rule.
+/// Complexity: usually linear in the edges and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if there are circles at the vertices
 /// \throws Intrinsic_triangulations::Overflow_error if there are more crossings than a
 ///         `Surface_mesh` can number

@@ -163,9 +163,9 @@ private:
 /// The metric of \f$T_1\f$ is exact, as in `Intrinsic_triangulations::certify_Delaunay()`, which
 /// certifies that the edges of \f$T_2\f$ are straight. It determines the crossings of edges of
 /// \f$T_2\f$ and \f$T_1\f$. The Penner lengths of \f$T_2\f$, as exact numbers, determine the
-/// crossings of edges of \f$T_2\f$ and \f$T_3\f$, whatever the scale factors. The integer
-/// coordinates determine exactly which triangles an edge passes. The order of neighboring crossings
-/// determines the order of all crossings on an edge.
+/// crossings of edges of \f$T_2\f$ and \f$T_3\f$, for any scale factors. The integer coordinates
+/// determine exactly which triangles an edge passes. The order of neighboring crossings determines
+/// the order of all crossings on an edge.
 ///
 /// A pair remains undecided if 1024 bits do not decide it and more than twelve independent square
 /// roots are involved. These are square roots of areas of faces of \f$T_1\f$ that the edge passes.

@@ -24,7 +24,7 @@ namespace CGAL::Discrete_conformal_maps {
 /// prescribed or placed greedily.
 ///
 /// `Planar_conformal_map::status()` is the outcome, measured on the result (see \ref dcm_status). A
-/// map that is no success has the best scale factors found, and a layout if one exists.
+/// map that is not a success has the best scale factors found, and a layout if one exists.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -41,7 +41,7 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{cones}
 ///     \cgalParamDescription{whether cones without scaling are placed inside. A vertex with a
 ///                           prescribed exterior angle, or a prescribed curvature other than zero,
-///                           becomes no cone}
+///                           does not become a cone}
 ///     \cgalParamType{`Cones`}
 ///     \cgalParamDefault{`Cones::automatic`: yes if there is no `vertex_condition_map`, or a
 ///                       `maximum_log_scale` or `maximum_area_distortion`}

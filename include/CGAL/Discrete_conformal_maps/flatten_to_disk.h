@@ -53,9 +53,9 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: as a rule, about ten times the complexity of `flatten()`.
+/// Complexity: usually about ten times the complexity of `flatten()`.
 /// \returns a map with one of the statuses of `flatten()`, or `Map_status::not_circular` if the
-///   boundary is no circle after the last round. If a minimization fails, its map is returned
+///   boundary is not a circle after the last round. If a minimization fails, its map is returned
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
 ///   does: a component with handles has no disk without cones inside. It is also thrown if there
 ///   are circles at the vertices

@@ -27,8 +27,8 @@ namespace CGAL::Discrete_conformal_maps {
 /// computed with 106 binary digits, then with other vertices at infinity. The best result is
 /// returned. `Spherical_conformal_map::status()` is `Map_status::success` only if it is convex and
 /// its length cross ratios have errors of at most \f$10^{-8}\f$ (see \ref dcm_status). A map that
-/// is no success may have no positions: see `Spherical_conformal_map::is_laid_out()`. The polygon
-/// of a disk without inner vertices needs no minimization. Its status is
+/// is not a success may have no positions: see `Spherical_conformal_map::is_laid_out()`. The
+/// polygon of a disk without inner vertices needs no minimization. Its status is
 /// `Map_status::layout_collapsed` if 106 binary digits do not distinguish its vertices.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`

@@ -24,7 +24,7 @@ namespace CGAL::Discrete_conformal_maps {
 /// angles are prescribed.
 ///
 /// `Hyperbolic_conformal_map::status()` is the outcome, measured on the result (see \ref
-/// dcm_status). A map that is no success has the best scale factors found, and a layout if
+/// dcm_status). A map that is not a success has the best scale factors found, and a layout if
 /// `Hyperbolic_conformal_map::is_laid_out()`.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`

@@ -160,7 +160,8 @@ private:
     double p, q, opposite;
   };
 
-  // The sum of the angles at the center for a scale factor, less the angle of a flat vertex.
+  // Stores the sum of the angles at the center for a scale factor, minus the angle of a flat
+  // vertex.
   struct Angle_excess
   {
     double value;      // positive if the sum is too large

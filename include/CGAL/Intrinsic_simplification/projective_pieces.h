@@ -130,11 +130,11 @@ inline double coarse_area(const Projective_piece& p)
 /// between them changed. Without scaling, the pieces are the polygons into which the edges of the
 /// coarse level cut the face.
 ///
-/// The pieces are a subdivision of the face, whatever the rounding. An edge that passes a point of
-/// another edge within rounding runs through it. Parts without area on both levels, up to rounding,
-/// are left out. A matrix and `Surface_map` map a point to the same point up to the rounding of a
-/// product of matrices, one for each operation. The difference is mostly about 1e-13, and greater
-/// if a face has been part of long slivers.
+/// Despite rounding, the pieces are always a subdivision of the face. An edge that passes a point
+/// of another edge within rounding runs through it. Parts without area on both levels, up to
+/// rounding, are left out. A matrix and `Surface_map` map a point to the same point up to the
+/// rounding of a product of matrices, one for each operation. The difference is mostly about 1e-13,
+/// and greater if a face has been part of long slivers.
 /// \param f a face of the fine level
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned

@@ -84,8 +84,8 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 /// \param h a halfedge of the coarse level
 /// \param map the map
 /// \returns the pieces from the source of `h` to its target. Each begins at the end of the piece
-///   before. If this point is on an edge, the pieces are in the faces on its two sides. Vertices
-///   and edges along the curve are consistent, whatever the rounding. Positions on `h` never
+///   before. If this point is on an edge, the pieces are in the faces on its two sides. Despite
+///   rounding, vertices and edges along the curve are always consistent. Positions on `h` never
 ///   decrease.
 ///
 /// Complexity: linear in the points at which the curve crosses an edge at any time. Each takes time

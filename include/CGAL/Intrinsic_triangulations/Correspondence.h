@@ -71,7 +71,7 @@ public:
   typedef Edge_part Part;
 
   /// traces all edges of \f$T_1\f$ over \f$T_2\f$.
-  /// Complexity: linear in the vertices, edges and crossings, whatever the degrees.
+  /// Complexity: linear in the vertices, edges and crossings, for any degrees.
   /// \tparam NamedParameters a sequence of named parameters
   /// \param tri the triangulation
   /// \param np

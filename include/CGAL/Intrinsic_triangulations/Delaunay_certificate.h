@@ -37,7 +37,7 @@ struct Delaunay_certificate
   /// the inserted vertices for which it is undecided whether their faces are folded.
   std::vector<Vertex_index> possibly_folded_vertices;
 
-  /// the number of edges that are Delaunay whatever the rounding of lengths.
+  /// the number of edges that are Delaunay for any rounding of lengths.
   std::size_t decided_by_lengths = 0;
   /// the number of decisions in floating point, with error bounds, on triangles that were laid out.
   std::size_t decided_in_floating_point = 0;

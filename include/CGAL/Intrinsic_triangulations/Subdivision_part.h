@@ -50,7 +50,7 @@ public:
 
   /// selects some faces. Complexity: linear.
   /// \param subdivision the subdivision
-  /// \param first_vertices how many vertices are selected whatever their faces are
+  /// \param first_vertices how many vertices are selected independently of their faces
   /// \param has_face determines whether a face is selected
   template <typename Predicate>
   Subdivision_part(const Subdivision& subdivision, size_type first_vertices,

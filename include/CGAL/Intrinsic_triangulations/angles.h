@@ -60,7 +60,7 @@ double smallest_angle_in_degrees(const Graph& g, LengthMap length)
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// computes the curvature of the vertices of a triangulation. At an interior vertex it is
-/// \f$2\pi\f$ less its angle sum. On the boundary it is \f$\pi\f$ less the angle sum. At a vertex
+/// \f$2\pi\f$ minus its angle sum. On the boundary it is \f$\pi\f$ minus the angle sum. At a vertex
 /// without faces it is zero. By the theorem of Gauss and Bonnet, the sum is \f$2\pi\f$ times the
 /// Euler characteristic, without isolated vertices. Complexity: linear.
 ///

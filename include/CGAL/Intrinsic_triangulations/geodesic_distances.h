@@ -245,14 +245,15 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// otherwise by heat, with an estimate of the error.
 ///
 /// By default distances are exact, that is accurate to rounding, if they are expected to take no
-/// more than \f$2^{23}\f$ windows, about two seconds. On a surface with \f$n\f$ vertices and
-/// \f$k\f$ sources, \f$n/2 \sqrt{n / k}\f$ windows are expected, so heat begins at 65,000 vertices
-/// with one source. A search that takes four times as many is given up for heat. The method does
-/// not depend on the machine.
+/// more than \f$2^{23}\f$ windows. On a surface with \f$n\f$ vertices and \f$k\f$ sources,
+/// \f$n/2 \sqrt{n / k}\f$ windows are expected, so heat begins at 65,000 vertices with one source.
+/// A search that takes four times as many windows ends, and heat replaces it. The method does not
+/// depend on the machine.
 ///
 /// With heat, the estimate of the error compares distances with exact ones at the vertices nearest
-/// to the sources, all that \f$2^{22}\f$ windows reach. Values below the distance in space, and
-/// values away from the sources that are not positive, are raised and counted.
+/// to the sources. These are all vertices that \f$2^{22}\f$ windows reach. Values below the
+/// distance in space, and values away from the sources that are not positive, are raised and
+/// counted.
 ///
 /// `Shortest_paths` and `Heat_distance` are for repeated use.
 ///

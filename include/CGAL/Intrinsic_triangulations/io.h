@@ -96,8 +96,8 @@ void write_metric(std::ostream& os, const Input_metric<K>& metric)
     write_line(os, hexadecimal_text(x), hexadecimal_text(y), hexadecimal_text(z));
 }
 
-// Reads triangulations line by line. Memory is allocated only for lines that were read, whatever
-// number a file announces.
+// Reads triangulations line by line. Memory is allocated only for lines that were read, even if a
+// file announces more.
 template <typename FT, typename Integer>
 class Complex_reader
 {

@@ -66,7 +66,7 @@ public:
   /// returns the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
   const FT& angle_sum(Vertex_index v) const { return m_angle_sum[v.idx()]; }
 
-  /// returns \f$2\pi\f$ less the angle sum, or \f$\pi\f$ less the angle sum on the boundary. This
+  /// returns \f$2\pi\f$ minus the angle sum, or \f$\pi\f$ minus the angle sum on the boundary. This
   /// is the Gaussian curvature of `v`, or the geodesic curvature of the boundary at `v`. The sum
   /// over a surface without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
   FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }

@@ -56,9 +56,9 @@ public:
   // Returns the center of a circle.
   Point position(Vertex_index v) const { return times(pole(v), 1 / norm(pole(v))); }
 
-  // Moves the center of mass of the centers to the center of the sphere, as far as circles stay
-  // smaller than a hemisphere. This point has the least sum of distances from the planes of the
-  // circles, which is convex in hyperbolic space.
+  // Moves the center of mass of the centers to the center of the sphere. All circles stay smaller
+  // than a hemisphere, so a move may end earlier. This point has the least sum of distances from
+  // the planes of the circles, which is convex in hyperbolic space.
   void balance()
   {
     for(int i = 0; i < most_steps; ++i) {

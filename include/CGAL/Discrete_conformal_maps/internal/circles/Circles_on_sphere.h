@@ -31,8 +31,9 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Computes the hyperideal polyhedron of a decorated sphere, as circles on the unit sphere. It is
 // unique up to Moebius transformations (Schlenker 1998), and rigid. Radii grow from zero, for which
 // the ideal polyhedron is known, to their values; Newton's method follows the angle defects. The
-// transformations are the kernel of the Hessian. Fixed circles at the corners of a face exclude
-// them. Then the Hessian is as in the plane, seen from a point inside the face.
+// transformations are the kernel of the Hessian. Circles at the corners of a face are fixed to
+// exclude these transformations. Then the Hessian is as in the plane, seen from a point inside the
+// face.
 class Circles_on_sphere
 {
   typedef Eigen::VectorXd Vector;
@@ -116,8 +117,8 @@ private:
     return {m_mesh, boost::make_function_property_map<Edge_index>(tangent), std::move(radii)};
   }
 
-  // Newton's method for the radii of this part. It repeats steps with the same factorization while
-  // they reduce the defects.
+  // Takes steps of Newton's method for the radii of this part. Repeats steps with the same
+  // factorization while they reduce the defects.
   template <typename FT>
   bool reach(double part, Any_visitor& visitor)
   {

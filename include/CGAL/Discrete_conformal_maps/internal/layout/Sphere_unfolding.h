@@ -30,7 +30,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// What an unfolded sphere is needed for.
+// States the purpose of an unfolded sphere.
 enum class Unfolding_use
 {
   map,

@@ -109,7 +109,7 @@ public:
   bool is_wide() const { return m_scale.is_wide(); }
   bool has_bounded_differences() const { return m_scale.has_bounded_differences(); }
 
-  // Lays the faces out. `shape` has what else is promised about the image of the boundary.
+  // Lays the faces out. `shape` has further promises about the image of the boundary.
   template <typename Shape>
   Planar_conformal_map finish(Named_layout layout, const Shape& shape)
   {

@@ -37,7 +37,7 @@ struct Has_smooth_gradient<
 };
 
 // Represents a convex energy whose type is known only at run time, so that minimizers are compiled
-// once for all energies. A model of `ConvexEnergy`.
+// once for all energies. It is a model of `ConvexEnergy`.
 class Abstract_energy
 {
 public:

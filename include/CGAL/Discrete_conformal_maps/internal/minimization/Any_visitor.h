@@ -15,7 +15,7 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Refers to a visitor whose type is known only at run time, so that algorithms are compiled once
-// for all visitors. A model of `FlatteningVisitor`.
+// for all visitors. It is a model of `FlatteningVisitor`.
 class Any_visitor
 {
 public:

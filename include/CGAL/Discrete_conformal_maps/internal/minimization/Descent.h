@@ -67,8 +67,8 @@ public:
     return m_gradient.allFinite();
   }
 
-  // Returns whether the gradient is less than ever, and keeps the point then. If it is equal, the
-  // new point is kept, too.
+  // Returns whether the gradient is less than at all earlier points. Keeps the point if the
+  // gradient is not greater.
   bool keep_if_best()
   {
     if(!(m_norm <= m_best_norm))

@@ -27,14 +27,14 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Newton's method for a convex energy whose Hessian is a Laplacian, with steps that bound the
-// differences of neighbors, and that remember the steps before.
+// Implements Newton's method for a convex energy whose Hessian is a Laplacian. Steps bound the
+// differences of neighbors, and use the changes of the gradient along earlier steps.
 //
 // Angles of needles jump by pi within distances that are far shorter than a step. The Hessian on
 // one side of such a jump says nothing about it. So steps correct the Hessian by the changes of the
 // gradient along the last steps, as the method of Broyden, Fletcher, Goldfarb and Shanno does. The
 // matrix of that method is the Hessian here, see Nocedal (1980). With such a correction, a step
-// follows the edge of a jump. Lewis and Overton (2013) show that for functions that are not smooth.
+// follows the edge of a jump. Lewis and Overton (2013) show this for functions that are not smooth.
 //
 // A step ends where its slope has risen by half, or where slopes prove that the energy is less.
 // After a step that would go too far, the bound is smaller. Steps have the digits of the energy.
@@ -54,7 +54,8 @@ public:
   {}
 
   // Takes steps from the origin of the energy until no entry of the gradient is above `tolerance`.
-  // Twice its rounding error is enough, if a map may have that. Measured faces and flips are work.
+  // An entry of at most twice its rounding error is enough, if a map may have such an error. The
+  // measured faces and the flips are the work.
   template <typename Visitor>
   Minimization_result run(double tolerance, std::size_t maximum_number_of_steps,
                           std::size_t maximum_work, Visitor& visitor)
@@ -75,12 +76,12 @@ public:
   }
 
 private:
-  // Bounds of differences of neighbors.
+  // The bound of the differences of neighbors stays between these numbers.
   static constexpr double least_bound = 0.02, greatest_bound = 0.75;
   static constexpr std::size_t number_of_secants = 100;
   static constexpr int number_of_trials = 40;
 
-  // A step, the change of the gradient along it, and 1 / (their product).
+  // Stores a step, the change of the gradient along it, and the inverse of their product.
   struct Secant
   {
     Values step;
@@ -163,7 +164,7 @@ private:
     return is_known ? part : 0;
   }
 
-  // Returns a point between two, by turns from their slopes and in the middle.
+  // Returns a point between two others. By turns, their slopes determine it, or it is the middle.
   static double next_part(int trial, double low, double low_slope, double high, double high_slope)
   {
     if(trial % 2 == 0)
@@ -179,7 +180,7 @@ private:
     return move_to(u);
   }
 
-  // Notes a step, unless rounding hides the convexity along it.
+  // Stores a step, unless rounding hides the convexity along it.
   void remember(const Values& step, const Vector& change)
   {
     const FT curvature = precise_product(change, step);

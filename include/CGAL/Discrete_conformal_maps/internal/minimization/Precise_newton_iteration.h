@@ -32,9 +32,9 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // equal. A step in `double` that they have in common would change their differences by more than
 // their distances allow.
 //
-// A step may change these differences by a few times as much as distances allow. It leaves angles
-// of zero or pi. These do not change any more until the scale factors have returned exactly to
-// their old values. So steps stay close to the path on which all entries of the gradient shrink
+// A step that changes these differences by a few times as much as distances allow makes angles zero
+// or pi. Such angles do not change any more until the scale factors have returned exactly to their
+// old values. So steps stay close to the path on which all entries of the gradient shrink
 // proportionally, from the start to zero. Angles on the path are between the angles of the start
 // and the prescribed ones.
 //

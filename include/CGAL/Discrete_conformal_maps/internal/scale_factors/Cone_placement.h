@@ -28,8 +28,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // factors, and the estimate is good near them.
 //
 // Constants on a component without fixed vertices are in the kernel of the Laplacian. One vertex is
-// held on it, and every right-hand side that sums to zero has a solution. The first cone absorbs
-// the rest.
+// held on it, and every right-hand side that sums to zero has a solution. The first cone of the
+// component absorbs the remaining curvature.
 class Cone_placement
 {
   typedef Eigen::VectorXd Vector;

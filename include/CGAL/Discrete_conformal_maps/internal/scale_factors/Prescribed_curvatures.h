@@ -173,7 +173,8 @@ public:
   }
 
   // Returns the prescribed angle defects with the digits of `FT`. If no scale factor is prescribed,
-  // their sums satisfy Gauss and Bonnet. The rounding of nonzero defects leaves a part of a unit.
+  // their sums satisfy Gauss and Bonnet. Only the rounding of nonzero defects remains, which is
+  // less than a unit.
   template <typename FT>
   std::vector<FT> balanced_target_defect() const
   {

@@ -39,8 +39,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The scale factors of a doubled problem at the vertices of the surface itself, with faces of the
-// geometry of `Triangle`.
+// Computes the scale factors of a doubled problem at the vertices of the surface itself. Faces have
+// the geometry of `Triangle`.
 template <template <typename> class Triangle>
 class Scale_factors : public Scale_values
 {
@@ -64,7 +64,7 @@ public:
   // Lets all searches do only a part of the work that is left.
   void limit_work() { m_end_of_work = m_problem.work().end_of_part(); }
 
-  // Takes scale factors that need no search.
+  // Uses scale factors that need no search.
   void take(const std::vector<More_extended>& log_scale)
   {
     note_rounded(log_scale);
@@ -74,8 +74,9 @@ public:
     m_max_curvature_error = 0;
   }
 
-  // Minimizes the energy; if `double` has too few digits for `tolerance`, with more, and then with
-  // still more. Where rounding or limits keep the minimizer from its own, this one is enough.
+  // Minimizes the energy. If `double` has too few digits for `tolerance`, more digits are used, and
+  // then still more. If rounding or limits keep the minimizer from its own tolerance, `tolerance`
+  // is enough.
   void minimize(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     for(std::size_t v = 0; v < m_problem.size(); ++v)
@@ -106,14 +107,16 @@ public:
       sharpen_in<More_extended>(visitor);
   }
 
-  // Returns their errors, with more digits and with the lengths that the problem has now.
+  // Returns the errors of the scale factors, with more digits and with the lengths that the problem
+  // has now.
   Scale_errors errors()
   {
     return m_is_wide ? errors_in<Wide_number<Extended>>() : errors_in<Extended>();
   }
 
-  // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the
-  // values from now on. The triangulation of the problem may have been moved to `triangulation`.
+  // Returns the scale factors as precisely as the rounding of `FT` allows. From now on, their
+  // rounded values are used. The triangulation of the problem may have been moved to
+  // `triangulation`.
   template <typename FT>
   std::vector<FT> refine(const Triangulation& triangulation, Any_visitor& visitor)
   {
@@ -133,7 +136,7 @@ protected:
   }
 
 private:
-  // A way to scale factors, and whether it is needed after the ways before it.
+  // Stores a search for scale factors, and whether it is needed after the searches before it.
   struct Search
   {
     bool (Scale_factors::*is_needed)(double tolerance) const;
@@ -189,7 +192,7 @@ private:
   }
 
   // Returns whether rounding of long edges hides the angles of needles, at the start or during the
-  // minimization. It notes that.
+  // minimization. If so, the error of the gradient becomes infinite.
   template <typename FT>
   bool is_unknown(const Energy<FT>& energy, double tolerance)
   {
@@ -203,7 +206,8 @@ private:
   bool is_open(double) const { return true; }
   bool needs_range(double) const { return Triangle<double>::has_similar_ones && is_beyond_range(); }
 
-  // Whether straight boundaries may have too small sides for straight angles in extended precision.
+  // Returns whether sides of straight boundaries may be too small for straight angles in extended
+  // precision.
   bool may_be_bent(double) const
   {
     return Triangle<double>::has_similar_ones && std::isfinite(m_max_curvature_error) &&
@@ -286,7 +290,7 @@ private:
       energy.move_origin();
       Vector x = Vector::Zero(m_u.size());
       before = norm;
-      // The digits of x are used up at this point.
+      // The minimization has used up the digits of x at this point.
       Energy_reference<Energy<FT>> any_energy(energy);
       const Any_minimizer minimizer = Newton_minimizer(tolerance::reduction * norm);
       norm = minimizer(any_energy, x, domain(), visitor).gradient_norm;

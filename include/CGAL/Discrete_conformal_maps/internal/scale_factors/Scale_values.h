@@ -143,7 +143,8 @@ protected:
     return m_problem.has_precise_lengths() && needs_digits(tolerance);
   }
 
-  // Whether a solution exists that the minimizer has not found, unless it may not go on.
+  // Returns whether a solution exists that the minimizer has not found, unless it must not
+  // continue.
   bool is_lost(double tolerance) const
   {
     return m_problem.flipping() == Flipping::to_Delaunay && !m_problem.has_radii() &&
@@ -153,7 +154,7 @@ protected:
             m_result.iterations >= tolerance::steps_to_lose_the_way);
   }
 
-  // Whether a search has ended far from a solution, whose angles are known.
+  // Returns whether a search has ended far from a solution, at a point whose angles are known.
   bool is_far_off(double tolerance) const
   {
     return is_lost(tolerance) && m_max_curvature_error > tolerance::lost_curvature &&

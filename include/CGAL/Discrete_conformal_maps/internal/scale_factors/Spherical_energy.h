@@ -19,9 +19,9 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Represents the spherical energy. Its minimum under lower bounds are the scale factors that unfold
-// a sphere, without one of its vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`.
-// Scale factors are the sum of an origin and a variable, as in `Conformal_energy`. The variables of
-// the vertex at infinity and of isolated vertices have no influence.
+// a sphere, without one of its vertices, into the plane (Section 4.4.2). It is a model of
+// `ConvexEnergy`. Scale factors are the sum of an origin and a variable, as in `Conformal_energy`.
+// The variables of the vertex at infinity and of isolated vertices have no influence.
 template <typename FT_ = double>
 class Spherical_energy
   : public Angle_energy<Spherical_energy<FT_>, Partially_decorated_surface<FT_>, Flat_triangle<FT_>>

@@ -33,10 +33,11 @@ inline std::set<Vertex_index> closed_neighborhood(Vertex_index v, const Doubled_
 }
 
 // Returns scale factors that make a sphere flat except at a vertex and its neighbors in T_2. These
-// share the curvature of 4 pi equally. The list is empty if rounding or limits keep the minimizer
-// from them. Far from these vertices, the metric resembles the plane into which the sphere unfolds
-// from the first one. No bounds hold for its scale factors, so that they are found even if limbs
-// of the sphere are long. The problem has no prescribed curvatures, neither before nor afterwards.
+// vertices share the curvature of 4 pi equally. The list is empty if rounding or limits keep the
+// minimizer from them. Far from these vertices, the metric resembles the plane into which the
+// sphere unfolds from the first one. No bounds hold for its scale factors, so that they are found
+// even if limbs of the sphere are long. The problem has no prescribed curvatures, neither before
+// nor afterwards.
 inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index at_infinity,
                                         Any_visitor& visitor)
 {

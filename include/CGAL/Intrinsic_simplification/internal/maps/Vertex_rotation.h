@@ -48,8 +48,8 @@ public:
     return m_pieces[m_piece_of_chord[chord]];
   }
 
-  // Merges a piece that bounds a face together with a piece of a fine edge with this piece,
-  // whatever rounding is. Returns whether such pieces existed; `mesh` is outdated then.
+  // Merges each piece with a piece of a fine edge if both bound a face together, independently of
+  // rounding. Returns whether such pieces existed; `mesh` is then outdated.
   template <typename Mesh>
   bool merge_bigons(const Mesh& mesh)
   {

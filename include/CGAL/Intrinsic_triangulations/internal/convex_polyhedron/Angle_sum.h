@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A sum of angles that is known with twice the digits of `double`. A small sum, and a small
-// difference to a full turn, have small relative errors. Angles are multiplied as complex numbers.
+// Stores a sum of angles with twice the digits of `double`. A small sum, and a small difference to
+// a full turn, have small relative errors. Angles are multiplied as complex numbers.
 class Angle_sum
 {
 public:
@@ -35,7 +35,7 @@ public:
     return rest + turn * std::round((m_sum - rest) / turn);
   }
 
-  // Returns a whole turn less the sum.
+  // Returns a full turn minus the sum.
   double rest_of_turn() const
   {
     const double turn = 2 * pi<double>(), rest = std::atan2(-m_y.high(), m_x.high());

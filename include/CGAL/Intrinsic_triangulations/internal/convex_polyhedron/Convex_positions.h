@@ -85,7 +85,7 @@ std::size_t flip_concave_edges(const Delta_complex& mesh,
     .flips;
 }
 
-// Returns the corners of the face of `h`, that at the source of `h` first.
+// Returns the corners of the face of `h`, beginning with the source of `h`.
 inline std::array<Polyhedron_kernel::Point_3, 3>
 corners_in_space(Halfedge_index h, const Delta_complex& mesh, const Polyhedron_points& points)
 {
@@ -105,9 +105,9 @@ inline double solid_angle(const std::array<Polyhedron_kernel::Point_3, 3>& corne
                         la * lb * lc + (a * b) * lc + (b * c) * la + (c * a) * lb);
 }
 
-// If all faces of a surface are seen from the origin, each from inside, it covers the sphere of
-// directions. If it covers it once and no edge is concave, it is convex. Signs are decided with
-// `points`, whose rounded positions are `rounded`.
+// Decides whether a surface is convex. If the origin sees each face from inside, the surface covers
+// the sphere of directions. It is convex if it covers this sphere once and no edge is concave.
+// Signs are decided with `points`, whose rounded positions are `rounded`.
 template <typename Orientation_of>
 Polyhedron_certificate
 certified_polyhedron(const Delta_complex& mesh, typename Orientation_of::Points points,
@@ -172,9 +172,9 @@ inline std::vector<Halfedge_index> count_elements(const Delta_complex& mesh,
   return rim;
 }
 
-// Decides the same question about a polygon in the plane z = 0 that is covered twice. `flat_edges`
-// are its diagonals on both sides, `convex_edges` its sides. An angle of the polygon is the angle
-// of the faces above it.
+// Decides whether a polygon in the plane z = 0 that is covered twice is convex. `flat_edges` are
+// its diagonals on both sides, `convex_edges` its sides. An angle of the polygon is the angle of
+// the faces above it.
 inline Polyhedron_certificate certified_polygon(const Delta_complex& mesh,
                                                 const Polyhedron_points& points)
 {

@@ -44,7 +44,7 @@ public:
   double t() const { return at(m_place).t; }
   std::size_t newton_steps() const { return m_newton_steps; }
 
-  // Goes on to `t`, as far as that is possible.
+  // Continues to `t`, or as far as possible.
   void follow_to(double t)
   {
     const double end = std::log(t / (1 + m_rest_at_start - t));
@@ -57,12 +57,13 @@ private:
   static constexpr double least_step = 1e-6, greatest_start = 1e20, least_rest = 1e-30;
   // Positions can be corrected afterwards if few digits are left for t.
   static constexpr double late = 1e-3, least_late_step = 0.01;
-  // Predictions fail if derivatives jump; steps without them are short.
+  // Predictions fail if derivatives jump. Steps without predictions are short.
   static constexpr double small_step = 0.01;
   static constexpr std::size_t most_predicting = 5;
   static constexpr int steps_of_Newton = 12;
   static constexpr std::size_t most_steps = 20000; // in all
-  // The errors of curvatures, relative to their distance from the ends of their range.
+  // Errors of curvatures are relative to the distance of the curvatures from the ends of their
+  // range.
   static constexpr double curvature_error = 1e-5, greatest_curvature_error = 0.03;
 
   static Vector vector_of(const std::vector<double>& x)
@@ -139,7 +140,7 @@ private:
     return Radii::mean_of(radii, factors, are_large);
   }
 
-  // Returns whether it has reached the pyramids for a position.
+  // Returns whether the path has reached the pyramids for a position.
   bool reach(double place)
   {
     const bool is_predicted = m_history.size() > 1 && reach(place, prediction(place));
@@ -147,7 +148,7 @@ private:
            ((m_history.size() == 1 || m_place - place < small_step) && reach(place, m_radii));
   }
 
-  // Newton's method, with the logarithms of radii as variables.
+  // Takes steps of Newton's method, with the logarithms of radii as variables.
   bool reach(double place, Radii radii)
   {
     Metric_surface surface = m_surface;
@@ -193,8 +194,8 @@ private:
     return true;
   }
 
-  // Returns the changes of the logarithms of radii; not finite if there are none. The matrix is
-  // indefinite.
+  // Returns the changes of the logarithms of radii. They are not finite if the equations have no
+  // solution. The matrix is indefinite.
   static Vector newton_step(const Apex_curvatures& current, const Radii& radii, const Vector& rest)
   {
     Vector radius(rest.size());

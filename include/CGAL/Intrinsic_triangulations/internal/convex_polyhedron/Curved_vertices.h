@@ -40,7 +40,8 @@ Metric_surface precise_surface(const Intrinsic_triangulation<Traits>& tri)
   return Metric_surface(mesh);
 }
 
-// The greatest error of a curvature that counts: a face of nearly zero area could make it infinite.
+// Errors of curvatures are bounded by this value, because a face of nearly zero area could make
+// them infinite.
 constexpr double greatest_curvature_error() { return 1e-6; }
 
 // Returns for each vertex the greatest change of its curvature by rounding of lengths or positions

@@ -23,9 +23,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Moves vertices in space such that edges get the lengths that they have on a surface: Newton's
-// method. A convex polyhedron without flat vertices is infinitesimally rigid, however its faces are
-// cut into triangles. So its edges determine all coordinates but six.
+// Moves vertices in space by Newton's method, such that edges get the lengths that they have on a
+// surface. A convex polyhedron without flat vertices is infinitesimally rigid, however its faces
+// are cut into triangles. So its edges determine all coordinates but six.
 class Edge_fitting
 {
   typedef Eigen::VectorXd Vector;
@@ -44,7 +44,8 @@ private:
   static constexpr int most_steps = 30, most_halvings = 10;
   static constexpr int fixed = -1; // the index of a coordinate that stays
 
-  // Fixes a motion: all coordinates of a vertex, two of another, far from it, and one of a third.
+  // Excludes motions: fixes all coordinates of a vertex, two of another vertex far from it, and one
+  // of a third vertex.
   void number_coordinates()
   {
     std::vector<std::array<double, 3>> p;

@@ -34,7 +34,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Finds the positions of the vertices of a convex polyhedron with the surface of a triangulation.
-// It makes the edges of T2 straight lines on it.
+// Makes the edges of T2 straight lines on this polyhedron.
 template <typename Traits>
 class Polyhedron_builder
 {
@@ -259,7 +259,8 @@ private:
     m_tri.recompute_lengths();
   }
 
-  // Does so at edges whose faces have no flat vertices: rounding moves these out of faces.
+  // Flips such edges if their faces have no flat vertices, because rounding moves flat vertices out
+  // of faces.
   void flip_concave_edges_of_T2()
   {
     const Delta_complex& mesh = m_tri.mesh();

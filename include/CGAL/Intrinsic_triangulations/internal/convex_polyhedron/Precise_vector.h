@@ -13,7 +13,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A vector in space with twice the digits of `double`.
+// Represents a vector in space with twice the digits of `double`.
 struct Precise_vector
 {
   Double_double x, y, z;

@@ -17,10 +17,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A pyramid over a triangle, given by the sides of the triangle and the distances of the apex from
-// its corners. Side s leads from corner s to the next. Its foot, below the apex, is the power
-// center of the triangle for the squared distances as weights. The same number may be subtracted
-// from all weights.
+// Represents a pyramid over a triangle, given by the sides of the triangle and the distances of the
+// apex from its corners. Side s leads from corner s to the next. Its foot, below the apex, is the
+// power center of the triangle for the squared distances as weights. The same number may be
+// subtracted from all weights.
 class Pyramid
 {
   typedef Double_double Number;

@@ -27,9 +27,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The curvatures at the edges from the apex of pyramids over the faces of a surface. A curvature
-// is a full turn less the angles between lateral faces. These angles exceed the angles of the
-// surface by the curvature of the surface less the curvature at the apex.
+// Computes the curvatures at the edges from the apex of pyramids over the faces of a surface. A
+// curvature is a full turn minus the angles between lateral faces. These angles exceed the angles
+// of the surface by the curvature of the surface minus the curvature at the apex.
 struct Apex_curvatures
 {
   bool exist = true;                      // whether all pyramids do

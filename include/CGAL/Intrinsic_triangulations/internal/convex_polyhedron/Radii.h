@@ -29,7 +29,7 @@ public:
   Radii(std::size_t n, double radius) : m_mean(radius * radius), m_weight(n, 0.) {}
   explicit Radii(const std::vector<Double_double>& squares) : m_weight(squares) { normalize(); }
 
-  // Returns the square of radius `i`, less the mean of all squares.
+  // Returns the square of radius `i` minus the mean of all squares.
   const Double_double& weight(std::size_t i) const { return m_weight[i]; }
   Double_double radius(std::size_t i) const { return sqrt(m_mean + m_weight[i]); }
 

@@ -50,14 +50,15 @@ public:
   const std::vector<Precise_vector>& positions() const { return m_positions; }
 
 private:
-  // A face with the directions of its halfedge `h` and of the height over it.
+  // Stores a face with the directions of its halfedge `h` and of the height over it.
   struct Frame
   {
     Halfedge_index h;
     Precise_vector along, across;
   };
 
-  // Coordinates along it, and over the face, are small if the polyhedron is thin.
+  // The layout starts at this side, so that coordinates across it and over its face are small if
+  // the polyhedron is thin.
   Halfedge_index longest_side_of_largest_face() const
   {
     Halfedge_index result;
