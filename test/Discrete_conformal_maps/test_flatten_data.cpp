@@ -19,8 +19,7 @@ Mesh read(const std::string& file)
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   Mesh result;
-  if(read_soup(file, points, polygons) &&
-     IT::diagnose_polygon_soup(points, polygons).is_valid())
+  if(read_soup(file, points, polygons) && IT::diagnose_polygon_soup(points, polygons).is_valid())
     PMP::polygon_soup_to_polygon_mesh(points, polygons, result);
   return result;
 }

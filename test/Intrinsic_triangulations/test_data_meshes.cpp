@@ -37,9 +37,7 @@ struct Soup
   std::vector<std::vector<std::size_t>> polygons;
   bool is_read;
 
-  explicit Soup(const std::string& file)
-    : is_read(read_soup(file, points, polygons))
-  {}
+  explicit Soup(const std::string& file) : is_read(read_soup(file, points, polygons)) {}
 
   bool is_valid_polygon(const std::vector<std::size_t>& polygon) const
   {

@@ -94,7 +94,7 @@ TEST(Simplicial, mesh_in_space)
     SCOPED_TRACE(file);
     const Mesh mesh = read_mesh(file);
     if(!CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0 ||
-        !CGAL::is_valid_polygon_mesh(mesh))
+       !CGAL::is_valid_polygon_mesh(mesh))
       continue;
     Triangulation tri(mesh);
     IT::refine(tri, IT::parameters::simplicial(true));
