@@ -135,7 +135,7 @@ constexpr double group_ratio = 30, weight_of_group = 100;
 constexpr std::size_t steps_with_more_digits = 300;
 // All searches for a map that may fail measure so many faces and flip so many edges, with 32
 // digits. One of several searches has this part of the rest.
-constexpr std::size_t work_for_map = 15000000, parts_of_work = 5;
+constexpr std::size_t work_for_map = 18000000, parts_of_work = 5;
 // A minimization that has not converged after so many steps ends.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after so many steps.
