@@ -5,12 +5,13 @@ import { BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial, Orthog
   CanvasTexture } from 'three';
 import { TrackballControls } from './TrackballControls.js';
 
-// The way from which the broadest side of a box is seen, and what is up there.
+// Returns the direction from which the broadest side of a box is seen, and the direction up. Most
+// meshes have y up; z is up if the box is clearly longer along z.
 function outlook({low, high}) {
   const size = high.map((x, k) => Math.max(x - low[k], 0));
   const axis = size[2] <= size[0] && size[2] <= size[1] ? 2 : size.indexOf(Math.min(...size));
   const isFlat = size[axis] < 1e-6;
-  const up = axis === 1 ? [0, 0, 1] : axis === 0 && size[2] > size[1] ? [0, 0, 1] : [0, 1, 0];
+  const up = axis === 1 ? [0, 0, 1] : axis === 0 && size[2] > 1.1 * size[1] ? [0, 0, 1] : [0, 1, 0];
   const oblique = isFlat ? 0 : 1;
   const way = new Vector3().setComponent(axis, axis === 1 ? -1 : 1)
     .addScaledVector(new Vector3(...up), .22 * oblique)
