@@ -22,7 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
-#include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/signed_distance.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -63,8 +63,9 @@ struct Distance_options : Output_options
 constexpr const char* distance_help =
   R"(Distances are exact, as lengths of shortest paths up to rounding, if this is expected to take
 less than two seconds. Up to 65,000 vertices with one source are within this time, and more with
-several sources. Otherwise the heat method approximates distances. Heat is also used with --signed,
-with --method heat, and for triangles that are not a surface.
+several sources. Otherwise the heat method approximates distances. Heat is also used with --method
+heat, and for triangles that are not a surface. With --signed, it is used for a curve that does not
+separate the surface.
 
 The error of heat is about two percent on average on evenly distributed vertices, and greater on
 coarse or uneven meshes. The last line and the statistics name the method. With heat they have an
@@ -75,8 +76,8 @@ is -1.
 A file of --curve is written by `intrinsic path`, or has polylines of another program. These are
 elements l of .obj, edges of .ply, Lines of .vtp with ascii numbers, or the points of .xyz. Points
 are moved to the surface and joined by shortest paths. With --signed, distances are negative on the
-left of the curve: inside a loop that runs counterclockwise. Gaps, and single segments of the wrong
-direction, are bridged.
+left of the curve: inside a loop that runs counterclockwise. Heat bridges gaps, and single segments
+of the wrong direction.
 
 The triangles need not form a surface: edges may have three or more faces, vertices may have several
 fans, and orientations may differ. Distances are then computed on a tufted cover. With --neighbors,
@@ -223,44 +224,20 @@ distances_on(const Surface& surface, const All_sources& sources, const Distance_
            : IT::geodesic_distances(surface, all, parameters);
 }
 
-// Returns signed distances. The heat of curves flows for a longer time than in
-// geodesic_distances().
-std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
-                                     double time_step_factor)
-{
-  const auto parameters = IT::parameters::time_step_factor(time_step_factor);
-  const auto values = IT::with_resolved_areas(triangulation, [&](const auto& surface) {
-    typedef IT::Length_of<std::decay_t<decltype(surface)>> FT;
-    const auto curve = IT::converted_curve<FT>(sources.curve);
-    return IT::rounded_values(IT::signed_heat_distance(surface, curve, parameters));
-  });
-  for(Eigen::Index v = 0; v < values.size(); ++v)
-    if(!std::isfinite(values[v]))
-      throw Program_error("vertex " + std::to_string(v) +
-                          " has no signed distance: no part of the curve is on its component "
-                          "(add a part on it; --repair removes isolated vertices)");
-  return {values.begin(), values.end()};
-}
-
-// Returns signed distances. The estimate compares them without their signs.
+// Returns signed distances.
 Distances signed_distances(const Triangulation& triangulation, const Sources& sources,
                            const Distance_options& options)
 {
-  Distances result{{}, IT::Distance_method::heat, options.time_step_factor.value_or(1)};
-  constexpr double greatest_factor = 1e12;
-  while(result.distance.empty())
-    try {
-      result.distance = signed_distances(triangulation, sources, result.time_step_factor);
-    } catch(const IT::Underflow_error&) {
-      if(options.time_step_factor || result.time_step_factor > greatest_factor)
-        throw;
-      result.time_step_factor *= 16;
-    }
-  std::vector<double> lengths = result.distance;
-  std::transform(lengths.begin(), lengths.end(), lengths.begin(),
-                 [](double d) { return std::abs(d); });
-  const auto surface = triangulation.intrinsic();
-  result.error = IT::estimate_error(surface, sources.curve, lengths);
+  const auto parameters = IT::parameters::distance_method(library_method(options));
+  Distances result = options.time_step_factor
+                       ? IT::signed_distance(triangulation, sources.curve,
+                                             parameters.time_step_factor(*options.time_step_factor))
+                       : IT::signed_distance(triangulation, sources.curve, parameters);
+  for(std::size_t v = 0; v < result.distance.size(); ++v)
+    if(!std::isfinite(result.distance[v]))
+      throw Program_error("vertex " + std::to_string(v) +
+                          " has no signed distance: no part of the curve is on its component "
+                          "(add a part on it; --repair removes isolated vertices)");
   return result;
 }
 
@@ -401,7 +378,7 @@ void warn_of_errors(const Statistics& s, const Common_options& common,
     return;
   std::cerr << common.input << ": warning: a tenth of the distances by heat are wrong by "
             << percentage(s["relative_error"]["ninety_percent"]) << " or more; "
-            << (options.is_signed ? "a smaller --time-step or --min-angle may help"
+            << (options.is_signed ? "a closed curve has exact distances"
                                   : "--method exact has none of these errors")
             << '\n';
 }
@@ -461,8 +438,6 @@ private:
       throw Program_error("--source or --curve is missing; say where distances are zero");
     if(m_options.is_signed && !m_options.sources.empty())
       throw Program_error("--signed is for a --curve alone, without --source");
-    if(m_options.is_signed && m_options.method == "exact")
-      throw Program_error("--signed is by heat; leave out --method exact and --exact-distance");
     if(m_options.time_step_factor && m_options.method == "exact")
       throw Program_error("--time-step is for heat; leave out --method exact and --exact-distance");
     if(!m_options.levels.empty() && !m_level_format)
@@ -659,7 +634,7 @@ void add_distance_method(CLI::App& command, Distance_options& options)
         "--method", options.method,
         "exact (lengths of shortest paths, up to rounding), heat (the heat method, with "
         "an estimate of its error), or auto. Method auto is exact if this is expected to take "
-        "less than two seconds, without --signed and --time-step")
+        "less than two seconds, without --time-step")
       ->check(CLI::IsMember({"exact", "heat", "auto"}))
       ->capture_default_str();
   command

@@ -16,7 +16,7 @@ from . import _core
 from ._arrays import Floats, Integers, integers, number, points_on
 from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, surface
-from .errors import ArrayError, InputError, UnderflowError
+from .errors import ArrayError, InputError
 from .simplification import simplify
 from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
 
@@ -450,11 +450,11 @@ def geodesics(
 
 
 def signed_distance(
-    V: Any, F: ArrayLike | None = None, curve: Any = None, *,
+    V: Any, F: ArrayLike | None = None, curve: Any = None, method: str = "auto", *,
     time_step_factor: float | None = None, lengths: ArrayLike | None = None,
-    mollify: float | str = "auto", progress: Progress | None = None,
-) -> Floats:
-    """Return the distance of each vertex from a curve, negative on the left of it, by heat.
+    mollify: float | str = "auto", full: bool = False, progress: Progress | None = None,
+) -> Any:
+    """Return the signed distance of each vertex from a curve, negative on the left of it.
 
     Parameters
     ----------
@@ -463,39 +463,43 @@ def signed_distance(
     curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
         The points of a polyline, or of several ones: vertices, or faces and barycentric
         coordinates. Two points that follow each other must be in a common face.
+    method : "auto", "exact" or "heat"
+        "exact" gives the lengths of shortest paths, up to rounding. The curve must separate its
+        left from its right, such as a loop around a region. "heat" has errors of some
+        percent, and bridges gaps of a curve. "auto" is exact if the curve separates the surface
+        and this is expected to take less than two seconds.
     time_step_factor : float
-        The time for which heat flows, in squared mean edge lengths. By default it is 1 at first,
-        and more if normals do not reach all faces.
+        The time for which heat flows, in squared mean edge lengths. "auto" is then "heat". By
+        default it is 1 at first, and more if normals do not reach all faces.
+    full : bool
+        Whether the method and an estimate of the error are returned, too.
 
     Returns
     -------
-    (n,) float array
+    (n,) float array, or Distances if `full`
         In the unit of V; infinite on a component without a part of the curve.
 
     Examples
     --------
+    From the sides of a cube, with the bottom on the left:
+
     >>> import intrinsic
-    >>> V, F = intrinsic.shapes.torus(24, 12)
-    >>> meridian = [*range(12), 0]
-    >>> d = intrinsic.signed_distance(V, F, meridian)
-    >>> bool(abs(d[:12]).max() < 0.1), bool(d.min() < 0 < d.max())
-    (True, True)
+    >>> V, F = intrinsic.shapes.cube()
+    >>> intrinsic.signed_distance(V, F, [0, 2, 6, 4, 0]).tolist()
+    [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0]
     """
+    kind = _method(method)
     factor = _time_step_factor(time_step_factor)
+    if factor is not None and kind == "auto":
+        kind = "heat"
 
-    def compute(T: Triangulation) -> Floats:
-        faces, coordinates, starts = _curve(curve, T)
-        time = 1.0 if factor is None else factor
-        while True:
-            try:
-                values = _core.signed_distances(T._core, faces, coordinates, starts, time)
-                return values[: T._core.number_of_input_vertices()]
-            except UnderflowError:
-                if factor is not None or time > 1e12:
-                    raise
-                time *= 16
+    def compute(T: Triangulation) -> Distances:
+        values, about = _core.signed_distances(T._core, *_curve(curve, T), kind, factor, progress)
+        return Distances(values[: T._core.number_of_input_vertices()], about["method"],
+                         about.get("relative_error"))
 
-    return computed_on(V, F, lengths, mollify, compute, check_progress(progress))
+    result = computed_on(V, F, lengths, mollify, compute, check_progress(progress))
+    return result if full else result.values
 
 
 def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:

@@ -20,7 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
-#include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/signed_distance.h>
 #include <CGAL/Intrinsic_triangulations/vector_heat.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -321,28 +321,37 @@ IT::Surface_curve<double> curve_through(const Bound_triangulation& self,
   return IT::curve_through(self.triangulation().input(), points);
 }
 
-py::array signed_distances(const Bound_triangulation& self, const Index_array& faces,
-                           const Number_array& coordinates, const Index_array& starts,
-                           double time_step_factor)
+// Returns polylines on T2, which begin and end at these numbers of points.
+IT::Surface_curve<double> curve_of_polylines(const Bound_triangulation& self,
+                                             const std::vector<Location>& points,
+                                             const Index_array& starts)
 {
-  return array_of(released([&] {
-    const auto points =
-      locations_of(faces, coordinates, self.triangulation().input_mesh().number_of_faces());
-    IT::Surface_curve<double> curve;
-    for(std::size_t i = 0; i + 1 < std::size_t(starts.size()); ++i) {
-      const auto part = curve_through(
-        self, {points.begin() + starts.data()[i], points.begin() + starts.data()[i + 1]});
-      curve.insert(curve.end(), part.begin(), part.end());
-    }
-    curve = IT::curve_across(self.correspondence(), IT::Side::input, curve);
-    const auto values = IT::with_resolved_areas(self.triangulation(), [&](const auto& surface) {
-      typedef IT::Length_of<std::decay_t<decltype(surface)>> FT;
-      return IT::rounded_values(
-        IT::signed_heat_distance(surface, IT::converted_curve<FT>(curve),
-                                 IT::parameters::time_step_factor(time_step_factor)));
-    });
-    return std::vector<double>(values.begin(), values.end());
-  }));
+  IT::Surface_curve<double> curve;
+  for(std::size_t i = 0; i + 1 < std::size_t(starts.size()); ++i) {
+    const auto part = curve_through(
+      self, {points.begin() + starts.data()[i], points.begin() + starts.data()[i + 1]});
+    curve.insert(curve.end(), part.begin(), part.end());
+  }
+  return IT::curve_across(self.correspondence(), IT::Side::input, curve);
+}
+
+py::tuple signed_distances(const Bound_triangulation& self, const Index_array& faces,
+                           const Number_array& coordinates, const Index_array& starts,
+                           const std::string& method, std::optional<double> time_step_factor,
+                           const py::object& progress)
+{
+  Watch watch(progress, "windows");
+  IT::Geodesic_distances<double> result = released([&] {
+    const auto curve = curve_of_polylines(
+      self, locations_of(faces, coordinates, self.triangulation().input_mesh().number_of_faces()),
+      starts);
+    const auto np = IT::parameters::distance_method(method_named(method)).visitor(std::ref(watch));
+    return time_step_factor ? IT::signed_distance(self.triangulation(), curve,
+                                                  np.time_step_factor(*time_step_factor))
+                            : IT::signed_distance(self.triangulation(), curve, np);
+  });
+  const py::dict description = description_of(result);
+  return py::make_tuple(array_of(std::move(result.distance)), description);
 }
 
 // ---- Tangent spaces ----

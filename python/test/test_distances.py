@@ -241,8 +241,23 @@ class Signed(unittest.TestCase):
         middle = np.flatnonzero(V[:, 0] == 0.5)
         up = middle[np.argsort(V[middle, 1])]
         d = intrinsic.signed_distance(V, F, up)
-        np.testing.assert_allclose(d, V[:, 0] - 0.5, atol=0.03)
-        np.testing.assert_allclose(intrinsic.signed_distance(V, F, up[::-1]), -d, atol=1e-9)
+        np.testing.assert_allclose(d, V[:, 0] - 0.5, atol=1e-15)
+        np.testing.assert_allclose(intrinsic.signed_distance(V, F, up[::-1]), -d, atol=1e-15)
+        by_heat = intrinsic.signed_distance(V, F, up, "heat", full=True)
+        self.assertEqual(by_heat.method, "heat")
+        np.testing.assert_allclose(by_heat.values, d, atol=0.03)
+
+    def test_method(self):
+        V, F = intrinsic.shapes.torus(24, 12)
+        meridian, opposite = [*range(12), 0], [144, *range(155, 143, -1)]
+        both = intrinsic.signed_distance(V, F, [meridian, opposite], full=True)
+        self.assertEqual(both.method, "exact")
+        self.assertEqual(abs(both.values[[*range(12), *range(144, 156)]]).max(), 0)
+        np.testing.assert_array_equal(np.sign(both.values[12:144]), -np.sign(both.values[156:]))
+        one = intrinsic.signed_distance(V, F, meridian, full=True)
+        self.assertEqual(one.method, "heat")
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.signed_distance(V, F, meridian, "exact")
 
     def test_curves_of_points(self):
         V, F = support.turned(*intrinsic.shapes.grid(10, 10))

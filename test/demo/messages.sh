@@ -67,6 +67,7 @@ text h.mesh.vtp '<VTKFile type="PolyData"></VTKFile>;<!-- a'
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
+text half.obj 'v 0.25 0 0;v 0.25 0.125 0;l 1 2'
 text across.obj 'v 0 0 0;v 5 0 0;l 1 2'
 text far.obj 'v 0 0 0;v 0 0 9;l 1 2'
 ply_edge='element edge 1;property uchar vertex1;property uchar vertex2;end_header'
@@ -201,7 +202,7 @@ calls <<'TABLE'
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
 2 | ; choose one on it, or give FACE:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
-2 | --signed is by heat; leave out --method exact and --exact-distance | distance flat.mesh.off --curve line.obj --signed --exact-distance -o a.ply
+2 | the curve does not separate the surface into its left and its right | distance flat.mesh.off --curve half.obj --signed --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
 2 | line 14 cannot be understood: an edge names a vertex that does not exist; there are 3 | distance flat.mesh.off --curve edge.ply -o a.ply
 2 | point 2 has a coordinate that is not finite | distance flat.mesh.off --curve nan.ply -o a.ply
