@@ -47,7 +47,10 @@ public:
     return order.indices();
   }
 
-  void analyze(const Matrix& upper) { Base::analyzePattern(upper); }
+  void analyze(const Matrix& upper, bool /* has_many_solutions */ = false)
+  {
+    Base::analyzePattern(upper);
+  }
 
   // Returns false if the matrix is not positive definite.
   bool factorize(const Matrix& upper)

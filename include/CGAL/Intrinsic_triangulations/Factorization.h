@@ -93,7 +93,7 @@ private:
     if(upper.nonZeros() == 0 || !CGAL::is_finite(upper.coeffs().abs().sum()))
       return false;
     m_cholesky = std::make_unique<Cholesky<Scalar>>();
-    m_cholesky->analyze(upper);
+    m_cholesky->analyze(upper, true);
     return m_cholesky->factorize(upper);
   }
 

@@ -76,7 +76,7 @@ public:
     return Cholesky<Rounded>::fill_reducing_order(pattern);
   }
 
-  void analyze(const Matrix&) {}
+  void analyze(const Matrix&, bool /* has_many_solutions */ = false) {}
 
   // Returns false if the matrix is not positive definite.
   bool factorize(const Matrix& upper)
