@@ -357,7 +357,7 @@ TEST(Heat_distance, time_step)
     IT::heat_distance(t.input(), vertex(0), IT::parameters::time_step_factor(100.));
   EXPECT_EQ(one, same);
   EXPECT_GT((one - smooth).cwiseAbs().maxCoeff(), 1e-3);
-  for(double factor : {0., -1., std::numeric_limits<double>::infinity(), std::nan("")})
+  for(double factor : {0., -1., 2e13, 1e300, std::numeric_limits<double>::infinity(), std::nan("")})
     EXPECT_THROW(IT::Heat_distance<>(t.input(), IT::parameters::time_step_factor(factor)),
                  IT::Invalid_input);
 }

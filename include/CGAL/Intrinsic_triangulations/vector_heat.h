@@ -98,8 +98,8 @@ public:
       is_source[source.first.idx()] = FT(1);
     }
     const FT longest = vectors.size() == 0 ? FT(0) : vectors.cwiseAbs().maxCoeff();
-    if(longest > 0)
-      vectors /= longest;
+    if(longest > 0) // by parts, since a division by a complex number squares it
+      vectors = vectors.unaryExpr([&](const std::complex<FT>& z) { return z / longest; });
     return longest * spread(vectors, is_source);
   }
 

@@ -33,6 +33,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Returns the greatest time step factor that is accepted. Heat that flows longer is constant up to
+// about one part in the factor, so rounding errors decide about its gradient. Searches for a factor
+// multiply it by 16 as long as it is at most `greatest_time_step_factor()`.
+constexpr double limit_of_time_step_factors() { return 16 * greatest_time_step_factor(); }
+
 template <typename FT, typename NamedParameters>
 FT checked_time_step_factor(const NamedParameters& np)
 {
@@ -40,8 +45,8 @@ FT checked_time_step_factor(const NamedParameters& np)
   using CGAL::parameters::get_parameter;
   typedef Intrinsic_triangulations::internal_np::time_step_factor_t Tag;
   const FT factor(choose_parameter(get_parameter(np, Tag()), FT(1)));
-  if(!(factor > 0) || !CGAL::is_finite(factor))
-    throw Invalid_input("the time step factor is not positive and finite");
+  if(!(factor > 0) || !(factor <= FT(limit_of_time_step_factors())))
+    throw Invalid_input("the time step factor is not positive and at most 1.6e13");
   return factor;
 }
 
