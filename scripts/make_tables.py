@@ -60,8 +60,9 @@ RUNS = [
         "a generated torus with a million faces"),
     Run(f"{IT}/pages", "{python} benchmark/Intrinsic_triangulations/benchmark_pages.py {build}/intrinsic",
         "a generated torus", target="intrinsic"),
-    Run(f"{IT}/python_calls", "env PYTHONPATH={build}/python {python} python/benchmark/overhead.py",
-        "a generated sphere", target="intrinsic_python"),
+    Run(f"{IT}/python_calls",
+        "env PYTHONPATH={build}/python {python} python/benchmark/overhead.py {build}/python/intrinsic_calls",
+        "a generated sphere", target="intrinsic_calls"),
     # $PYTHON_PEERS is the path of the modules potpourri3d and pygeodesic.
     Run(f"{IT}/python_peers", "env PYTHONPATH={build}/python:$PYTHON_PEERS {python} python/benchmark/peers.py "
         "{meshes}/armadillo.off {meshes}/lion-head.off {meshes}/refined_elephant.off", CGAL_MESHES,

@@ -2,49 +2,85 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Prints a table of how long calls take for a folded sphere, and which part of that is spent before the
-algorithm: on checking arrays and on making the mesh of them. Times of the processor, the least of five.
+"""Prints a table of the time that calls take in Python and in C++, from the same arrays of a folded
+sphere. Both sides make the mesh and free the result. Python also checks the arrays, copies the
+positions and makes the arrays of the result. Calls of both take turns. Times of the processor, the
+least of many.
 
-usage: PYTHONPATH=build/python python3 python/benchmark/overhead.py [LEVEL ...]
+usage: PYTHONPATH=build/python python3 python/benchmark/overhead.py PROGRAM [LEVEL ...]
+
+PROGRAM is made of calls.cpp.
 """
 
+import subprocess
 import sys
+import tempfile
 import time
 
+import numpy as np
+
 import intrinsic
-from intrinsic import _meshes
 
 CALLS = {
-    "Triangulation(V, F).delaunay()": lambda V, F: intrinsic.Triangulation(V, F).delaunay(),
-    "laplacian(V, F)": intrinsic.laplacian,
-    'distance(V, F, 0, "exact")': lambda V, F: intrinsic.distance(V, F, 0, "exact"),
-    'distance(V, F, 0, "heat")': lambda V, F: intrinsic.distance(V, F, 0, "heat"),
-    "path(V, F, 0, 1)": lambda V, F: intrinsic.path(V, F, 0, 1),
-    "flatten(V, F)": intrinsic.flatten,
-    "to_sphere(V, F)": intrinsic.to_sphere,
-    "simplify(V, F, 1000)": lambda V, F: intrinsic.simplify(V, F, 1000),
+    "delaunay": ("Triangulation(V, F).delaunay()", lambda V, F: intrinsic.Triangulation(V, F).delaunay()),
+    "laplacian": ("laplacian(V, F)", intrinsic.laplacian),
+    "exact": ('distance(V, F, 0, "exact")', lambda V, F: intrinsic.distance(V, F, 0, "exact")),
+    "heat": ('distance(V, F, 0, "heat")', lambda V, F: intrinsic.distance(V, F, 0, "heat")),
+    "path": ("path(V, F, 0, 1)", lambda V, F: intrinsic.path(V, F, 0, 1)),
+    "flatten": ("flatten(V, F)", intrinsic.flatten),
+    "to_sphere": ("to_sphere(V, F)", intrinsic.to_sphere),
+    "simplify": ("simplify(V, F, 1000)", lambda V, F: intrinsic.simplify(V, F, 1000)),
 }
+SECONDS = 10  # for the calls of a row
+LEAST_ROUNDS, REPETITIONS = 4, 3  # each side repeats its call, since the other one empties caches
 
 
-def seconds(call, *arguments):
+def milliseconds(call, repetitions, *arguments):
     times = []
-    for _ in range(5):
-        start = time.process_time()
+    for _ in range(repetitions):
+        start = time.process_time_ns()
         call(*arguments)
-        times.append(time.process_time() - start)
+        times.append((time.process_time_ns() - start) / 1e6)
     return min(times)
 
 
+class Program:
+    """The other side, which holds the same arrays."""
+
+    def __init__(self, path, V, F):
+        with tempfile.NamedTemporaryFile() as arrays:
+            arrays.write(np.array([len(V), len(F)]).tobytes() + V.tobytes() + F.tobytes())
+            arrays.flush()
+            self.process = subprocess.Popen([path, arrays.name], text=True, stdin=subprocess.PIPE,
+                                            stdout=subprocess.PIPE)
+            self("delaunay", 1)  # has read the arrays
+
+    def __call__(self, name, repetitions):
+        print(name, repetitions, file=self.process.stdin, flush=True)
+        return float(self.process.stdout.readline())
+
+    def end(self):
+        self.process.communicate()
+
+
+def compared(call, program, name, V, F):
+    """Return the least time of both sides."""
+    times, end = [], time.monotonic() + SECONDS
+    while len(times) < LEAST_ROUNDS or time.monotonic() < end:
+        times.append((milliseconds(call, REPETITIONS, V, F), program(name, REPETITIONS)))
+    return np.min(times, axis=0)
+
+
 def main():
-    for level in map(int, sys.argv[1:] or ["6"]):
+    print("\n| call | vertices | Python (ms) | C++ (ms) | overhead |\n| --- | ---: | ---: | ---: | ---: |")
+    for level in map(int, sys.argv[2:] or ["5", "6"]):
         V, F = intrinsic.shapes.folded_sphere(level)
-        arrays = seconds(_meshes.arrays, V, F)
-        before = seconds(_meshes.surface, V, F)
-        print("\n| call | vertices | ms | arrays | arrays and mesh |\n| --- | ---: | ---: | ---: | ---: |")
-        for name, call in CALLS.items():
-            whole = seconds(call, V, F)
-            print(f"| `{name}` | {len(V):,} | {1000 * whole:,.0f} | {100 * arrays / whole:.2g} % "
-                  f"| {100 * before / whole:.2g} % |", flush=True)
+        program = Program(sys.argv[1], V, F)
+        for name, (text, call) in CALLS.items():
+            ours, theirs = compared(call, program, name, V, F)
+            print(f"| `{text}` | {len(V):,} | {ours:,.1f} | {theirs:,.1f} "
+                  f"| {100 * (ours - theirs) / theirs:.1f} % |", flush=True)
+        program.end()
 
 
 if __name__ == "__main__":

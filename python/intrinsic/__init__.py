@@ -60,6 +60,7 @@ from .operators import (
     mass,
     soup_operators,
 )
+from .packing import CirclePacking, pack_circles
 from .polyhedra import ConvexPolyhedron, convex_polyhedron
 from .repairs import Info, Repair, info, repair
 from .showing import Page, show
@@ -71,6 +72,7 @@ __version__ = "0.2.0"
 __all__ = [
     "ArrayError",
     "Certificate",
+    "CirclePacking",
     "CoarseMesh",
     "CommonSubdivision",
     "ConformalMap",
@@ -117,6 +119,7 @@ __all__ = [
     "laplacian",
     "log_map",
     "mass",
+    "pack_circles",
     "path",
     "repair",
     "shapes",

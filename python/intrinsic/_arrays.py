@@ -6,7 +6,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+import reprlib
+from numbers import Integral, Real
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,11 +17,12 @@ from .errors import ArrayError, InputError
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Complexes = NDArray[np.complex128]
 
 _GREATEST_INDEX = 2**32 - 2  # of the compiled part
 
 
-def _array(values: ArrayLike, name: str) -> NDArray[Any]:
+def _array(values: ArrayLike | None, name: str) -> NDArray[Any]:
     if values is None:
         raise ArrayError(f"{name} is None; give an array")
     if getattr(values, "format", None) is not None and hasattr(values, "todense"):
@@ -29,6 +32,8 @@ def _array(values: ArrayLike, name: str) -> NDArray[Any]:
     try:
         array = np.asarray(values)
     except (ValueError, TypeError) as error:
+        if "inhomogeneous" in str(error):
+            raise ArrayError(f"{name} has rows of different lengths") from None
         raise ArrayError(f"{name} is not an array of numbers: {error}") from None
     return array
 
@@ -64,7 +69,7 @@ def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Float
 
 
 def integers(
-    values: ArrayLike, shape: tuple[int | None, ...], name: str, size: int | None, what: str
+    values: ArrayLike | None, shape: tuple[int | None, ...], name: str, size: int | None, what: str
 ) -> Integers:
     """Return indices of type int64, stored by rows, from 0 to `size` - 1."""
     array = _array(values, name)
@@ -78,14 +83,15 @@ def integers(
         raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
     _check_shape(array, shape, name)
     limit = _GREATEST_INDEX + 1 if size is None else size
-    is_bad = (array < 0) | (array >= np.uint64(limit) if array.dtype.kind == "u" else array >= limit)
-    if is_bad.any():
-        row = _first_row(is_bad)
+    result = np.ascontiguousarray(array, dtype=np.int64)
+    unsigned = result.view(np.uint64)  # in which negative numbers are huge
+    if array.size > 0 and unsigned.max() >= limit:
+        row = _first_row(unsigned >= limit)
         known = f"the {what} are 0 to {limit - 1}" if limit > 0 else f"there are no {what}"
         error = InputError(f"row {row} of {name} is {array[row]}, and {known}")
         error.row = row
         raise error
-    return np.ascontiguousarray(array, dtype=np.int64)
+    return result
 
 
 def vertices(values: Any, size: int, name: str, wanted: int | None = None) -> Integers:
@@ -95,28 +101,73 @@ def vertices(values: Any, size: int, name: str, wanted: int | None = None) -> In
     return integers(np.atleast_1d(_array(values, name)), (wanted,), name, size, "vertices")
 
 
-def number(value: Any, name: str, least: float, greatest: float = np.inf) -> float:
-    """Return a finite number between two others."""
+def _scalar(value: Any, name: str, kind: str) -> Any:
+    """Return a real number; neither a truth value nor a text is one."""
+    scalar = value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
+    if isinstance(scalar, (bool, np.bool_)) or not isinstance(scalar, Real):
+        raise ArrayError(f"{name} is {shortened(value)}; it must be {kind}")
+    return scalar
+
+
+def shortened(value: Any) -> str:
+    """Return the representation of a value in a message."""
+    return reprlib.repr(value)
+
+
+def number(
+    value: Any, name: str, least: float, greatest: float = np.inf, *, is_open: bool = False
+) -> float:
+    """Return a finite number that is not less, or with `is_open` greater, than `least`."""
+    scalar = _scalar(value, name, "a number")
     try:
-        result = float(value)
-    except (TypeError, ValueError):
-        raise ArrayError(f"{name} is {value!r}; it must be a number") from None
-    if not (least <= result <= greatest) or not np.isfinite(result):
-        bound = f" and at most {greatest}" if np.isfinite(greatest) else ""
-        raise InputError(f"{name} is {result}; it must be finite and at least {least}{bound}")
+        result = float(scalar)
+    except OverflowError:  # of a huge integer
+        result = np.inf
+    if not (least <= result <= greatest) or not np.isfinite(result) or is_open and result == least:
+        bound = f" and at most {greatest:g}" if np.isfinite(greatest) else ""
+        raise InputError(f"{name} is {result}; it must be finite, "
+                         f"{'more than' if is_open else 'at least'} {least:g}{bound}")
     return result
 
 
-def count(value: Any, name: str, least: int) -> int:
-    """Return an integer that is not less than another."""
-    try:
-        result = int(np.asarray(value).item() if isinstance(value, np.ndarray) else value)
-    except (TypeError, ValueError, OverflowError):
-        raise ArrayError(f"{name} is {value!r}; it must be an integer") from None
-    if result != value:
-        raise ArrayError(f"{name} is {value!r}; it must be an integer")
-    if not least <= result <= _GREATEST_INDEX:
-        raise InputError(f"{name} is {result}; it must be from {least} to {_GREATEST_INDEX}")
+def count(value: Any, name: str, least: int, greatest: int = _GREATEST_INDEX) -> int:
+    """Return an integer between two others."""
+    scalar = _scalar(value, name, "an integer")
+    if not isinstance(scalar, Integral) and scalar % 1 != 0:  # NaN and infinity, too
+        raise ArrayError(f"{name} is {shortened(value)}; it must be an integer")
+    result = int(scalar)
+    if not least <= result <= greatest:
+        raise InputError(f"{name} is {shortened(result)}; it must be from {least} to {greatest}")
+    return result
+
+
+def flag(value: Any, name: str) -> bool:
+    """Return a truth value. Texts and numbers are no truth values: "no" would be true."""
+    if isinstance(value, (bool, np.bool_)):
+        return bool(value)
+    raise ArrayError(f"{name} is {shortened(value)}; it must be True or False")
+
+
+def choice(value: Any, name: str, names: Sequence[str]) -> str:
+    """Return one of several names."""
+    if isinstance(value, str) and value in names:
+        return value
+    *others, last = map(repr, names)
+    raise InputError(f"{name} is {shortened(value)}; it must be {', '.join(others)} or {last}")
+
+
+def complexes(values: Any, shape: tuple[int | None, ...], name: str) -> Complexes:
+    """Return finite complex numbers, stored by rows."""
+    array = _array(values, name)
+    if array.dtype.kind not in "fiuc" and array.size > 0:
+        raise ArrayError(f"{name} has the type {array.dtype}; it must be complex numbers")
+    _check_shape(array, shape, name)
+    result = np.ascontiguousarray(array, dtype=np.complex128).reshape(array.shape)
+    with np.errstate(over="ignore"):
+        is_bad = ~np.isfinite(np.abs(result))
+    if is_bad.any():
+        what = f"row {_first_row(is_bad)} of {name}" if array.ndim > 0 else name
+        raise InputError(f"the length of {what} is not finite")
     return result
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers, number
+from ._arrays import Floats, Integers, floats, integers, number, shortened
 from .errors import (ArrayError, InputError, MapError, MollificationWarning, NumericalError,
                      UnderflowError)
 
@@ -50,6 +50,8 @@ def _cells(cells: Any) -> Any:
 def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
     """Return positions and faces of an object of another package. It has `vertices` and `faces`
     (trimesh), `points` and `cells` (meshio), or `points` and `faces` (pyvista)."""
+    if isinstance(mesh, (str, os.PathLike)):
+        raise ArrayError("V is the name of a file; read it, for example by meshio.read()")
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return mesh.vertices, mesh.faces
     if hasattr(mesh, "points") and hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
@@ -86,7 +88,7 @@ def surface(
     if lengths is None:
         points, faces = arrays(V, F)
         _check_not_empty(faces)
-        return _core.Surface.of_points(points, faces, mollify != 0 and mollify != "auto")
+        return _core.Surface.of_points(points, faces, bool(mollification(mollify)))
     if V is not None:
         raise ArrayError("give either V or lengths, and None for the other")
     faces = _faces(F, None)
@@ -101,7 +103,11 @@ def _check_not_empty(faces: Integers) -> None:
 
 def mollification(mollify: float | str) -> float | None:
     """Return the slack, or None if it is to be found."""
-    return None if isinstance(mollify, str) and mollify == "auto" else number(mollify, "mollify", 0)
+    if isinstance(mollify, str):
+        if mollify == "auto":
+            return None
+        raise ArrayError(f"mollify is {mollify!r}; it must be 'auto' or a number")
+    return number(mollify, "mollify", 0, 1)
 
 
 def _level_of_caller() -> int:
@@ -139,5 +145,6 @@ def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
 
 def check_progress(progress: Any) -> Any:
     if progress is not None and not callable(progress):
-        raise ArrayError("progress must be a function of a stage and a number of steps, or None")
+        raise ArrayError(f"progress is {shortened(progress)}; it must be a function of a stage and a "
+                         "number of steps, or None")
     return progress

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Floats, Integers, integers, number, points_on
+from ._arrays import (Complexes, Floats, Integers, choice, complexes, count, flag, integers, number,
+                      points_on, shortened)
 from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError
@@ -22,6 +23,7 @@ from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
 
 Result = TypeVar("Result")
 
+_LEAST_TIME_STEP_FACTOR, _GREATEST_TIME_STEP_FACTOR = 1e-300, 1.6e13  # beyond, rounding decides
 _NO_VERTICES = np.zeros(0, np.int64)
 _NO_POINTS = (np.zeros(0, np.int64), np.zeros((0, 3)))
 
@@ -29,7 +31,7 @@ _NO_POINTS = (np.zeros(0, np.int64), np.zeros((0, 3)))
 def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats]:
     """Return vertices, and faces with coordinates: sources are the one or the other."""
     if isinstance(sources, tuple):
-        faces, coordinates = points_on(sources, len(T.input_F), "sources")
+        faces, coordinates = points_on(sources, T._core.number_of_faces(True), "sources")
         result = _NO_VERTICES, faces, coordinates
     else:
         result = vertices_of(sources, T._core.number_of_input_vertices(), "sources"), *_NO_POINTS
@@ -39,9 +41,7 @@ def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats
 
 
 def _method(method: str) -> str:
-    if method not in ("auto", "exact", "heat"):
-        raise InputError(f"method is {method!r}; it must be 'auto', 'exact' or 'heat'")
-    return method
+    return choice(method, "method", ("auto", "exact", "heat"))
 
 
 class Distances(NamedTuple):
@@ -111,6 +111,7 @@ def distance(
         raise ArrayError("sources are missing; give vertices, or points as faces and coordinates")
     kind = _method(method)
     factor = _time_step_factor(time_step_factor)
+    is_full = flag(full, "full")
     if factor is not None and kind == "auto":
         kind = "heat"
 
@@ -120,11 +121,15 @@ def distance(
                          about.get("relative_error"))
 
     result = computed_on(V, F, lengths, mollify, compute, check_progress(progress))
-    return result if full else result.values
+    return result if is_full else result.values
 
 
 def _time_step_factor(factor: float | None) -> float | None:
-    return None if factor is None else number(factor, "time_step_factor", np.nextafter(0, 1))
+    return None if factor is None else _given_factor(factor)
+
+
+def _given_factor(factor: float) -> float:
+    return number(factor, "time_step_factor", _LEAST_TIME_STEP_FACTOR, _GREATEST_TIME_STEP_FACTOR)
 
 
 class DistanceSolver:
@@ -161,9 +166,8 @@ class DistanceSolver:
         mollify: float | str = "auto",
         progress: Progress | None = None,
     ) -> None:
-        if _method(method) == "auto":
-            raise InputError("method must be 'heat' or 'exact'")
-        factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
+        choice(method, "method", ("heat", "exact"))
+        factor = _given_factor(time_step_factor)
 
         def prepared(T: Triangulation) -> tuple[Triangulation, _core.Heat | None]:
             on = T.copy() if T is V else T  # it must not change
@@ -199,12 +203,13 @@ class DistanceSolver:
             In the unit of V; infinite where a source cannot reach a vertex.
         """
         T = self._on
+        is_parallel = flag(parallel, "parallel")
         with T._lock:
             given = _sources(sources, T)
             if self._heat is None:
-                return _core.distances_from_each(T._core, *given, bool(parallel), None)
+                return _core.distances_from_each(T._core, *given, is_parallel, None)
             n = T._core.number_of_input_vertices()
-            return self._heat.distances_from_each(T._core, *given, bool(parallel))[:, :n]
+            return self._heat.distances_from_each(T._core, *given, is_parallel)[:, :n]
 
 
 def all_pairs(
@@ -245,33 +250,34 @@ def all_pairs(
     True
     """
     check_progress(progress)
+    is_parallel = flag(parallel, "parallel")
     if coarse is not None:
         if isinstance(V, Triangulation):
             raise ArrayError("coarse is for a mesh, not for a Triangulation")
-        small = simplify(V, F, coarse, lengths=lengths, mollify=mollify)
+        small = simplify(V, F, count(coarse, "coarse", 1), lengths=lengths, mollify=mollify)
         P = small.prolongation
-        among = _distances_between_all(small.triangulation(), parallel, progress)
+        among = _distances_between_all(small.triangulation(), is_parallel, progress)
         result: Floats = P @ (P @ among).T
         return result
     return _on_input(V, F, lengths, mollify,
-                     lambda T: _distances_between_all(T, parallel, progress))
+                     lambda T: _distances_between_all(T, is_parallel, progress))
 
 
 def _distances_between_all(
-    T: Triangulation, parallel: bool, progress: Progress | None
+    T: Triangulation, is_parallel: bool, progress: Progress | None
 ) -> Floats:
     n = T._core.number_of_input_vertices()
     result = np.empty((n, n))
     for first in range(0, n, 64):
         rows = np.arange(first, min(first + 64, n))
         with T._lock:
-            result[rows] = _core.distances_from_each(T._core, rows, *_NO_POINTS, bool(parallel), None)
+            result[rows] = _core.distances_from_each(T._core, rows, *_NO_POINTS, is_parallel, None)
         if progress is not None:
             progress("all_pairs", first + len(rows))
     return result
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Path:
     """A line on a surface.
 
@@ -295,6 +301,9 @@ class Path:
     points: Floats | None
     is_complete: bool = True
 
+    def __repr__(self) -> str:
+        return f"<Path: length {self.length:g}, {len(self.faces)} points>"
+
 
 def _path(T: Triangulation, length: float, faces: Integers, coordinates: Floats,
           is_complete: bool = True) -> Path:
@@ -314,22 +323,28 @@ def _on_input(V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: f
 def vertex_point(F: ArrayLike, vertex: int) -> SurfacePoints:
     """Return a vertex as a point of a surface: a face (1,) and coordinates (1, 3)."""
     faces = integers(F, (None, 3), "F", None, "vertices")
-    found = np.argwhere(faces == vertex)
+    found = np.argwhere(faces == count(vertex, "vertex", 0))
     if len(found) == 0:
         raise InputError(f"vertex {vertex} has no face")
-    coordinates = np.zeros((1, 3))
-    coordinates[0, found[0, 1]] = 1
-    return found[:1, 0], coordinates
+    return _corner(*found[0])
+
+
+def _corner(face: int, corner: int) -> SurfacePoints:
+    """Return a corner of a face as a point."""
+    return np.array([face], np.int64), np.eye(3)[[corner]]
 
 
 def _one_point(point: Any, T: Triangulation, name: str) -> SurfacePoints:
     if isinstance(point, tuple):
-        faces, coordinates = points_on(point, len(T.input_F), name)
+        faces, coordinates = points_on(point, T._core.number_of_faces(True), name)
         if len(faces) != 1:
             raise ArrayError(f"{name} has {len(faces)} points; it must be one")
         return faces, coordinates
-    vertex = vertices_of(point, T._core.number_of_input_vertices(), name, 1)
-    return vertex_point(T.input_F, int(vertex[0]))
+    vertex = int(vertices_of(point, T._core.number_of_input_vertices(), name, 1)[0])
+    place = T._core.place_of_vertex(vertex)
+    if place is None:
+        raise InputError(f"vertex {vertex} has no face")
+    return _corner(*place)
 
 
 def path(
@@ -403,12 +418,13 @@ def geodesic(
 
     def compute(T: Triangulation) -> Path:
         through = vertices_of(vertices, T._core.number_of_input_vertices(), "vertices")
-        if len(through) < (1 if loop else 2):
+        if len(through) < (1 if is_loop else 2):
             raise InputError("vertices are too few; a path has at least two, and a loop one")
-        if loop:
+        if is_loop:
             through = np.append(through, through[0])
-        return _path(T, *_core.geodesic_through(T._core, through, bool(loop)))
+        return _path(T, *_core.geodesic_through(T._core, through, is_loop))
 
+    is_loop = flag(loop, "loop")
     return _on_input(V, F, lengths, mollify, compute)
 
 
@@ -490,6 +506,7 @@ def signed_distance(
     """
     kind = _method(method)
     factor = _time_step_factor(time_step_factor)
+    is_full = flag(full, "full")
     if factor is not None and kind == "auto":
         kind = "heat"
 
@@ -499,7 +516,7 @@ def signed_distance(
                          about.get("relative_error"))
 
     result = computed_on(V, F, lengths, mollify, compute, check_progress(progress))
-    return result if full else result.values
+    return result if is_full else result.values
 
 
 def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
@@ -521,7 +538,7 @@ def _is_list_of_curves(curve: Any) -> bool:
 
 def _polyline(part: Any, T: Triangulation) -> SurfacePoints:
     if isinstance(part, tuple):
-        return points_on(part, len(T.input_F), "curve")
+        return points_on(part, T._core.number_of_faces(True), "curve")
     corners = T.input_F
     vertices = integers(part, (None,), "curve", T._core.number_of_input_vertices(), "vertices")
     first = np.full(T._core.number_of_input_vertices(), -1)
@@ -547,7 +564,7 @@ class LogMap:
         touches the boundary or a vertex of more than 360 degrees.
     """
 
-    vectors: NDArray[np.complex128]
+    vectors: Complexes
     is_straight: NDArray[np.bool_]
 
 
@@ -614,12 +631,9 @@ def exp_map(
     >>> bool(abs(line.points[-1] - V[50]).max() < 1e-9)
     True
     """
-    try:
-        direction = complex(vector)
-    except (TypeError, ValueError):
-        raise ArrayError(f"vector is {vector!r}; it must be a complex number") from None
-    if not np.isfinite(direction):
-        raise InputError(f"vector is {direction}; it must be finite")
+    if np.ndim(vector) != 0:
+        raise ArrayError(f"vector is {shortened(vector)}; it must be one complex number")
+    direction = complex(complexes(vector, (), "vector"))
     return _on_input(V, F, lengths, mollify, lambda T: _path(
         T, *_core.exponential(T._core, _vertex(source, T), direction)))
 
@@ -628,7 +642,7 @@ def transport(
     V: Any, F: ArrayLike | None = None, vertices: Any = None, vectors: Any = None, *,
     time_step_factor: float = 1.0, lengths: ArrayLike | None = None,
     mollify: float | str = "auto", progress: Progress | None = None,
-) -> NDArray[np.complex128]:
+) -> Complexes:
     """Transport tangent vectors from vertices to all others, along shortest paths, by heat.
 
     Parameters
@@ -656,9 +670,9 @@ def transport(
     >>> bool(abs(abs(field) - 2).max() < 1e-6)
     True
     """
-    factor = number(time_step_factor, "time_step_factor", np.nextafter(0, 1))
+    factor = _given_factor(time_step_factor)
 
-    def compute(T: Triangulation) -> NDArray[np.complex128]:
+    def compute(T: Triangulation) -> Complexes:
         n = T._core.number_of_input_vertices()
         sources = vertices_of(vertices, n, "vertices")
         return _core.transported(T._core, sources, _vectors_at(sources, vectors), factor)[:n]
@@ -666,17 +680,12 @@ def transport(
     return computed_on(V, F, lengths, mollify, compute, check_progress(progress))
 
 
-def _vectors_at(sources: Integers, vectors: Any) -> NDArray[np.complex128]:
-    try:
-        given = np.ascontiguousarray(np.atleast_1d(vectors), dtype=np.complex128)
-    except (TypeError, ValueError):
-        raise ArrayError("vectors must be complex numbers") from None
-    if given.shape != sources.shape or len(given) == 0:
-        raise ArrayError(f"vectors has the shape {given.shape}; it must be {sources.shape}, "
-                         "the shape of vertices, with at least one vector")
-    if not np.isfinite(given).all():
-        raise InputError("a vector is not finite")
-    return given
+def _vectors_at(sources: Integers, vectors: Any) -> Complexes:
+    given = np.asarray(vectors)
+    result = complexes(given[None] if given.ndim == 0 else given, sources.shape, "vectors")
+    if len(result) == 0:
+        raise InputError("vertices are missing; give at least one, with its vector")
+    return result
 
 
 def _vertex(vertex: Any, T: Triangulation) -> int:

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers, number, points_on, sparse
+from ._arrays import (Floats, Integers, choice, flag, floats, integers, number, points_on, shortened,
+                      sparse)
 from ._meshes import attempt, check_progress, surface
 from .errors import InputError, MapError
 from .triangulation import Progress, _fan
@@ -256,14 +257,6 @@ _BOUNDARIES = ("free", "straight", "scale", "curvature", *_SHAPES)
 _LAYOUTS = ("least-squares", "spectral", "incremental")
 
 
-def _boundary_vertices(on: _core.Surface) -> Integers:
-    F = on.faces()
-    sides = np.sort(np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
-    ends, counts = np.unique(sides, axis=0, return_counts=True)
-    vertices: Integers = np.unique(ends[counts == 1])
-    return vertices
-
-
 def _conditions(
     on: _core.Surface, cones: Any, boundary: str, values: Any
 ) -> tuple[Integers, Floats]:
@@ -271,7 +264,7 @@ def _conditions(
     curvature, and the value."""
     n = on.number_of_vertices()
     has_log_scale, prescribed = np.zeros(n, np.int64), np.zeros(n)
-    border = _boundary_vertices(on)
+    border = on.border_vertices()
     if len(border) == 0 and boundary in ("straight", "scale", "curvature"):
         raise InputError(f"boundary is {boundary!r}, and the surface has no boundary")
     if not isinstance(cones, str):
@@ -376,10 +369,10 @@ def flatten(
     >>> map([0], [[1, 0, 0]]).shape
     (1, 2)
     """
-    if boundary not in _BOUNDARIES:
-        raise InputError(f"boundary is {boundary!r}; it must be one of {', '.join(_BOUNDARIES)}")
-    if layout not in _LAYOUTS:
-        raise InputError(f"layout is {layout!r}; it must be one of {', '.join(_LAYOUTS)}")
+    choice(boundary, "boundary", _BOUNDARIES)
+    choice(layout, "layout", _LAYOUTS)
+    keeps_triangulation, is_exact = flag(keep_triangulation, "keep_triangulation"), flag(exact, "exact")
+    cuts_overlaps, is_scaled = flag(no_overlap, "no_overlap"), flag(unit_square, "unit_square")
     if (boundary_values is not None) != (boundary in ("scale", "curvature")):
         raise InputError("boundary_values are for the boundaries 'scale' and 'curvature'")
     if cones is None:
@@ -387,12 +380,12 @@ def flatten(
         cones = "greedy" if has_bound or boundary not in _SHAPES else "none"
     if isinstance(cones, str) and cones not in ("greedy", "exchanged", "none"):
         raise InputError(
-            f"cones is {cones!r}; it must be 'greedy', 'exchanged', 'none' or have values")
+            f"cones is {shortened(cones)}; it must be 'greedy', 'exchanged', 'none' or have values")
     log_scale = area_distortion = np.inf
     if max_log_scale is not None:
-        log_scale = number(max_log_scale, "max_log_scale", np.nextafter(0, 1))
+        log_scale = number(max_log_scale, "max_log_scale", 0, is_open=True)
     if max_area_distortion is not None:
-        area_distortion = number(max_area_distortion, "max_area_distortion", np.nextafter(1, 2))
+        area_distortion = number(max_area_distortion, "max_area_distortion", 1, is_open=True)
     elif max_log_scale is None:
         log_scale = 5.0
     check_progress(progress)
@@ -402,14 +395,14 @@ def flatten(
 
     def compute(slack: float) -> FlatMap:
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,
-                             area_distortion, boundary, layout, bool(keep_triangulation),
-                             bool(exact), slack, kind, values, radius, progress)
+                             area_distortion, boundary, layout, keeps_triangulation,
+                             is_exact, slack, kind, values, radius, progress)
         return _checked(FlatMap(on, core))
 
     result = attempt(mollify, compute)
-    if no_overlap:
+    if cuts_overlaps:
         result._core.cut_overlaps()
-    if unit_square:
+    if is_scaled:
         result._core.fit_into_unit_square()
     return result
 

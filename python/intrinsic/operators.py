@@ -6,14 +6,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import count, sparse
+from ._arrays import count, flag, sparse
 from ._meshes import arrays, attempt, check_progress, mollification
 from .errors import InputError
 from .triangulation import Progress, computed_on
@@ -88,7 +87,7 @@ def mass(
     >>> round(float(M.sum()), 3)  # the area of the unit sphere is 12.566
     12.329
     """
-    return _matrix("lumped_mass" if lumped else "mass", V, F, lengths, mollify, progress)
+    return _matrix("lumped_mass" if flag(lumped, "lumped") else "mass", V, F, lengths, mollify, progress)
 
 
 def gradient(
@@ -145,9 +144,8 @@ def _matrix(
                               check_progress(progress)))
 
 
-@dataclass(frozen=True)
-class SoupOperators:
-    """Matrices of triangles that need not be a surface.
+class SoupOperators(NamedTuple):
+    """Matrices of triangles that need not be a surface: `L, M = soup_operators(V, F)`.
 
     Attributes
     ----------
@@ -177,7 +175,7 @@ def soup_operators(
     F : (m, 3) array of integers
         The corners of each face. Without faces, points are triangulated with their neighbors.
     neighbors : int
-        How many neighbors of each point, at least 3.
+        How many neighbors of each point, at least 3; all others if they are fewer.
     mollify, progress
         As of `laplacian()`.
 
@@ -197,7 +195,7 @@ def soup_operators(
     """
     is_cloud = F is None and isinstance(V, (np.ndarray, list, tuple))
     points, faces = arrays(V, np.zeros((0, 3), np.int64) if is_cloud else F)
-    least = count(neighbors, "neighbors", 3)
+    number = min(count(neighbors, "neighbors", 3), max(len(points) - 1, 3))
     repeated = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
     if repeated.any():
         error = InputError(f"row {int(np.argmax(repeated))} of F names a vertex twice")
@@ -205,6 +203,6 @@ def soup_operators(
         raise error
     mollification(mollify)
     check_progress(progress)
-    soup = attempt(mollify, lambda slack: _core.Soup(points, faces, least, slack, progress))
+    soup = attempt(mollify, lambda slack: _core.Soup(points, faces, number, slack, progress))
     return SoupOperators(sparse(soup.operator_of("laplacian")),
                          sparse(soup.operator_of("lumped_mass")))

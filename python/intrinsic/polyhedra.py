@@ -101,7 +101,7 @@ def convex_polyhedron(
     >>> p.F.shape, p.is_flat
     ((4, 3), False)
     """
-    tolerance = None if flatness is None else number(flatness, "flatness", 0)
+    tolerance = None if flatness is None else number(flatness, "flatness", 0, 1)
     on = surface(V, F, lengths)
     d = _core.convex_polyhedron(on, tolerance)
     return ConvexPolyhedron(d["points"], d["faces"], d["flat_vertices"], d["kind"],

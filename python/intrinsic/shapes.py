@@ -8,9 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ._arrays import Floats, Integers, count
+from ._arrays import Floats, Integers, count, number
+from .errors import InputError
 
 Shape = tuple[Floats, Integers]
+
+_GREATEST_LEVEL = 13  # of edges with indices of 32 bits
+_GREATEST_FOLDS = 2**20  # whose sines have digits
 
 
 def cube() -> Shape:
@@ -29,7 +33,7 @@ def icosphere(level: int = 3) -> Shape:
                   [11, 10, 2], [10, 7, 6], [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8],
                   [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1]], np.int64)
     points = np.array(V, float)
-    for _ in range(count(level, "level", 0)):
+    for _ in range(count(level, "level", 0, _GREATEST_LEVEL)):
         sides = np.sort(np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
         ends, index = np.unique(sides, axis=0, return_inverse=True)
         a, b, c = index.reshape(3, -1) + len(points)
@@ -45,8 +49,11 @@ def torus(around: int = 40, across: int = 20, radius: float = 2.0, tube: float =
     meridian."""
     n, m = count(around, "around", 3), count(across, "across", 3)
     u, v = np.meshgrid(2 * np.pi * np.arange(n) / n, 2 * np.pi * np.arange(m) / m, indexing="ij")
-    ring = radius + tube * np.cos(v)
-    V = np.stack([ring * np.cos(u), ring * np.sin(u), tube * np.sin(v)], axis=-1).reshape(-1, 3)
+    thickness = number(tube, "tube", 0, is_open=True)
+    if not number(radius, "radius", 0) > thickness:
+        raise InputError(f"radius is {radius}; it must be greater than tube, {thickness}")
+    ring = radius + thickness * np.cos(v)
+    V = np.stack([ring * np.cos(u), ring * np.sin(u), thickness * np.sin(v)], axis=-1).reshape(-1, 3)
     i, j = (a.ravel() for a in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
     a, b = i * m + j, (i + 1) % n * m + j
     c, d = (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m
@@ -66,9 +73,11 @@ def grid(rows: int = 10, columns: int = 10) -> Shape:
     return V, F.astype(np.int64)
 
 
-def folded_sphere(level: int = 4, folds: int = 5, depth: float = 0.25) -> Shape:
+def folded_sphere(level: int = 4, folds: float = 5, depth: float = 0.25) -> Shape:
     """Return a sphere with folds, like a brain: the radius waves between 1 - depth and
     1 + depth."""
+    height = number(depth, "depth", 0, 0.99)
+    frequency = number(folds, "folds", 0, _GREATEST_FOLDS)
     V, F = icosphere(level)
-    wave = np.prod(np.sin(folds * V + [0.3, 1.1, 2.0]), axis=1)
-    return V * (1 + depth * np.clip(2 * wave, -1, 1))[:, None], F
+    wave = np.prod(np.sin(frequency * V + [0.3, 1.1, 2.0]), axis=1)
+    return V * (1 + height * np.clip(2 * wave, -1, 1))[:, None], F

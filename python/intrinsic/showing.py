@@ -16,7 +16,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, floats
+from ._arrays import Floats, count, flag, floats
 from ._meshes import arrays
 from .errors import InputError, MissingPartError
 from .maps import ConformalMap, HyperbolicMap, SphereMap
@@ -104,14 +104,15 @@ def show(
     if not _core.has_pages:
         raise MissingPartError("pages need nlohmann_json and three.js, and this package was built "
                                "without them")
+    is_direct, is_opened, pixels = flag(direct, "direct"), flag(open, "open"), count(height, "height", 1)
     if isinstance(V, Triangulation):
-        text = V._page(functions, bool(direct))
+        text = V._page(functions, is_direct)
     elif isinstance(V, ConformalMap):
         text = _page_of_map(V, functions)
     else:
         points, faces = arrays(V, F)
         text = _core.page(points, faces, _named(functions, len(points)))
-    page = Page(text, height)
-    if open:
+    page = Page(text, pixels)
+    if is_opened:
         page.open()
     return page

@@ -180,7 +180,7 @@ def simplify(
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
     vertices = on.number_of_vertices()
-    isolated = vertices - len(np.unique(on.faces()))
+    isolated = on.number_of_isolated_vertices()
     if part is not None:
         wanted = int(np.ceil(part * (vertices - isolated)))
     target = 0 if wanted is None else isolated + min(wanted, vertices - isolated)

@@ -10,13 +10,15 @@ import functools
 import os
 import threading
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any, Callable, Iterator, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Integers, count, floats, integers, number, points_on, sparse
+from ._arrays import (Floats, Integers, choice, count, flag, floats, integers, number, points_on,
+                      sparse)
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError
 
@@ -246,9 +248,10 @@ class Triangulation:
         lengths: ArrayLike | None = None,
         mollify: float | str = 0.0,
     ) -> None:
+        is_exact = flag(exact, "exact")
         on = surface(V, F, lengths, mollify)
         core = attempt(mollify, lambda slack: _core.Triangulation(on, slack, mollify == "auto"))
-        self._set(on, core, bool(exact))
+        self._set(on, core, is_exact)
 
     def _set(self, on: _core.Surface | None, core: _core.Triangulation, exact: bool) -> None:
         self._surface = on
@@ -298,7 +301,7 @@ class Triangulation:
         int
             The number of flips.
         """
-        is_exact = self._exact if exact is None else bool(exact)
+        is_exact = self._exact if exact is None else flag(exact, "exact")
         check_progress(progress)
         flips: int = self._change(lambda: self._core.make_delaunay(is_exact, progress))
         return flips
@@ -347,13 +350,14 @@ class Triangulation:
         True
         """
         angle = number(min_angle, "min_angle", 0, 60)
-        radius = np.inf if max_circumradius == np.inf else number(
-            max_circumradius, "max_circumradius", np.nextafter(0, 1))
+        has_radius = not isinstance(max_circumradius, Real) or max_circumradius != np.inf
+        radius = number(max_circumradius, "max_circumradius", 0, is_open=True) if has_radius else np.inf
+        is_simplicial = flag(simplicial, "simplicial")
         limit = None if max_insertions is None else count(max_insertions, "max_insertions", 0)
-        is_exact = self._exact if exact is None else bool(exact)
+        is_exact = self._exact if exact is None else flag(exact, "exact")
         check_progress(progress)
         done = self._change(lambda: self._core.refine(
-            angle, radius, bool(simplicial), limit, is_exact, progress))
+            angle, radius, is_simplicial, limit, is_exact, progress))
         return Refinement(**done)
 
     # ---- Elements ----
@@ -438,8 +442,8 @@ class Triangulation:
     def positions(self, points: tuple[ArrayLike, ArrayLike]) -> Floats:
         """Return the positions (k, 3) of points of the input, faces and barycentric
         coordinates."""
-        faces, coordinates = points_on(points, len(self.input_F), "points")
-        corners = self._positions()[self.input_F[faces]]
+        faces, coordinates = points_on(points, self._core.number_of_faces(True), "points")
+        corners = self._positions()[self._core.input_corners(faces)]
         result: Floats = np.einsum("kc,kcx->kx", coordinates, corners)
         return result
 
@@ -524,7 +528,7 @@ class Triangulation:
         """
         from_input = not _is_input(to, "to")
         if isinstance(what, tuple):
-            faces, coordinates = points_on(what, len(self._core.faces(from_input)), "points")
+            faces, coordinates = points_on(what, self._core.number_of_faces(from_input), "points")
             return self._core.points_across(from_input, faces, coordinates)
         size = self._core.number_of_input_vertices() if from_input else self.n_vertices
         return self._core.function_across(from_input, floats(what, (size,), "the function"))
@@ -592,9 +596,7 @@ def _unpickled(points: tuple[Floats, Integers] | None, text: str, exact: bool) -
 
 
 def _is_input(side: str, name: str) -> bool:
-    if side not in ("input", "intrinsic"):
-        raise InputError(f"{name} is {side!r}; it must be 'input' or 'intrinsic'")
-    return side == "input"
+    return choice(side, name, ("input", "intrinsic")) == "input"
 
 
 def computed_on(

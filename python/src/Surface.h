@@ -97,18 +97,41 @@ std::vector<Location> locations_of(const Index_array& faces, const Number_array&
 // Returns faces and barycentric coordinates.
 py::tuple arrays_of(const std::vector<Location>& points);
 
-// Returns the corners of the faces of a triangulation, in the order of barycentric coordinates.
+// Returns the corners of a face, in the order of barycentric coordinates.
+template <class P>
+std::array<std::int64_t, 3> corners_of(IT::Face_index f, const CGAL::Surface_mesh<P>& mesh)
+{
+  const auto h = IT::sides(f, mesh);
+  return {std::int64_t(mesh.source(h[0]).idx()), std::int64_t(mesh.source(h[1]).idx()),
+          std::int64_t(mesh.source(h[2]).idx())};
+}
+
 template <class P>
 std::vector<std::array<std::int64_t, 3>> corners_of(const CGAL::Surface_mesh<P>& mesh)
 {
   std::vector<std::array<std::int64_t, 3>> result;
   result.reserve(mesh.number_of_faces());
-  for(const IT::Face_index f : mesh.faces()) {
-    const auto h = IT::sides(f, mesh);
-    result.push_back({std::int64_t(mesh.source(h[0]).idx()), std::int64_t(mesh.source(h[1]).idx()),
-                      std::int64_t(mesh.source(h[2]).idx())});
-  }
+  for(const IT::Face_index f : mesh.faces())
+    result.push_back(corners_of(f, mesh));
   return result;
+}
+
+// Returns the edges of the faces of a triangulation, from the first corner on.
+template <class P>
+py::array face_edges_of(const CGAL::Surface_mesh<P>& mesh)
+{
+  return array_over(mesh.faces(), [&](IT::Face_index f) -> std::array<std::int64_t, 3> {
+    const auto h = IT::sides(f, mesh);
+    return {std::int64_t(mesh.edge(h[0]).idx()), std::int64_t(mesh.edge(h[1]).idx()),
+            std::int64_t(mesh.edge(h[2]).idx())};
+  });
+}
+
+template <class Any_surface>
+py::array lengths_of(const Any_surface& surface)
+{
+  return array_over(surface.mesh().edges(),
+                    [&](IT::Edge_index e) -> double { return surface.length_map()[e]; });
 }
 
 #endif // INTRINSIC_PYTHON_SURFACE_H

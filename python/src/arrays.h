@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,18 +58,40 @@ inline py::array array_of_columns(Eigen::MatrixXd matrix)
 }
 
 // Returns the arguments of the constructors of scipy: the entries, their inner indices, the start
-// of each row or column, and the shape.
+// of each row or column, and the shape. The arrays share the ownership of the matrix: nothing is
+// copied.
 template <class Matrix>
-py::tuple sparse_arrays(const Matrix& matrix)
+py::tuple sparse_arrays(Matrix matrix)
 {
-  typedef typename Matrix::Scalar Scalar;
-  const auto n = static_cast<std::size_t>(matrix.nonZeros());
-  const auto outer = static_cast<std::size_t>(matrix.outerSize()) + 1;
-  return py::make_tuple(
-    array_of(std::vector<Scalar>(matrix.valuePtr(), matrix.valuePtr() + n)),
-    array_of(std::vector<std::int32_t>(matrix.innerIndexPtr(), matrix.innerIndexPtr() + n)),
-    array_of(std::vector<std::int32_t>(matrix.outerIndexPtr(), matrix.outerIndexPtr() + outer)),
-    py::make_tuple(matrix.rows(), matrix.cols()));
+  matrix.makeCompressed();
+  auto* const owned = new Matrix;
+  const py::capsule owner(owned, [](void* p) { delete static_cast<Matrix*>(p); });
+  owned->swap(matrix); // Eigen 3.4 would copy it
+  const auto array = [&](auto* values, py::ssize_t n) {
+    return py::array(py::dtype::of<std::decay_t<decltype(*values)>>(), {n}, values, owner);
+  };
+  return py::make_tuple(array(owned->valuePtr(), owned->nonZeros()),
+                        array(owned->innerIndexPtr(), owned->nonZeros()),
+                        array(owned->outerIndexPtr(), owned->outerSize() + 1),
+                        py::make_tuple(owned->rows(), owned->cols()));
+}
+
+// Returns an array of `value_of(element)` for the elements of a range.
+template <class Range, class Value>
+py::array array_over(const Range& range, const Value& value_of)
+{
+  std::vector<std::decay_t<decltype(value_of(*range.begin()))>> result;
+  result.reserve(range.size());
+  for(const auto& element : range)
+    result.push_back(value_of(element));
+  return array_of(std::move(result));
+}
+
+// Returns an array of the indices of elements of a mesh.
+template <class Index>
+py::array indices_of(const std::vector<Index>& elements)
+{
+  return array_over(elements, [](Index i) { return std::int64_t(i.idx()); });
 }
 
 template <class T, int flags>

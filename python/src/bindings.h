@@ -15,6 +15,7 @@ void bind_distances(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_simplification(pybind11::module_& module);
 void bind_polyhedron(pybind11::module_& module);
+void bind_packing(pybind11::module_& module);
 void bind_page(pybind11::module_& module);
 
 #endif // INTRINSIC_PYTHON_BINDINGS_H

@@ -383,8 +383,10 @@ py::tuple geodesic_from(const Bound_triangulation& self, const Source& source,
 {
   const IT::Delta_complex& mesh = self.triangulation().input_mesh();
   std::vector<Location> places{start};
+  Watch watch(py::none(), "trace");
   const auto end = released([&] {
     const auto add = [&](const IT::Edge_point<double>& p) {
+      watch.step();
       places.push_back(IT::face_location(IT::edge_location(p), mesh));
     };
     return IT::trace_geodesic(self.triangulation().input(), source, vector, IT::At_boundary::stop,

@@ -158,19 +158,8 @@ mapped_to_hyperbolic(const Shared_surface& surface, const Number_array& curvatur
 template <class Map, class Value>
 py::array at_vertices(const Bound_map<Map>& self, const Value& value)
 {
-  std::vector<double> result;
-  for(const IT::Vertex_index v : self.surface->mesh.vertices())
-    result.push_back(value(DCM::Vertex_index(v.idx())));
-  return array_of(std::move(result));
-}
-
-template <class Index>
-py::array indices_of(const std::vector<Index>& elements)
-{
-  std::vector<std::int64_t> result;
-  for(const Index i : elements)
-    result.push_back(i.idx());
-  return array_of(std::move(result));
+  return array_over(self.surface->mesh.vertices(),
+                    [&](IT::Vertex_index v) { return value(DCM::Vertex_index(v.idx())); });
 }
 
 py::dict promises_of(const DCM::Discrete_conformal_map& map)
@@ -218,7 +207,7 @@ void add_elements(const DCM::Input_part& part, const Surface& surface, py::dict&
   result["corners"] = array_of(std::move(corners));
   result["starts"] = array_of(std::move(starts));
   result["input_face"] = array_of(std::move(input_face));
-  result["from_input"] = sparse_arrays(from_input);
+  result["from_input"] = sparse_arrays(std::move(from_input));
   if(surface.has_positions())
     result["points"] = array_of(std::move(points));
 }
@@ -267,10 +256,7 @@ py::dict sphere_subdivision(const Bound_spherical_map& self)
 
 py::array positions_of(const Bound_spherical_map& self)
 {
-  std::vector<std::array<double, 3>> result;
-  for(const IT::Vertex_index v : self.surface->mesh.vertices())
-    result.push_back(self.map.position(DCM::Vertex_index(v.idx())));
-  return array_of(std::move(result));
+  return at_vertices(self, [&](DCM::Vertex_index v) { return self.map.position(v); });
 }
 
 // Returns images of points of the input.

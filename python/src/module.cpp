@@ -61,6 +61,7 @@ PYBIND11_MODULE(_core, module)
   bind_maps(module);
   bind_simplification(module);
   bind_polyhedron(module);
+  bind_packing(module);
 #ifdef INTRINSIC_HAS_PAGES
   bind_page(module);
 #else

@@ -65,32 +65,11 @@ private:
   std::optional<IS::Surface_map> m_map;
 };
 
-py::array coarse_lengths(const Bound_simplification& self)
-{
-  std::vector<double> result;
-  for(const IT::Edge_index e : self.coarse().mesh().edges())
-    result.push_back(self.coarse().length_map()[e]);
-  return array_of(std::move(result));
-}
-
-py::array coarse_face_edges(const Bound_simplification& self)
-{
-  const IS::Delta_complex& mesh = self.coarse().mesh();
-  std::vector<std::array<std::int64_t, 3>> result;
-  for(const IT::Face_index f : mesh.faces()) {
-    const auto h = IT::sides(f, mesh);
-    result.push_back({std::int64_t(mesh.edge(h[0]).idx()), std::int64_t(mesh.edge(h[1]).idx()),
-                      std::int64_t(mesh.edge(h[2]).idx())});
-  }
-  return array_of(std::move(result));
-}
-
 py::array coarse_vertices(const Bound_simplification& self)
 {
-  std::vector<std::int64_t> result;
-  for(const IT::Vertex_index v : self.coarse().mesh().vertices())
-    result.push_back(self.coarse().surface_vertex(v).idx());
-  return array_of(std::move(result));
+  return array_over(self.coarse().mesh().vertices(), [&](IT::Vertex_index v) {
+    return std::int64_t(self.coarse().surface_vertex(v).idx());
+  });
 }
 
 py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const Index_array& faces,
@@ -171,8 +150,8 @@ void bind_simplification(py::module_& module)
     .def("removed", [](const Bound& self) { return self.result().removed; })
     .def("greatest_cost", [](const Bound& self) { return self.result().greatest_cost; })
     .def("faces", [](const Bound& self) { return array_of(corners_of(self.coarse().mesh())); })
-    .def("face_edges", &coarse_face_edges)
-    .def("lengths", &coarse_lengths)
+    .def("face_edges", [](const Bound& self) { return face_edges_of(self.coarse().mesh()); })
+    .def("lengths", [](const Bound& self) { return lengths_of(self.coarse()); })
     .def("vertices", &coarse_vertices)
     .def("mapped", &points_mapped)
     .def("prolongation",

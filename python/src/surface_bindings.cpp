@@ -11,15 +11,33 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 namespace {
 
-std::vector<std::array<double, 3>> rows_of(const std::vector<Point>& points)
+py::array rows_of(const std::vector<Point>& points)
 {
-  std::vector<std::array<double, 3>> result;
-  result.reserve(points.size());
-  for(const Point& p : points)
-    result.push_back({p.x(), p.y(), p.z()});
-  return result;
+  return array_over(points, [](const Point& p) -> std::array<double, 3> {
+    return {p.x(), p.y(), p.z()};
+  });
+}
+
+// Returns the vertices on the boundary, in increasing order.
+py::array border_vertices(const Surface& surface)
+{
+  std::vector<std::int64_t> result;
+  for(const IT::Vertex_index v : surface.mesh.vertices())
+    if(!surface.mesh.is_isolated(v) && surface.mesh.is_border(v))
+      result.push_back(v.idx());
+  return array_of(std::move(result));
+}
+
+std::size_t number_of_isolated_vertices(const Surface& surface)
+{
+  const auto vertices = surface.mesh.vertices();
+  return static_cast<std::size_t>(
+    std::count_if(vertices.begin(), vertices.end(),
+                  [&](IT::Vertex_index v) { return surface.mesh.is_isolated(v); }));
 }
 
 py::tuple repaired(const Number_array& points, const Index_array& faces, double weld_distance)
@@ -34,7 +52,7 @@ py::tuple repaired(const Number_array& points, const Index_array& faces, double 
   for(const Polygons::Polygon p : soup.polygons)
     if(p.size() == 3)
       corners.push_back({p[0], p[1], p[2]});
-  return py::make_tuple(array_of(rows_of(soup.points)), array_of(std::move(corners)), report);
+  return py::make_tuple(rows_of(soup.points), array_of(std::move(corners)), report);
 }
 
 py::list defects_of(const IT::Input_diagnosis& diagnosis)
@@ -87,8 +105,10 @@ void bind_surface(py::module_& module)
                   return std::make_shared<Surface>(surface_of_lengths(lengths, faces));
                 })
     .def("has_positions", &Surface::has_positions)
-    .def("positions", [](const Surface& s) { return array_of(rows_of(s.points)); })
+    .def("positions", [](const Surface& s) { return rows_of(s.points); })
     .def("faces", [](const Surface& s) { return array_of(corners_of(s.mesh)); })
+    .def("border_vertices", &border_vertices)
+    .def("number_of_isolated_vertices", &number_of_isolated_vertices)
     .def("number_of_vertices", [](const Surface& s) { return s.mesh.number_of_vertices(); })
     .def("number_of_faces", [](const Surface& s) { return s.mesh.number_of_faces(); });
   module.def("repair", &repaired);

@@ -83,48 +83,64 @@ py::dict refine(Bound_triangulation& self, double minimum_angle, double maximum_
 
 // ---- Elements ----
 
+const IT::Delta_complex& mesh_of(const Bound_triangulation& self, bool is_input)
+{
+  return is_input ? self.triangulation().input_mesh() : self.triangulation().mesh();
+}
+
 py::array face_edges(const Bound_triangulation& self, bool is_input)
 {
-  const IT::Delta_complex& mesh =
-    is_input ? self.triangulation().input_mesh() : self.triangulation().mesh();
-  std::vector<std::array<std::int64_t, 3>> result;
-  for(const IT::Face_index f : mesh.faces()) {
-    const auto h = IT::sides(f, mesh);
-    result.push_back({std::int64_t(mesh.edge(h[0]).idx()), std::int64_t(mesh.edge(h[1]).idx()),
-                      std::int64_t(mesh.edge(h[2]).idx())});
-  }
-  return array_of(std::move(result));
+  return face_edges_of(mesh_of(self, is_input));
+}
+
+// Returns the corners of some faces of the input.
+py::array input_corners(const Bound_triangulation& self, const Index_array& faces)
+{
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  return array_over(vector_of(faces), [&](std::int64_t f) {
+    return corners_of(IT::Face_index(static_cast<Mesh::size_type>(f)), mesh);
+  });
+}
+
+// Returns the first face of a vertex of the input, and its corner, or None for an isolated vertex.
+std::optional<std::pair<std::size_t, std::size_t>> place_of_vertex(const Bound_triangulation& self,
+                                                                   std::size_t v)
+{
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  std::optional<std::pair<std::size_t, std::size_t>> result;
+  const IT::Halfedge_index first = mesh.halfedge(IT::Vertex_index(Mesh::size_type(v)));
+  if(!first.is_valid())
+    return result;
+  for(const IT::Halfedge_index h : mesh.halfedges_around_target(first))
+    if(const IT::Halfedge_index o = mesh.opposite(h); !mesh.is_border(o)) {
+      const std::pair place(std::size_t(mesh.face(o).idx()), std::size_t(IT::side_number(o, mesh)));
+      result = result ? std::min(*result, place) : place;
+    }
+  return result;
 }
 
 py::array edges(const Bound_triangulation& self, bool is_input)
 {
-  const IT::Delta_complex& mesh =
-    is_input ? self.triangulation().input_mesh() : self.triangulation().mesh();
-  std::vector<std::array<std::int64_t, 2>> result;
-  for(const IT::Edge_index e : mesh.edges()) {
+  const IT::Delta_complex& mesh = mesh_of(self, is_input);
+  return array_over(mesh.edges(), [&](IT::Edge_index e) -> std::array<std::int64_t, 2> {
     const IT::Halfedge_index h = IT::first_halfedge(e);
-    result.push_back({std::int64_t(mesh.source(h).idx()), std::int64_t(mesh.target(h).idx())});
-  }
-  return array_of(std::move(result));
+    return {std::int64_t(mesh.source(h).idx()), std::int64_t(mesh.target(h).idx())};
+  });
 }
 
 py::array lengths(const Bound_triangulation& self, bool is_input)
 {
   const Triangulation& triangulation = self.triangulation();
-  std::vector<double> result;
-  const auto surface = is_input ? triangulation.input() : triangulation.intrinsic();
-  for(const IT::Edge_index e : surface.mesh().edges())
-    result.push_back(surface.length_map()[e]);
-  return array_of(std::move(result));
+  return lengths_of(is_input ? triangulation.input() : triangulation.intrinsic());
 }
 
 // Returns the number of edges of the input that cross each edge, or -1 for edges of the input.
 py::array normal_coordinates(const Bound_triangulation& self)
 {
-  std::vector<std::int64_t> result;
-  for(const IT::Edge_index e : self.triangulation().mesh().edges())
-    result.push_back(self.triangulation().coordinates().normal_coordinate(e));
-  return array_of(std::move(result));
+  const Triangulation& triangulation = self.triangulation();
+  return array_over(triangulation.mesh().edges(), [&](IT::Edge_index e) {
+    return std::int64_t(triangulation.coordinates().normal_coordinate(e));
+  });
 }
 
 py::tuple inserted_vertices(const Bound_triangulation& self)
@@ -275,21 +291,12 @@ py::dict common_subdivision(const Bound_triangulation& self)
   result["starts"] = array_of(std::move(polygons.starts));
   result["input_face"] = array_of(std::move(polygons.input_face));
   result["intrinsic_face"] = array_of(std::move(polygons.intrinsic_face));
-  result["from_input"] = sparse_arrays(from_input);
-  result["from_intrinsic"] = sparse_arrays(from_intrinsic);
+  result["from_input"] = sparse_arrays(std::move(from_input));
+  result["from_intrinsic"] = sparse_arrays(std::move(from_intrinsic));
   return result;
 }
 
 // ---- Certificates and files ----
-
-template <class Index>
-py::array indices_of(const std::vector<Index>& elements)
-{
-  std::vector<std::int64_t> result;
-  for(const Index i : elements)
-    result.push_back(i.idx());
-  return array_of(std::move(result));
-}
 
 py::dict certify(const Bound_triangulation& self)
 {
@@ -370,11 +377,12 @@ void bind_triangulation(py::module_& module)
          [](const Bound_triangulation& self) {
            return released([&] { return IT::is_Delaunay(self.triangulation()); });
          })
-    .def("faces",
-         [](const Bound_triangulation& self, bool is_input) {
-           return array_of(is_input ? corners_of(self.triangulation().input_mesh())
-                                    : corners_of(self.triangulation().mesh()));
-         })
+    .def("faces", [](const Bound_triangulation& self,
+                     bool is_input) { return array_of(corners_of(mesh_of(self, is_input))); })
+    .def("input_corners", &input_corners)
+    .def("place_of_vertex", &place_of_vertex)
+    .def("number_of_faces", [](const Bound_triangulation& self,
+                               bool is_input) { return mesh_of(self, is_input).number_of_faces(); })
     .def("face_edges", &face_edges)
     .def("edges", &edges)
     .def("lengths", &lengths)

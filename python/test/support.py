@@ -90,6 +90,13 @@ def meshes():
     }
 
 
+def stretched(V, F, number):
+    """Return so many copies of a mesh, each scaled along the axes, turned and shuffled."""
+    random = np.random.default_rng(5)
+    axes = [np.linalg.qr(random.standard_normal((3, 3)))[0] for _ in range(number)]
+    return [turned(V * random.uniform(0.5, 2, 3) @ a, F, seed) for seed, a in enumerate(axes)]
+
+
 def write_mesh(path, V, F):
     lines = [f"OFF\n{len(V)} {len(F)} 0"]
     lines += [" ".join(map(repr, map(float, p))) for p in V]

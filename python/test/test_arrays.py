@@ -5,6 +5,7 @@
 """What arrays are taken, and what is said about others: never a crash."""
 
 import unittest
+import warnings
 
 import numpy as np
 
@@ -256,11 +257,32 @@ def mutations():
         return {9: F[:0], 10: F[:i], 11: F[:, :k], 12: F.astype(float), 13: np.vstack([F, F[i:]]),
                 14: F.astype(np.uint64) - np.uint64(1), 15: F.reshape(-1)[: 3 * i]}.get(kind, F)
 
+    @np.errstate(all="ignore")
+    def layout(array):
+        kind = random.integers(0, 9)
+        if kind == 0:
+            array = np.asfortranarray(array)
+        elif kind == 1:
+            array = np.repeat(array, 2, axis=0)[::2]
+        elif kind == 2:
+            array = array[::-1].copy()[::-1]
+        elif kind == 3:
+            array = array.astype(array.dtype.newbyteorder())
+        elif kind == 4:
+            array = array.astype({"f": np.float32, "i": np.int16}.get(array.dtype.kind, array.dtype))
+        elif kind == 5:
+            array = array[..., None] if random.integers(4) == 0 else array.copy()
+            array.flags.writeable = False
+        elif kind == 6:
+            array = np.frombuffer(b"x" + array.tobytes(), array.dtype, offset=1).reshape(
+                array.shape) if array.dtype != object else array  # not aligned
+        return array
+
     for _ in range(500):
         which = random.integers(3)
         new_V = positions(V.copy()) if which != 0 else V
         new_F = faces(F.copy()) if which != 1 else F
-        yield new_V, new_F
+        yield layout(new_V), layout(new_F)
 
 
 def soups():
@@ -305,11 +327,24 @@ class Malformed(unittest.TestCase):
     def test_all_functions(self):
         functions = [
             lambda V, F: intrinsic.Triangulation(V, F).delaunay(),
+            lambda V, F: intrinsic.Triangulation(V, F).refine(20, max_insertions=50),
+            lambda V, F: intrinsic.Triangulation(None, F, lengths=V),
             intrinsic.laplacian,
+            intrinsic.connection_laplacian,
             lambda V, F: intrinsic.distance(V, F, 0),
+            lambda V, F: intrinsic.DistanceSolver(V, F).distance([0, 1]),
+            lambda V, F: intrinsic.signed_distance(V, F, [0, 1]),
             lambda V, F: intrinsic.path(V, F, 0, 5),
-            lambda V, F: intrinsic.flatten(V, F),
-            lambda V, F: intrinsic.to_sphere(V, F),
+            lambda V, F: intrinsic.geodesic(V, F, [0, 1, 2], loop=True),
+            lambda V, F: intrinsic.geodesics(V, F, [[0, 5]]),
+            lambda V, F: intrinsic.log_map(V, F, 0),
+            lambda V, F: intrinsic.exp_map(V, F, 0, 1),
+            lambda V, F: intrinsic.transport(V, F, [0], [1]),
+            lambda V, F: intrinsic.all_pairs(V, F, coarse=9),
+            intrinsic.flatten,
+            intrinsic.to_sphere,
+            intrinsic.to_hyperbolic,
+            intrinsic.uniformize,
             lambda V, F: intrinsic.simplify(V, F, 5),
             intrinsic.info,
             intrinsic.repair,
@@ -318,15 +353,17 @@ class Malformed(unittest.TestCase):
         ]
         refused = 0
         for i, (V, F) in enumerate(mutations()):
-            function = functions[i % len(functions)]
-            try:
-                function(V, F)
-            except IntrinsicError as error:
-                refused += 1
-                self.assertGreater(len(str(error)), 10, f"input {i}")
-            except Exception as error:  # anything else is a bug
-                self.fail(f"input {i}: {type(error).__name__}: {error}")
-        self.assertGreater(refused, 250)
+            for k, function in enumerate(functions):
+                try:
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("ignore", intrinsic.MollificationWarning)
+                        function(V, F)
+                except IntrinsicError as error:
+                    refused += 1
+                    self.assertGreater(len(str(error)), 10, f"input {i}, function {k}")
+                except Exception as error:  # anything else is a bug
+                    self.fail(f"input {i}, function {k}: {type(error).__name__}: {error}")
+        self.assertGreater(refused, 250 * len(functions))
 
     def test_parameters(self):
         for call in [

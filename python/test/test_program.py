@@ -34,11 +34,16 @@ def assert_sparse_equal(ours, theirs):
 
 @support.needs_program
 class Program(unittest.TestCase):
-    def each(self, *left_out):
+    def each(self, *left_out, instead=None):
+        """Generate ten meshes; copies of the mesh `instead` replace those that are left out."""
+        number = len(left_out)
         for name, (V, F) in support.meshes().items():
             if name not in left_out:
                 self.mesh = name  # in tracebacks
                 yield V, F
+        for k, (V, F) in enumerate(support.stretched(*instead, number) if instead else []):
+            self.mesh = k
+            yield V, F
 
     def test_delaunay(self):
         for V, F in self.each():
@@ -104,7 +109,7 @@ class Program(unittest.TestCase):
             self.assertEqual(len(p.faces), len(stats["places"]))
 
     def test_geodesic(self):
-        for V, F in self.each("cube"):
+        for V, F in self.each("cube", instead=intrinsic.shapes.icosphere(2)):
             third, half = len(V) // 3, len(V) // 2
             stats, _, _ = run_program("path", V, F, "--from", "0", "--via", str(third), "--to",
                                       str(half), "--flips", output="out.vtp")
@@ -195,11 +200,12 @@ class Program(unittest.TestCase):
                                     for line in texts["out.save"].splitlines()], T.transfer(values))
 
     def test_hyperbolic(self):
-        V, F = support.meshes()["two_handles"]
-        stats, files, _ = run_program("hyperbolic", V, F, output="out.obj")
-        m = intrinsic.to_hyperbolic(V, F)
-        assert_array_equal(m.subdivision.image, files["out.obj"].texture)
-        self.assertEqual(m.area, stats["area"])
+        for V, F in support.stretched(*support.two_handles(), 10):
+            stats, files, _ = run_program("hyperbolic", V, F, output="out.obj")
+            m = intrinsic.to_hyperbolic(V, F)
+            assert_array_equal(m.subdivision.image, files["out.obj"].texture)
+            self.assertEqual(m.area, stats["area"])
+        V, F = support.two_handles()
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "radii.txt")
             path.write_text("".join(f"{v} 0.01\n" for v in range(len(V))))
@@ -249,7 +255,8 @@ class Program(unittest.TestCase):
         self.assertEqual(m.log_scale.min(), stats["log_scale_min"])
 
     def test_sphere(self):
-        for V, F in self.each("torus", "flat_torus", "two_handles"):
+        instead = intrinsic.shapes.folded_sphere(2)
+        for V, F in self.each("torus", "flat_torus", "two_handles", instead=instead):
             _, files, _ = run_program("sphere", V, F, output="out.ply")
             mesh, m = files["out.ply"], intrinsic.to_sphere(V, F)
             assert_array_equal(m.subdivision.image, mesh.points)
@@ -268,7 +275,7 @@ class Program(unittest.TestCase):
                 self.assertEqual([result.modulus.real, result.modulus.imag], stats["modulus"])
 
     def test_simplify(self):
-        for V, F in self.each("cube"):
+        for V, F in self.each("cube", instead=intrinsic.shapes.icosphere(2)):
             n = len(V) // 3
             stats, files, _ = run_program(
                 "simplify", V, F, "--vertices", str(n), "--prolongation", "FOLDER/P.mtx",
@@ -284,11 +291,24 @@ class Program(unittest.TestCase):
 
     def test_convex(self):
         for V, F in self.each("folded_sphere", "noisy_sphere", "torus", "flat_torus", "bumpy_grid",
-                              "strip", "two_handles"):
+                              "strip", "two_handles", instead=intrinsic.shapes.icosphere(1)):
             _, files, _ = run_program("convex", V, F, output="out.off")
             p = intrinsic.convex_polyhedron(V, F)
             assert_array_equal(p.V, files["out.off"].points)
             assert_faces_equal(p.F, files["out.off"].faces)
+
+    def test_pack(self):
+        instead = support.bumpy_grid(5)
+        for V, F in self.each("torus", "flat_torus", "two_handles", instead=instead):
+            stats, files, _ = run_program("pack", V, F, output="out.ply")
+            packing, mesh = intrinsic.pack_circles(V, F), files["out.ply"]
+            centers = np.zeros((len(V), 3))
+            centers[:, : packing.centers.shape[1]] = packing.centers
+            assert_array_equal(centers, mesh.points)
+            assert_array_equal(packing.radii, mesh.vertex["radius"])
+            self.assertEqual(packing.is_disk, stats["disk"])
+            self.assertEqual(packing.max_tangency_error, stats["max_tangency_error"])
+            assert_array_equal(intrinsic.pack_circles(None, F).centers, packing.centers)
 
     def test_soups(self):
         V = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0.2]])
@@ -307,10 +327,12 @@ class Program(unittest.TestCase):
             self.skipTest(str(error))
         self.assertIn("z_value", page.html)
         self.assertIn("<iframe srcdoc=", page._repr_html_())
-        theirs = printed_by_program(V, F, "view", "-o", "-")
         arrays = re.compile('id="arrays">([^<]+)<')
-        self.assertEqual(arrays.search(intrinsic.show(V, F, open=False).html)[1],
-                         arrays.search(theirs)[1])
+        for V, F in self.each():
+            theirs = printed_by_program(V, F, "view", "-o", "-")
+            self.assertEqual(arrays.search(intrinsic.show(V, F, open=False).html)[1],
+                             arrays.search(theirs)[1])
+        V, F = support.meshes()["cube"]
         name = "\u00e9 <b>"
         page = intrinsic.show(V, F, open=False, **{name: V[:, 0]})
         self.assertIn(r'"\u00e9 \u003cb>"', page.html)
