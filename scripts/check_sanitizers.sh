@@ -3,28 +3,41 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Builds the program, the unit tests and the package for Python with the sanitizers for addresses
-# and undefined behaviour, and runs the tests; arguments are passed to ctest (-R Refine). Tests of
-# Python run only without arguments; memory that Python never frees does not count. Then the program
-# reads FUZZ_RUNS damaged files, 100,000 if that is not set; those on which it fails are left in
-# build/sanitizers/fuzz. Slow. Dynamic types are not checked, since CGAL's arrangements, which tests
-# compare with, cast faces to another class; nor are shifts of negative numbers, with which CGAL's
+# check_sanitizers.sh [python | CTEST_ARGUMENT...]: builds the program, the unit tests and the package
+# for Python with the sanitizers for addresses and undefined behaviour, and runs the tests; arguments are
+# passed to ctest (-R Refine). Then the program reads FUZZ_RUNS damaged files, 100,000 if that is not set;
+# those on which it fails are left in build/sanitizers/fuzz. With `python`, only the package for Python is
+# built and tested, also on malformed arrays. Tests of Python run without other arguments only; memory that
+# Python never frees does not count. Slow. Dynamic types are not checked, since CGAL's arrangements, which
+# tests compare with, cast faces to another class; nor are shifts of negative numbers, with which CGAL's
 # MP_Float computes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[[ ${1:-} == python ]] && targets=(intrinsic_python) || targets=(intrinsic unit_tests intrinsic_python)
+
+test_python()
+{
+  local libraries
+  libraries="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libubsan.so)"
+  LD_PRELOAD=$libraries ASAN_OPTIONS=detect_leaks=0 \
+    ctest --test-dir build/sanitizers --output-on-failure -R '^python[.]' "$@"
+}
 
 scripts/set_up.sh
 cmake -S . -B build/sanitizers -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   -DCGAL_DATA_DIR="$PWD/build/cgal_data" \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -fno-omit-frame-pointer \
 -fsanitize=address,undefined -fno-sanitize=vptr,shift-base -fno-sanitize-recover=undefined"
-cmake --build build/sanitizers --target intrinsic unit_tests intrinsic_python
-# The other tests build or check text.
+cmake --build build/sanitizers --target "${targets[@]}"
 export UBSAN_OPTIONS=print_stacktrace=1
+if [[ ${1:-} == python ]]; then
+  # The others start the program, or need the memory and the time of a build without sanitizers.
+  test_python -E '[.](program|running|docstrings|tutorials)$'
+  exit
+fi
+# The other tests build or check text.
 ctest --test-dir build/sanitizers --output-on-failure -j2 \
   -E '^(clang.*|consumer[.].*|doc|python[.].*)$' "$@"
-libraries="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libubsan.so)"
-[[ $# -gt 0 ]] || LD_PRELOAD=$libraries ASAN_OPTIONS=detect_leaks=0 \
-  ctest --test-dir build/sanitizers --output-on-failure -R '^python[.]'
+[[ $# -gt 0 ]] || test_python
 python3 test/demo/fuzz.py build/sanitizers/intrinsic build/cgal_data --runs "${FUZZ_RUNS:-100000}" \
   --keep build/sanitizers/fuzz
