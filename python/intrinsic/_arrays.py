@@ -59,7 +59,7 @@ def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Float
         raise ArrayError(f"{name} has the type {array.dtype}; it must be real numbers")
     _check_shape(array, shape, name)
     with np.errstate(over="ignore"):
-        result = np.ascontiguousarray(array, dtype=np.float64)
+        result = np.require(array, np.float64, ["C", "A"])
     if not np.isfinite(result).all():
         row = _first_row(~np.isfinite(result))
         error = InputError(f"row {row} of {name} is not finite: {array[row]}")
@@ -83,7 +83,7 @@ def integers(
         raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
     _check_shape(array, shape, name)
     limit = _GREATEST_INDEX + 1 if size is None else size
-    result = np.ascontiguousarray(array, dtype=np.int64)
+    result = np.require(array, np.int64, ["C", "A"])
     unsigned = result.view(np.uint64)  # in which negative numbers are huge
     if array.size > 0 and unsigned.max() >= limit:
         row = _first_row(unsigned >= limit)
@@ -162,7 +162,7 @@ def complexes(values: Any, shape: tuple[int | None, ...], name: str) -> Complexe
     if array.dtype.kind not in "fiuc" and array.size > 0:
         raise ArrayError(f"{name} has the type {array.dtype}; it must be complex numbers")
     _check_shape(array, shape, name)
-    result = np.ascontiguousarray(array, dtype=np.complex128).reshape(array.shape)
+    result = np.require(array, np.complex128, ["C", "A"])
     with np.errstate(over="ignore"):
         is_bad = ~np.isfinite(np.abs(result))
     if is_bad.any():
