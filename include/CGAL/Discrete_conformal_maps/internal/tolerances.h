@@ -134,8 +134,9 @@ constexpr double group_ratio = 30, weight_of_group = 100;
 // At most this number of steps are taken with more digits, on the exact surface.
 constexpr std::size_t steps_with_more_digits = 300;
 // All searches for a map that may fail measure so many faces and flip so many edges, with 32
-// digits. One of several searches has this part of the rest.
-constexpr std::size_t work_for_map = 18000000, parts_of_work = 5;
+// digits. One of several searches has this part of the rest. On a large surface, they may
+// measure every face so many times.
+constexpr double work_for_map = 1.4e7, parts_of_work = 2, sure_measurements = 200;
 // A minimization that has not converged after so many steps ends.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after so many steps.

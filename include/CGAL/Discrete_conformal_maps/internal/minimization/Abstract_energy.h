@@ -36,6 +36,20 @@ struct Has_smooth_gradient<
   static bool get(const Energy& energy) { return energy.has_smooth_gradient(); }
 };
 
+// Determines whether an energy has done all work that a search may take. Only energies that count
+// their work limit it.
+template <typename Energy, typename = void>
+struct Work_of_energy
+{
+  static bool is_done(const Energy&) { return false; }
+};
+template <typename Energy>
+struct Work_of_energy<Energy,
+                      std::void_t<decltype(std::declval<const Energy&>().has_worked_enough())>>
+{
+  static bool is_done(const Energy& energy) { return energy.has_worked_enough(); }
+};
+
 // Represents a convex energy whose type is known only at run time, so that minimizers are compiled
 // once for all energies. It is a model of `ConvexEnergy`.
 class Abstract_energy
@@ -53,6 +67,7 @@ public:
   virtual double gradient_error() const = 0;
   virtual const Matrix& Hessian() const = 0;
   virtual bool has_smooth_gradient() const = 0;
+  virtual bool has_worked_enough() const = 0;
   virtual std::shared_ptr<Shared_order> shared_order() const = 0;
 
 protected:
@@ -74,6 +89,7 @@ public:
   double gradient_error() const override { return m_energy.gradient_error(); }
   const Matrix& Hessian() const override { return m_energy.Hessian(); }
   bool has_smooth_gradient() const override { return Has_smooth_gradient<Energy>::get(m_energy); }
+  bool has_worked_enough() const override { return Work_of_energy<Energy>::is_done(m_energy); }
   std::shared_ptr<Shared_order> shared_order() const override
   {
     return Order_of_energy<Energy>::get(m_energy);

@@ -125,7 +125,7 @@ private:
     if(const std::optional<Status> end = m_descent.start())
       return *end;
     while(m_descent.best_norm() > m_descent.tolerance()) {
-      if(m_iterations == m_descent.limits().iterations)
+      if(m_descent.is_at_limit(m_iterations))
         return Status::iteration_limit;
       const double before = m_descent.best_norm();
       if(!start_run())

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Abstract_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 
 #include <Eigen/Core>
@@ -96,6 +97,12 @@ public:
   // Returns whether the point is a minimum. A point with a worse gradient than the best one, but
   // within a great rounding error, is not.
   bool has_converged() const { return m_norm <= tolerance() && m_norm <= m_best_norm; }
+
+  // Returns whether the minimization may take no more steps.
+  bool is_at_limit(std::size_t iterations) const
+  {
+    return iterations == m_limits.iterations || Work_of_energy<Energy>::is_done(m_energy);
+  }
 
   bool is_at_best() const { return m_point == m_best; }
 

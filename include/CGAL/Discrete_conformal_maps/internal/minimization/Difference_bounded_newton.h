@@ -54,16 +54,14 @@ public:
   {}
 
   // Takes steps from the origin of the energy until no entry of the gradient is above `tolerance`.
-  // An entry of at most twice its rounding error is enough, if a map may have such an error. The
-  // measured faces and the flips are the work.
+  // An entry of at most twice its rounding error is enough, if a map may have such an error.
   template <typename Visitor>
-  Minimization_result run(double tolerance, std::size_t maximum_number_of_steps,
-                          std::size_t maximum_work, Visitor& visitor)
+  Minimization_result run(double tolerance, std::size_t maximum_number_of_steps, Visitor& visitor)
   {
     Minimization_status status =
       move_to(position()) ? Minimization_status::converged : Minimization_status::not_finite;
     while(status == Minimization_status::converged && !is_within(tolerance))
-      if(m_result.iterations == maximum_number_of_steps || m_energy.work() > maximum_work)
+      if(m_result.iterations == maximum_number_of_steps || m_energy.has_worked_enough())
         status = Minimization_status::iteration_limit;
       else {
         status = step();
@@ -147,7 +145,8 @@ private:
     double low = 0, low_slope = slope, high = 1, high_slope = 0;
     double part = 1;
     bool is_known = false, goes_on = true;
-    for(int trial = 0; goes_on && trial < number_of_trials; ++trial) {
+    for(int trial = 0; goes_on && trial < number_of_trials && !m_energy.has_worked_enough();
+        ++trial) {
       if(trial > 0)
         part = next_part(trial, low, low_slope, high, high_slope);
       is_known = move(base, direction, part);

@@ -60,7 +60,7 @@ private:
     while(!m_descent.has_converged()) {
       if(is_enough())
         return Status::converged;
-      if(m_iterations == m_descent.limits().iterations)
+      if(m_descent.is_at_limit(m_iterations))
         return Status::iteration_limit;
       if(is_far_off())
         return follow_path();
@@ -100,7 +100,7 @@ private:
       m_descent.move_to_best();
       Gradient_path path(m_descent, m_direction);
       while(!m_descent.has_converged()) {
-        if(m_iterations == m_descent.limits().iterations)
+        if(m_descent.is_at_limit(m_iterations))
           return Status::iteration_limit;
         if(const std::optional<Status> end = path.take_step())
           return *end;

@@ -13,7 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Variable_groups.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/root_of_increasing.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -66,17 +65,14 @@ public:
   }
 
   // Takes steps until no entry of the gradient is above `tolerance`, or twice its rounding error.
-  // The work of the energy may grow up to `maximum_work`.
   template <typename Visitor>
-  Minimization_result run(double tolerance, std::size_t maximum_number_of_steps,
-                          std::size_t maximum_work, Visitor& visitor)
+  Minimization_result run(double tolerance, std::size_t maximum_number_of_steps, Visitor& visitor)
   {
-    m_maximum_work = maximum_work;
     start_path();
     Minimization_status status = Minimization_status::converged;
     while(m_norm > (std::max)(tolerance, 2 * m_energy.gradient_error()) &&
           status == Minimization_status::converged)
-      if(m_result.iterations == maximum_number_of_steps || has_worked_enough())
+      if(m_result.iterations == maximum_number_of_steps || m_energy.has_worked_enough())
         status = Minimization_status::iteration_limit;
       else {
         status = step();
@@ -105,8 +101,6 @@ private:
     m_start = excess(0);
     m_position = 1;
   }
-
-  bool has_worked_enough() const { return Search_work::of<FT>(m_energy.work()) > m_maximum_work; }
 
   bool has_bounds() const { return !m_lower_bound.empty(); }
   bool is_at_bound(std::size_t v) const
@@ -151,7 +145,7 @@ private:
     const Vector gradient = m_gradient;
     const auto to_start = m_elimination.solve(m_start), to_minimum = m_elimination.solve(-gradient);
     m_part = (std::min)(2 * m_part, 1.);
-    for(; m_part > least_part && !has_worked_enough(); m_part /= 2) {
+    for(; m_part > least_part && !m_energy.has_worked_enough(); m_part /= 2) {
       const double position = m_part < 1 ? (1 - m_part) * m_position : 0;
       std::vector<FT> direction = to_minimum;
       for(std::size_t v = 0; v < direction.size(); ++v)
@@ -194,7 +188,7 @@ private:
     const double limit =
       greatest_distance * (position > 0 ? position : m_position) * max_norm(m_start);
     double before = 8 * limit; // a step that is good needs no more than a correction
-    for(int i = 0; i <= number_of_corrections; ++i) {
+    for(int i = 0; i <= number_of_corrections && !m_energy.has_worked_enough(); ++i) {
       double now = max_norm(excess(position));
       if(now > limit && !(now <= before / 2)) {
         const std::vector<FT> base = m_energy.scale_factors();
@@ -265,7 +259,7 @@ private:
     std::vector<FT> u = m_energy.scale_factors();
     for(const auto& group : m_groups)
       if(const double weight = outer_weight(group);
-         !has_bounds() || weight > tolerance::weight_of_group)
+         !m_energy.has_worked_enough() && (!has_bounds() || weight > tolerance::weight_of_group))
         relax(group, weight, wanted, limit / 4, u);
     move_to(u);
   }
@@ -409,7 +403,6 @@ private:
   double m_norm = 0;                     // with it
   Vector m_start;                        // the gradient at the start of the path
   double m_position = 1, m_part = 0.125; // the part of it that is left, and that a step takes
-  std::size_t m_maximum_work = 0;
   Minimization_result m_result;
 };
 

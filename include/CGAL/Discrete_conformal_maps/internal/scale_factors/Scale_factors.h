@@ -224,7 +224,7 @@ private:
   {
     m_found.clear();
     if constexpr(Triangle<double>::has_similar_ones)
-      if(!m_start.empty() && left_work() > 0) {
+      if(!m_start.empty() && m_problem.work().left(m_end_of_work) > 0) {
         Doubled_problem problem = m_problem;
         const Scale_state before = state();
         const bool is_found = is_found_with_bounds(visitor);
@@ -263,12 +263,12 @@ private:
   {
     try {
       energy.evaluate(Vector::Zero(m_u.size()));
-      note_last(energy, Difference_bounded_newton<Energy<FT>>(energy, domain())
-                          .run(tolerance::gradient, tolerance::steps_with_bounded_differences,
-                               left_work() / tolerance::parts_of_work, visitor));
-      m_problem.work().template add<FT>(energy.work());
+      energy.limit_work(end_of_part());
+      note_last(energy,
+                Difference_bounded_newton<Energy<FT>>(energy, domain())
+                  .run(tolerance::gradient, tolerance::steps_with_bounded_differences, visitor));
       if(m_status != Map_status::success && m_max_curvature_error <= tolerance::lost_curvature)
-        descend(energy, tolerance::gradient, left_work(), visitor);
+        descend(energy, tolerance::gradient, m_end_of_work, visitor);
     } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
@@ -320,8 +320,7 @@ private:
     note_values(energy);
     const double error = m_max_curvature_error;
     if(can_descend<FT>())
-      descend(energy, tolerance::rounding_of_gradient<FT>(), left_work() / tolerance::parts_of_work,
-              visitor);
+      descend(energy, tolerance::rounding_of_gradient<FT>(), end_of_part(), visitor);
     else
       approach(energy, error, visitor);
     note_values(energy);
@@ -368,7 +367,7 @@ private:
   void descend_from_start(Energy<FT>& energy, double tolerance, Any_visitor& visitor)
   {
     const Vector start = m_u;
-    descend(energy, tolerance::gradient, left_work(), visitor);
+    descend(energy, tolerance::gradient, m_end_of_work, visitor);
     if(is_within(tolerance))
       store(energy.scale_factors());
     else if(!std::is_same_v<FT, More_extended>)
@@ -385,18 +384,16 @@ private:
   }
 
   template <typename FT>
-  void descend(Energy<FT>& energy, double gradient_tolerance, std::size_t maximum_work,
+  void descend(Energy<FT>& energy, double gradient_tolerance, double end_of_work,
                Any_visitor& visitor)
   {
-    const std::size_t before = energy.work();
+    energy.limit_work(end_of_work);
     Precise_newton_iteration<Energy<FT>> newton(energy, domain());
-    note_last(energy, newton.run(gradient_tolerance, tolerance::steps_with_more_digits,
-                                 Search_work::of<FT>(before) + maximum_work, visitor));
-    m_problem.work().template add<FT>(energy.work() - before);
+    note_last(energy, newton.run(gradient_tolerance, tolerance::steps_with_more_digits, visitor));
   }
 
-  // Returns the work that is left for searches.
-  std::size_t left_work() const { return m_problem.work().left(m_end_of_work); }
+  // Returns the end of the next of several searches.
+  double end_of_part() const { return m_problem.work().end_of_part(m_end_of_work); }
 
   template <typename FT>
   void note_last(const Energy<FT>& energy, const Minimization_result& last)
@@ -411,6 +408,7 @@ private:
   template <typename FT>
   void run(Energy<FT>& energy, const Any_minimizer& minimizer, Any_visitor& visitor)
   {
+    energy.limit_work(m_end_of_work);
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
     Energy_reference<Energy<FT>> any_energy(energy);
@@ -448,7 +446,7 @@ private:
                                                              : Map_status::not_converged;
   }
 
-  std::size_t m_end_of_work = tolerance::work_for_map;
+  double m_end_of_work = tolerance::work_for_map;
   std::vector<Extended> m_start;   // empty if a search with bounded differences has used it
   std::vector<Extended> m_found;   // with bounded differences
   std::vector<Extended> m_resumed; // scale factors of a problem before, until they are used

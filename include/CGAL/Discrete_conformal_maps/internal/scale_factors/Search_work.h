@@ -29,27 +29,31 @@ public:
     m_done += of<FT>(measured);
   }
 
+  double done() const { return m_done; }
+
   // Returns the work that is left until `end`.
-  std::size_t left(std::size_t end = tolerance::work_for_map) const
+  double left(double end = tolerance::work_for_map) const { return (std::max)(end - m_done, 0.); }
+
+  // Returns the end of the next of several searches that have the work until `end`.
+  double end_of_part(double end = tolerance::work_for_map) const
   {
-    return end - (std::min)(m_done, end);
+    return m_done + left(end) / tolerance::parts_of_work;
   }
 
-  // Returns the end of the next of several searches.
-  std::size_t end_of_part() const { return m_done + left() / tolerance::parts_of_work; }
-
-  // Returns the cost of measured faces and flips. For needles in 384 bits, 7 times the cost with 32
-  // digits has been measured.
+  // Returns the cost of measured faces and flips. Processors compute in `double`. Numbers with more
+  // digits are functions, so that `double` costs less than in proportion to its digits.
   template <typename FT>
-  static std::size_t of(std::size_t measured)
+  static double of(std::size_t measured)
   {
     const double digits =
       double(std::numeric_limits<FT>::digits) / double(std::numeric_limits<Extended>::digits);
-    return std::size_t(double(measured) * digits * std::sqrt(digits));
+    return double(measured) * (digits < 1 ? cost_of_double : digits * std::sqrt(digits));
   }
 
 private:
-  std::size_t m_done = 0;
+  static constexpr double cost_of_double = 0.17;
+
+  double m_done = 0;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

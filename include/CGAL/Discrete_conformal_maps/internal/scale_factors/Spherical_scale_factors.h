@@ -119,7 +119,6 @@ public:
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);
-    m_problem.work().template add<FT>(energy.work());
     m_angle_error = angle_error(energy.gradient());
   }
 
@@ -131,13 +130,12 @@ public:
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices())
       domain.is_fixed.push_back(is_fixed(v));
+    energy.limit_work(m_problem.work().end_of_part());
     energy.set_origin(m_u);
     energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
     Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
     const Minimization_result last =
-      newton.run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits,
-                 m_problem.work().left() / tolerance::parts_of_work, visitor);
-    m_problem.work().template add<FT>(energy.work());
+      newton.run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits, visitor);
     m_u = energy.scale_factors();
     add_result(last);
     m_angle_error = angle_error(energy.gradient());

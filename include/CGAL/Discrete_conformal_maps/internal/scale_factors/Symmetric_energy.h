@@ -9,12 +9,15 @@
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -82,8 +85,15 @@ public:
   }
   void move_origin() { set_origin(scale_factors()); }
 
-  // Returns the number of flips and of faces that have been measured.
-  std::size_t work() const { return m_measured_faces + m_energy->surface().flips().size(); }
+  // Lets the search end once all searches for the map have done this work. The energy adds its
+  // flips, and the faces that it measures, to the work of the problem.
+  void limit_work(double end) { m_end_of_work = end; }
+  bool has_worked_enough() const
+  {
+    const double sure =
+      tolerance::sure_measurements * double(m_energy->surface().mesh().num_faces());
+    return m_problem.work().done() >= (std::max)(m_end_of_work, sure);
+  }
 
   // Moves some variables, and returns the sum of the derivatives by them, or NaN if a scaled length
   // is not a length. All other values are unchanged until `evaluate()`.
@@ -100,11 +110,10 @@ public:
         values.push_back(u[i]);
       }
     try {
-      m_energy->move_some(vertices, values);
+      note_work(usual_degree * vertices.size(), [&] { m_energy->move_some(vertices, values); });
     } catch(const Intrinsic_triangulations::Numerical_error&) {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    m_measured_faces += usual_degree * vertices.size();
     double result = 0;
     for(std::size_t v : variables)
       result +=
@@ -159,8 +168,25 @@ private:
 
   void evaluate_expanded(const Vector& x)
   {
-    m_measured_faces += m_energy->surface().mesh().num_faces();
-    m_energy->evaluate(m_problem.expanded(x));
+    note_work(m_energy->surface().mesh().num_faces(),
+              [&] { m_energy->evaluate(m_problem.expanded(x)); });
+  }
+
+  // Executes a function that measures so many faces, and notes its work with its flips.
+  template <typename Function>
+  void note_work(std::size_t measured, const Function& function)
+  {
+    const std::size_t before = m_energy->surface().flips().size();
+    const auto note = [&] {
+      m_problem.work().template add<FT>(measured + m_energy->surface().flips().size() - before);
+    };
+    try {
+      function();
+    } catch(...) {
+      note();
+      throw;
+    }
+    note();
   }
 
   // Makes the matrix symmetric, because rounding of the sums below depends on the order of their
@@ -204,7 +230,7 @@ private:
   std::optional<Energy> m_energy;
   Vector m_part; // of each vertex of the double that counts for the surface
   Vector m_gradient;
-  std::size_t m_measured_faces = 0;
+  double m_end_of_work = tolerance::work_for_map;
   std::vector<Vertex_index> m_next_copy; // see `Doubled_problem::next_copies()`
   mutable Matrix m_Hessian;
   mutable bool m_has_Hessian = false;
