@@ -17,7 +17,7 @@ from pathlib import Path
 # First pages and headings of their tables.
 TABLES = [("Intrinsic_triangulations", "it_tasks"), ("Discrete_conformal_maps", "dcm_tasks"),
           ("Intrinsic_simplification", "is_tasks")]
-FEWEST_QUESTIONS = 30
+FEWEST_QUESTIONS = 100
 
 
 def plain(text):
