@@ -4,8 +4,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Checks that measured figures stand only in tables that scripts/make_tables.py writes: check_figures.py [ROOT].
-Prints file:line of times, amounts of memory, percentages and ratios in sentences of the manual and of
-README.md, of tables of figures that are typed in, and of tables that no page includes or no benchmark makes.
+Prints file:line of times, amounts of memory, percentages and ratios in sentences of the manual, of README.md
+and of CHANGES.md, of tables of figures that are typed in, and of tables that no page includes or no benchmark makes.
 Prints drawings that do not scale with the page, too.
 Exits with 1 if there is any."""
 
@@ -25,6 +25,7 @@ FIGURES = [re.compile(pattern) for pattern in (
     rf"\b{NUMBER} (?:times )?as (?:fast|long|slow|much)\b",
     rf"\b{NUMBER} times (?:more|less|faster|slower|longer|shorter|smaller|larger)\b",
     rf"\b{NUMBER}(?: times)? the (?:time|memory)\b",
+    rf"\b{NUMBER} less (?:time|memory|work)\b",
     r"\bfactor of \d[\d,.]*",
 )]
 
@@ -107,7 +108,7 @@ def main():
         make_tables.ROOT = Path(sys.argv[1]).resolve()
     pages = sorted(make_tables.ROOT.glob("doc/*/*.txt"))
     found = [*orphans(pages), *other_summary(), *drawings_of_one_size()]
-    for page in [*pages, make_tables.ROOT / "README.md"]:
+    for page in [*pages, make_tables.ROOT / "README.md", make_tables.ROOT / "CHANGES.md"]:
         for line, message in sorted([*figures_in_sentences(page), *typed_tables(page)]):
             found.append(f"{page.relative_to(make_tables.ROOT)}:{line}: {message}")
     if found:
