@@ -133,9 +133,10 @@ void Command_run::choose_section()
   if(m_options.picture.empty())
     throw Program_error("--section is for --picture; add one");
   if(radius <= 0)
-    throw Program_error("--section: the radius is a finite number above zero");
+    throw Program_error("--section: the radius must be a finite number above zero");
   if(m_input.covered && text.find(',') == std::string::npos)
-    throw Program_error("--section: on triangles that are not a surface, the point is x,y,z");
+    throw Program_error("--section: on triangles that are not a surface, the point must have the "
+                        "form x,y,z");
   m_section = {position(surface_point(text, m_input, Reach::anywhere), m_input.mesh), radius};
 }
 

@@ -124,8 +124,9 @@ void check_simplicial(const Triangulation& triangulation, std::size_t insertions
   const IT::Delta_complex& mesh = triangulation.mesh();
   for(const IT::Face_index f : mesh.faces())
     if(!IT::is_simplicial(f, mesh))
-      throw Program_error("not simplicial after as many insertions as are allowed, " +
-                          std::to_string(insertions) + ": allow more by --max-insertions");
+      throw Program_error("the triangulation is not simplicial after the greatest allowed number "
+                          "of insertions, " +
+                          std::to_string(insertions) + "; allow more by --max-insertions");
 }
 
 int write_refinement(Command_run& run, const Refine_options& options, Mesh_format format)

@@ -25,7 +25,7 @@ double weight_value(const std::string& text, const std::string& value)
 {
   const double result = finite_number(value).value_or(-1);
   if(result < 0)
-    throw Program_error("--weight " + text + ": a weight is a number that is not negative");
+    throw Program_error("--weight " + text + ": a weight must be a number that is not negative");
   return result;
 }
 

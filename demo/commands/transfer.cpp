@@ -79,7 +79,7 @@ public:
       m_run("transfer", common, {options.output})
   {
     if(options.points.empty() == options.data.empty())
-      throw Program_error("give either --points or --data");
+      throw Program_error("give --points or --data, and not both");
     m_run.plan({delaunay_stages,
                 refinement_stages(options.refinement),
                 certificate_stages(common),

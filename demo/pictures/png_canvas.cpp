@@ -80,7 +80,8 @@ public:
     };
     const cairo_status_t status = cairo_surface_write_to_png_stream(m_surface, write, &m_text);
     if(status != CAIRO_STATUS_SUCCESS)
-      throw std::runtime_error(std::string("Cairo says: ") + cairo_status_to_string(status));
+      throw std::runtime_error(std::string("the PNG picture cannot be drawn: ") +
+                               cairo_status_to_string(status));
   }
 
 private:

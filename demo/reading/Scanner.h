@@ -131,7 +131,7 @@ private:
   void expect_bytes(std::size_t n) const
   {
     if(remaining() < n)
-      fail_as_a_whole("ends too early");
+      fail_as_a_whole("ends too early; it is not complete");
   }
 
   void skip_blanks();

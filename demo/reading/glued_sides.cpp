@@ -60,9 +60,10 @@ Glued_sides read_glued_sides(const std::string& path, const Mesh& mesh)
         in.fail(name(mesh.source(x), mesh.target(x)) + " is glued twice");
     const double a = length(h, mesh), b = length(o, mesh);
     if(!(std::abs(a - b) <= side_tolerance * (a + b) / 2))
-      in.fail("the sides are " + std::to_string(a) + " and " + std::to_string(b) + " long");
+      in.fail("the two sides have different lengths, " + std::to_string(a) + " and " +
+              std::to_string(b));
     if(mesh.is_border(h) == mesh.is_border(o))
-      in.fail("the surface would not be oriented; the sides are to run in opposite directions "
+      in.fail("the surface would not be oriented; the sides must run in opposite directions "
               "around the net");
     if(!in.at_line_end('#'))
       in.fail("more than four numbers in a line");

@@ -139,7 +139,7 @@ private:
     if(m_in.accept("list")) {
       p.type_of_size = read_type();
       if(*p.type_of_size >= Number_type::FLOAT)
-        m_in.fail("the size of a list is an integer; make its first type uchar or int");
+        m_in.fail("the size of a list must be an integer; make its first type uchar or int");
     }
     p.type = read_type();
     p.name = m_in.word();
@@ -193,7 +193,7 @@ private:
       m_in.fail(
         "the size of a list is negative or not an integer; give the number of its elements");
     if(size > m_in.remaining())
-      m_in.fail_as_a_whole("ends too early");
+      m_in.fail_as_a_whole("ends too early; it is not complete");
     return size;
   }
 

@@ -72,7 +72,7 @@ Surface_location in_face(double f, const std::vector<double>& weights, std::size
   const auto least = *std::min_element(weights.begin(), weights.end());
   const double sum = weights[0] + weights[1] + weights[2];
   if(least < 0 || std::abs(sum - 1) > 1e-6)
-    refuse(text, "barycentric coordinates are not negative and sum up to 1");
+    refuse(text, "barycentric coordinates must not be negative, and must sum up to 1");
   const auto i = static_cast<Mesh::size_type>(index(f, number_of_faces, "faces", text));
   return {Mesh::Face_index(i), {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
 }

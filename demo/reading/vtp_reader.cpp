@@ -444,7 +444,8 @@ private:
     else if(type == "UInt8")
       read_all(std::uint8_t());
     else
-      fail_at(place, "this type of numbers does not exist");
+      fail_at(place, "the type of numbers '" + std::string(type) +
+                       "' is unknown; it must be a type of VTK, such as Float64");
   }
 
   template <class Number, class Next>

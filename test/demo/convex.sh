@@ -34,7 +34,7 @@ refuses 'line 2' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 3 14\n' >wrong.txt
 refuses 'vertex 14: the mesh has 14, counted from 0' convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 2 3\n' >wrong.txt
-refuses 'the surface would not be oriented; the sides are to run in opposite directions around the net' \
+refuses 'the surface would not be oriented; the sides must run in opposite directions around the net' \
   convex cross.mesh.off --glue wrong.txt -o x.off
 printf '1 2 3 2\n1 2 3 4\n' >wrong.txt
 refuses 'is glued twice' convex cross.mesh.off --glue wrong.txt -o x.off
@@ -46,7 +46,7 @@ printf '1 2 3 2 5\n' >wrong.txt
 refuses 'more than four numbers in a line' convex cross.mesh.off --glue wrong.txt -o x.off
 off oblong '0 0 0,2 0 0,2 1 0,0 1 0' '0 1 2 3'
 printf '0 1 2 1\n' >wrong.txt
-refuses 'the sides are' convex oblong.mesh.off --glue wrong.txt -o x.off
+refuses 'the two sides have different lengths' convex oblong.mesh.off --glue wrong.txt -o x.off
 refuses '--subdivision: a net has no positions in space; leave out --glue' \
   convex cross.mesh.off --glue cross.txt --subdivision x.ply -o x.off
 

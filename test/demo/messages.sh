@@ -160,7 +160,7 @@ calls <<'TABLE'
 2 | the format is none of ascii, binary_little_endian and binary_big_endian | info c.mesh.ply
 2 | 'element', 'property', 'comment' or 'end_header' expected | info d.mesh.ply
 2 | a property comes before any element | info e.mesh.ply
-2 | the size of a list is an integer | info f.mesh.ply
+2 | the size of a list must be an integer | info f.mesh.ply
 2 | this type of numbers is unknown | info g.mesh.ply
 2 | a number of elements is negative | info h.mesh.ply
 2 | the size of a list is negative or not an integer | info i.mesh.ply
@@ -196,8 +196,8 @@ calls <<'TABLE'
 2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
 2 | a.jpg: --picture needs a name that ends with .svg or .png | delaunay flat.mesh.off -o a.ply --picture a.jpg
 2 | a.txt: --circles needs a name that ends with .svg or .png | pack flat.mesh.off -o a.ply --circles a.txt
-2 | --section: the radius is a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
-2 | --section: on triangles that are not a surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
+2 | --section: the radius must be a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
+2 | --section: on triangles that are not a surface, the point must have the form x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
@@ -249,7 +249,7 @@ calls <<'TABLE'
 2 | --component 10: the components of the mesh are 0 to 1 | sphere two_triangles.mesh.off -o a.ply --component 010
 2 | --mollify: '0x1p-9' is not a number | delaunay flat.mesh.off -o a.off --mollify 0x1p-9
 2 | '0x1' is not a number | path flat.mesh.off --from 0x1 --to 1 -o a.obj
-2 | area=0x1: a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0x1
+2 | area=0x1: a weight must be a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0x1
 2 | --weld: '0' is not a number above 0 | delaunay flat.mesh.off -o a.ply --weld 0
 2 | has no faces; `intrinsic distance` and `intrinsic operators` triangulate points with --neighbors 30 | info a.mesh.xyz
 2 | neither the extension nor the content is of .off, .obj, .ply, .stl or .vtp | info words.txt
@@ -282,13 +282,13 @@ calls <<'TABLE'
 2 | the path contracts to a point | path pillow.mesh.off --from 0 --loop --via 1 --via 2 -o a.obj
 2 | 'x' is not a point of the mesh | path flat.mesh.off --from x --to 1 -o a.obj
 2 | vertex 3 has no face | path apart.mesh.off --from 3 --to 1 -o a.obj
-2 | barycentric coordinates are not negative and sum up to 1 | path flat.mesh.off --from 0:1,1,1 --to 1 -o a.obj
+2 | barycentric coordinates must not be negative, and must sum up to 1 | path flat.mesh.off --from 0:1,1,1 --to 1 -o a.obj
 2 | the faces are 0 to 31 | path flat.mesh.off --from 99:1,0,0 --to 1 -o a.obj
 2 | give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5 | path flat.mesh.off --from 0,1 --to 1 -o a.obj
 2 | is not a vertex: --flips and --loop go from vertex to vertex | path flat.mesh.off --from .3,.1,0 --to 1 --flips -o a.obj
 2 | has no faces | path lonely.mesh.off --from 0 --to 1 -o a.obj
 2 | cannot be read | flatten flat.mesh.off -o a.obj --cones folder.off
-2 | a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=-1
+2 | a weight must be a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=-1
 2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area
 2 | weights that are not given are zero, and changes of area alone are not a cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area_change=1
 2 | --levels needs --vertices or --ratio | simplify flat.mesh.off -o a.ply --error 0.1 --levels 3
@@ -318,7 +318,7 @@ python3 - "$tests/../../demo" seen <<'PYTHON' || fail 'messages that no test has
 import re, sys
 from pathlib import Path
 # another build, a damaged disk, or a fault of the program
-UNREACHED = """built without | cannot be opened | cannot be read: | could not be written completely | Cairo says
+UNREACHED = """built without | cannot be opened | cannot be read: | could not be written completely | the PNG picture cannot be drawn
   | has not come | is not planned | too many corners
   | there are no faces | 'endfacet' expected""".split("|")
 seen = open(sys.argv[2], errors="replace").read()

@@ -178,6 +178,6 @@ claim "s = json('a.json')" "m = ply('a.ply')" "s.status == 'bounds_met'" \
 for format in off obj vtp; do
   expect 0 refine slivers.mesh.off -o "a.$format" --simplicial
 done
-refuses 'not simplicial after as many insertions as are allowed, 1: allow more by --max-insertions' \
+refuses 'the triangulation is not simplicial after the greatest allowed number of insertions, 1; allow more by --max-insertions' \
   refine pillow.mesh.off -o b.ply --simplicial --max-insertions 1
 rm a.*

@@ -47,7 +47,7 @@ claim "s = json('a.json')" 'near(s.integral, s.transferred_integral, 1e-9 * abs(
 rm a.*
 
 # Wrong calls.
-refuses 'give either --points or --data' transfer sheared.mesh.off -o a.txt
+refuses 'give --points or --data, and not both' transfer sheared.mesh.off -o a.txt
 expect 2 transfer sheared.mesh.off --points points.mesh.txt --data values.mesh.txt -o a.txt
 refuses 'nothing.txt: cannot be opened' transfer sheared.mesh.off --points nothing.txt -o a.txt
 printf '99999\n' >wrong.mesh.txt
