@@ -202,8 +202,9 @@ public:
   /// flips edges until all are Delaunay, by exact decisions about the metric of `tri`, from which
   /// the surface was made. Both get the same flips, and the surface gets the lengths of `tri`.
   /// Complexity: linear in the edges and flips.
-  /// \throws the exceptions of `Intrinsic_triangulations::make_Delaunay()`. Afterwards the surface
-  ///   is valid.
+  ///
+  /// Exceptions are the exceptions of `Intrinsic_triangulations::make_Delaunay()`. After an
+  /// exception the surface is valid.
   /// \pre the triangulation \f$T_2\f$ of `tri` is the triangulation of the surface, with the same
   ///   indices
   void make_exactly_Delaunay(Triangulation& tri)

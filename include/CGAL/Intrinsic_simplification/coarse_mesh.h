@@ -193,7 +193,8 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 /// intersections.
 /// \throws Intrinsic_triangulations::Numerical_error if rounding prevents an insertion of vertices;
 ///   then `out` is not changed
-/// \throws the exceptions of `refine()`
+///
+/// Further exceptions are the exceptions of `refine()`.
 template <typename Graph, typename NamedParameters>
 Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_level& fine,
                                 Graph& out, const NamedParameters& np)

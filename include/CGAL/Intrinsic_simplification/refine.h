@@ -308,9 +308,11 @@ inline Evolving_surface::Triangulation constrained_triangulation(const Surface_l
 /// Complexity: see `Intrinsic_triangulations::refine()`, plus linear in the elements.
 /// \returns the numbers of operations, the status, and the faces of the surface that violate the
 ///   bounds, with the reason
-/// \throws the exceptions of `Intrinsic_triangulations::refine()`; afterwards the surface is valid
 /// \throws Intrinsic_triangulations::Numerical_error if the lengths of a face of the surface
 ///   violate the triangle inequality by rounding
+///
+/// Further exceptions are the exceptions of `Intrinsic_triangulations::refine()`. After an
+/// exception the surface is valid.
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Intrinsic_triangulations::Refinement_result
 refine(Evolving_surface& surface, const NamedParameters& np = CGAL::parameters::default_values())
