@@ -8,7 +8,7 @@
 // clang-format off
 #ifdef CGAL_named_parameter
 
-#ifndef CGAL_DEFINING_TAGS // that package has those
+#ifndef CGAL_DEFINING_TAGS // Intrinsic_triangulations defines these parameters
 #include <CGAL/Intrinsic_triangulations/internal/input/list_of_named_parameters.h>
 #endif
 

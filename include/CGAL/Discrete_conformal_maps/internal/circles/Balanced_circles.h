@@ -22,14 +22,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores circles on the unit sphere. A circle with center p and angle R is the vector (p / cos R,
-// 1) of Minkowski space.
+// Stores circles on the unit sphere. The circle with center p and angular radius R is represented
+// by the vector (p / cos R, 1) of Minkowski space.
 class Balanced_circles
 {
 public:
   typedef std::array<Extended, 3> Point;
 
-  // `mass` has the mass of each vertex; `log_scale` and `position` belong to radii of zero.
+  // `mass` contains the mass of each vertex. `log_scale` and `position` describe the sphere for
+  // radii of zero.
   Balanced_circles(std::vector<double> mass, std::vector<Extended> log_scale,
                    std::vector<Point> position)
     : m_mass(std::move(mass)), m_log_scale(std::move(log_scale)), m_pole(std::move(position))
@@ -51,14 +52,14 @@ public:
   }
 
   const std::vector<Extended>& log_scale() const { return m_log_scale; }
-  // Returns the point p / cos R, the pole of the plane of the circle.
+  // Returns the point p / cos R, which is the pole of the plane of the circle.
   const Point& pole(Vertex_index v) const { return m_pole[v.idx()]; }
   // Returns the center of a circle.
   Point position(Vertex_index v) const { return times(pole(v), 1 / norm(pole(v))); }
 
-  // Moves the center of mass of the centers to the center of the sphere. All circles stay smaller
-  // than a hemisphere, so a move may end earlier. This point has the least sum of distances from
-  // the planes of the circles, which is convex in hyperbolic space.
+  // Moves the center of mass of the centers to the center of the sphere. The condition determines
+  // a minimum of the sum of distances to the planes of the circles, which is convex in hyperbolic
+  // space. A move ends early if a circle would otherwise reach the size of a hemisphere.
   void balance()
   {
     for(int i = 0; i < most_steps; ++i) {
@@ -80,7 +81,7 @@ public:
     }
   }
 
-  // Applies an orthogonal map with these rows.
+  // Applies the orthogonal map whose matrix has these rows.
   void rotate(const std::array<Point, 3>& row)
   {
     for(Point& q : m_pole)
@@ -98,8 +99,8 @@ private:
   static constexpr double longest_step = 1, least_cosine = 0.05;
   static constexpr int most_steps = 200;
 
-  // Returns whether circles stay smaller than a hemisphere if a point at this distance becomes the
-  // center.
+  // Returns whether all circles stay smaller than a hemisphere if the point at this distance
+  // becomes the center.
   bool can_move(const Eigen::Vector3d& direction, double length) const
   {
     return std::all_of(m_pole.begin(), m_pole.end(), [&](const Point& q) {
@@ -125,7 +126,7 @@ private:
     }
   }
 
-  std::vector<double> m_mass; // their sum is one
+  std::vector<double> m_mass; // the masses, whose sum is one
   std::vector<Extended> m_log_scale;
   std::vector<Point> m_pole;
 };

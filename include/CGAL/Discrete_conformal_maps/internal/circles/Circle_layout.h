@@ -20,9 +20,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes positions of circles with given radii that touch along the edges of a triangulated disk.
-// The layout starts at the face with the smallest circles, at the origin, where `double` has most
-// digits. Directions of edges are rotated from face to face, and need no positions.
+// Computes the positions of circles with given radii that touch along the edges of a triangulated
+// disk. The layout starts at the origin with the face of the smallest circles, because `double`
+// has the most digits near the origin. Directions of edges are rotated from face to face,
+// independently of positions.
 class Circle_layout
 {
 public:
@@ -44,7 +45,7 @@ public:
 
   const std::vector<Planar_circle>& circles() const { return m_circles; }
 
-  // Returns whether a face is reversed by more than rounding of its corners.
+  // Returns whether a face is reversed, and rounding of its corners does not explain it.
   bool has_reversed_faces() const
   {
     return std::any_of(m_mesh.faces().begin(), m_mesh.faces().end(), [this](Face_index f) {

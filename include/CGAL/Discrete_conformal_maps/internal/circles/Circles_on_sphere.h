@@ -28,12 +28,12 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes the hyperideal polyhedron of a decorated sphere, as circles on the unit sphere. It is
-// unique up to Moebius transformations (Schlenker 1998), and rigid. Radii grow from zero, for which
-// the ideal polyhedron is known, to their values; Newton's method follows the angle defects. The
-// transformations are the kernel of the Hessian. Circles at the corners of a face are fixed to
-// exclude these transformations. Then the Hessian is as in the plane, seen from a point inside the
-// face.
+// Computes the hyperideal polyhedron of a decorated sphere as circles on the unit sphere. The
+// polyhedron is rigid, and unique up to Moebius transformations (Schlenker 1998). Radii grow from
+// zero, for which the ideal polyhedron is known, to their values. Newton's method corrects the
+// angle defects on this path. The Moebius transformations form the kernel of the Hessian. They are
+// excluded by fixed circles at the corners of a face. Then the Hessian agrees with the Hessian in
+// the plane, as seen from a point inside the face.
 class Circles_on_sphere
 {
   typedef Eigen::VectorXd Vector;
@@ -41,8 +41,8 @@ class Circles_on_sphere
 public:
   typedef Balanced_circles::Point Point;
 
-  // `mesh` is T_2 with its lengths of tangents and radii. `circles` has the scale factors and
-  // positions of the ideal polyhedron, with the masses of vertices.
+  // `mesh` is T_2 with the lengths of its tangents and the radii. `circles` contains the scale
+  // factors and positions of the ideal polyhedron, and the masses of vertices.
   Circles_on_sphere(const Delta_complex& mesh, std::vector<Extended> tangent,
                     std::vector<Extended> radius, Balanced_circles circles)
     : m_mesh(mesh),
@@ -51,8 +51,8 @@ public:
       m_circles(std::move(circles))
   {}
 
-  // Follows the polyhedra to the radii with numbers of this type. Returns whether it has reached
-  // them. The balanced circles get the last digits.
+  // Follows the polyhedra to the final radii with numbers of this type. Returns whether it has
+  // reached the radii. The balanced circles have the final digits.
   template <typename FT>
   bool run(Any_visitor& visitor)
   {
@@ -88,7 +88,7 @@ private:
   static constexpr double least_step = 1e-5, greatest_change = 2;
   static constexpr std::size_t most_steps = 1000, steps_of_Newton = 25;
 
-  // Grows the radii from the part of their squares that has been reached.
+  // Grows the radii, starting from the fraction of their squares that has been reached.
   template <typename FT>
   bool grow(Any_visitor& visitor)
   {
@@ -101,7 +101,7 @@ private:
     return m_part == 1;
   }
 
-  // Returns the surface whose radii have this part of their squares.
+  // Returns the surface whose squared radii are this fraction of the final ones.
   template <typename FT>
   Spherical_circle_surface<FT> surface_with(double part) const
   {
@@ -117,8 +117,8 @@ private:
     return {m_mesh, boost::make_function_property_map<Edge_index>(tangent), std::move(radii)};
   }
 
-  // Takes steps of Newton's method for the radii of this part. Repeats steps with the same
-  // factorization while they reduce the defects.
+  // Makes steps of Newton's method for the radii of this fraction. A factorization is used again
+  // while its steps reduce the defects.
   template <typename FT>
   bool reach(double part, Any_visitor& visitor)
   {
@@ -148,7 +148,7 @@ private:
     return false;
   }
 
-  // Returns whether defects are small enough, or as small as numbers permit.
+  // Returns whether defects are small enough, or as small as the numbers permit.
   template <typename FT>
   static bool is_enough(double error, double before)
   {
@@ -162,7 +162,7 @@ private:
   class Fixed_face
   {
   public:
-    // Returns whether the last step was so good that its factorization is used again.
+    // Returns whether the last step was good enough to use its factorization again.
     bool contracts(double error, double before)
     {
       return m_corrections++ < tolerance::corrections && error <= tolerance::contraction * before;
@@ -177,7 +177,7 @@ private:
       return m_solver.info() == Eigen::Success;
     }
 
-    // Returns the changes of scale factors. The variables are w with dw = cos R du.
+    // Returns the changes of scale factors. The variables w satisfy dw = cos R du.
     template <typename Surface>
     Vector direction(Vector defect, const Surface& surface) const
     {
@@ -223,7 +223,7 @@ private:
   std::vector<Extended> m_tangent, m_radius;
   Balanced_circles m_circles;
   std::vector<Halfedge_index> m_flips;
-  double m_part = 0; // of the squares of the radii
+  double m_part = 0; // the fraction of the squared radii
   double m_angle_error = std::numeric_limits<double>::infinity();
   std::size_t m_steps = 0;
 };

@@ -19,14 +19,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Represents a triangulated sphere without one face. The circles of the corners of this face touch
-// each other, and all other circles lie between them. A disk becomes a sphere by an apex, which is
-// joined to its boundary: the outside of the circle of the apex is the disk.
+// Represents a triangulated sphere without one face, the outer face. The circles at the corners of
+// the outer face touch each other, and enclose all other circles. A disk becomes a sphere by an
+// apex that is joined to its boundary. The outside of the circle of the apex is the image of the
+// disk.
 class Packing_complex
 {
 public:
-  // `size` contains known sizes of circles at the vertices of `mesh`. Without it, degrees replace
-  // them.
+  // `size` contains known sizes of the circles at the vertices of `mesh`. If it is empty, degrees
+  // replace the sizes.
   // \throws Invalid_input if `mesh` is not a simplicial sphere or disk
   explicit Packing_complex(const Delta_complex& mesh, std::vector<double> size = {})
   {
@@ -88,8 +89,9 @@ private:
     return result;
   }
 
-  // Removes the face with the greatest product of sizes as outer face. Many circles touch its
-  // circles, so that no circle is far from them. With an apex it is one of the faces at the apex.
+  // Removes the face with the greatest product of sizes, which becomes the outer face. Many
+  // circles touch the circles of this face, so that no circle is far from them. If an apex exists,
+  // only faces at the apex are candidates.
   void remove_outer_face(std::vector<std::array<Vertex_index, 3>>& faces,
                          const std::vector<double>& size)
   {

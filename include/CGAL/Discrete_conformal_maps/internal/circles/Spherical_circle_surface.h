@@ -25,14 +25,14 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores a point of the unit sphere and the direction in which an edge leaves it.
+// Stores a point of the unit sphere and the direction of an edge at this point.
 template <typename FT>
 struct Spherical_frame
 {
   typedef std::array<FT, 3> Vector;
   Vector position, direction;
 
-  // Returns the frame of the edge behind this corner.
+  // Returns the frame of the edge that follows after a rotation by the angle of this corner.
   Spherical_frame turned(const Corner<FT>& corner) const
   {
     using std::sqrt;
@@ -43,7 +43,7 @@ struct Spherical_frame
     return {p, sum(corner.cosine / norm, d, corner.sine / norm, left)};
   }
 
-  // Returns the frame of the same edge at its other end, for an edge of length x with sin(x/2) = l.
+  // Returns the frame of the same edge at its other end. The edge has length x with sin(x/2) = l.
   Spherical_frame at_end(const FT& l) const
   {
     using std::sqrt;
@@ -58,8 +58,8 @@ private:
   }
 };
 
-// Stores a decorated sphere as spherical triangles between the centers of its circles, with their
-// angle defects and derivatives.
+// Stores a decorated sphere as spherical triangles between the centers of its circles. Computes
+// the angle defects and their derivatives.
 template <typename FT>
 class Spherical_circle_surface
 {
@@ -83,7 +83,7 @@ public:
   const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
   const FT& scaled_radius(Vertex_index v) const { return m_surface.scaled_radius(v); }
 
-  // Sets scale factors, and returns whether all scaled lengths exist.
+  // Sets scale factors. Returns whether all scaled lengths exist.
   bool scale(const std::vector<Extended>& u)
   {
     std::vector<FT> converted_u;
@@ -102,8 +102,8 @@ public:
     return true;
   }
 
-  // Returns the excess of 2 pi over the sum of angles at each vertex, or NaN everywhere if a
-  // triangle does not exist.
+  // Returns the angle defect of each vertex: 2 pi minus the sum of its angles. If a triangle does
+  // not exist, all defects are NaN.
   Vector defects() const
   {
     std::vector<Angle_difference<FT>> sums(mesh().num_vertices(), Angle_difference<FT>(FT(0)));
@@ -123,8 +123,8 @@ public:
     return result;
   }
 
-  // Returns the derivatives of the sums of angles with the other sign. Fixed and isolated vertices
-  // have the unit matrix.
+  // Returns the negative derivatives of the sums of angles. Rows and columns of fixed and isolated
+  // vertices are the rows and columns of the identity.
   Matrix matrix(const std::array<Vertex_index, 3>& fixed) const
   {
     std::vector<char> is_free(mesh().num_vertices(), 1);
@@ -158,7 +158,7 @@ public:
     return result;
   }
 
-  // Returns the corners of a face whose shortest side is greatest.
+  // Returns the corners of the face whose shortest side is longest.
   std::array<Vertex_index, 3> corners_of_greatest_face() const
   {
     const auto shortest = [this](Face_index f) {
@@ -173,8 +173,9 @@ public:
     return {mesh().source(side[0]), mesh().source(side[1]), mesh().source(side[2])};
   }
 
-  // Returns the centers of the circles, with each face beside the one before. Directions are
-  // rotated from face to face. Directions computed from positions would multiply errors.
+  // Returns the centers of the circles. Each face is positioned beside its predecessor. Directions
+  // are rotated from face to face, because directions computed from positions would multiply
+  // errors.
   std::vector<std::array<Extended, 3>> centers() const
   {
     std::vector<std::array<Extended, 3>> result(mesh().num_vertices(), {0, 0, 1});
@@ -212,7 +213,7 @@ private:
   }
 
   Penner_surface<FT> m_surface;
-  std::vector<FT> m_half_chord, m_depth; // of edges and vertices, after scaling
+  std::vector<FT> m_half_chord, m_depth; // for edges and vertices, after scaling
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

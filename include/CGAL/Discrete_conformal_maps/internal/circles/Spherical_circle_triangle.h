@@ -16,25 +16,28 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes the angles of a spherical triangle with the circles at its corners. A circle of angle R
-// has the scaled radius r = tan R. Side s leads from corner s to the next. Formulas are the ones of
-// `Hyperbolic_triangle` with imaginary lengths. Here l = sin(x/2) for a side x, and D = 1 - cos R.
+// Computes the angles of a spherical triangle with circles at its corners. A circle of angular
+// radius R has the scaled radius r = tan R. Side s leads from corner s to the next corner. The
+// formulas are the formulas of `Hyperbolic_triangle` with imaginary lengths. The notation is l =
+// sin(x/2) for a side x, and D = 1 - cos R.
 //
 //   2 l_b l_c cos(x_b/2) cos(x_c/2) cos(angle) = q,
 //   q = p - 2 l_b^2 l_c^2,   p = l_b^2 + l_c^2 - l_a^2.
 //
-// With the sine instead of the cosine, the left side is d. Angles are a gradient with respect to w,
-// where dw = cos R du. Consider the side l_c from corner i to j, and the third corner k. The
-// derivative of the angle at i by w_j is cot_k / (2 cos^2(x_c/2)) for this number:
+// The same expression with the sine of the angle in place of the cosine is called d. Angles are a
+// gradient with respect to w, where dw = cos R du. Consider the side l_c from corner i to j, and
+// the third corner k. The derivative of the angle at i with respect to w_j is cot_k / (2
+// cos^2(x_c/2)) for the number:
 //
 //   cot_k = (p_k + (D_i q_j + D_j q_i) / (2 l_c^2) - D_k (1 - l_c^2)) / d.
 //
-// Its derivative by w_i is minus the sum, over both sides at i, of cos x times this derivative.
+// The derivative with respect to w_i is minus the sum of cos x times this derivative over both
+// sides at i.
 template <typename FT>
 class Spherical_circle_triangle
 {
 public:
-  // `length` has sin(x/2) for each side, and `depth` has D for each corner.
+  // `length` contains sin(x/2) for each side, and `depth` contains D for each corner.
   Spherical_circle_triangle(const std::array<FT, 3>& length, const std::array<FT, 3>& depth)
     : m_length(length), m_depth(depth)
   {
@@ -59,7 +62,8 @@ public:
   // Returns the corner at the source of side s.
   const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
 
-  // Returns the derivative of the angle at an end of side s by the variable at the other end.
+  // Returns the derivative of the angle at one end of side s with respect to the variable of the
+  // other end.
   FT derivative(std::size_t s) const
   {
     const std::size_t j = (s + 1) % 3, k = (s + 2) % 3;
@@ -77,7 +81,7 @@ public:
   static FT depth(const FT& r)
   {
     using std::sqrt;
-    const FT inverse = sqrt(FT(1 + r * r)); // of the cosine
+    const FT inverse = sqrt(FT(1 + r * r)); // the inverse of the cosine
     return r * r / (inverse * (1 + inverse));
   }
 

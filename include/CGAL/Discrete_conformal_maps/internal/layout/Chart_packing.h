@@ -22,7 +22,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns the convex hull by Andrew's algorithm, beginning with the lowest of the leftmost points.
+// Returns the corners of the convex hull by Andrew's algorithm. The first corner is the lowest of
+// the leftmost points.
 inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<double>> points)
 {
   typedef std::complex<double> Complex;
@@ -50,8 +51,8 @@ inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<do
   return hull;
 }
 
-// Stores the points of a chart that are added one by one, without most points inside their convex
-// hull. Memory: linear in the corners of the hull.
+// Collects the points of a chart one by one. Most points inside their convex hull are dropped.
+// Memory: linear in the number of corners of the hull.
 class Hull_points
 {
   typedef std::complex<double> Complex;
@@ -74,8 +75,9 @@ private:
 };
 
 // Computes motions of the plane that arrange charts side by side. Each chart lies in its smallest
-// enclosing rectangle, with the longer side below. Rectangles stand on shelves, the highest first,
-// with gaps of a hundredth of the total width. The first stands at the origin.
+// enclosing rectangle, whose longer side is horizontal. Rectangles stand on shelves in the order
+// of decreasing heights. Gaps are a hundredth of the total width. The first rectangle starts at
+// the origin.
 class Chart_packing
 {
   typedef std::complex<double> Complex;
@@ -101,7 +103,7 @@ public:
   const Motion& motion(std::size_t chart) const { return m_motion[chart]; }
 
 private:
-  // Turns the chart and moves its rectangle to the origin.
+  // Rotates the chart, and moves its rectangle to the origin.
   void lay_down(std::size_t c, const std::vector<Complex>& points)
   {
     Motion& motion = m_motion[c];
@@ -125,8 +127,9 @@ private:
     m_size[c] = high - low;
   }
 
-  // Returns the unit direction of one side of the smallest rectangle that contains the points, the
-  // first one if several are equal. It is the direction in the second quadrant.
+  // Returns the unit direction of a side of the smallest rectangle that contains the points. The
+  // direction lies in the second quadrant. If several rectangles are smallest, the first one
+  // counts.
   static Complex direction_of_rectangle(const std::vector<Complex>& points)
   {
     const std::vector<Complex> hull = convex_hull(points);
@@ -134,7 +137,7 @@ private:
       return 1;
     Complex result = 1;
     double least = std::numeric_limits<double>::infinity();
-    std::array<std::size_t, 3> farthest{0, 0, 0}; // along a side, to its left, and back
+    std::array<std::size_t, 3> farthest{0, 0, 0}; // along a side, to its left, backwards
     for(std::size_t i = 0; i < hull.size(); ++i) {
       const Complex side = hull[(i + 1) % hull.size()] - hull[i], direction = side / std::abs(side);
       Complex axis = direction;
@@ -169,8 +172,8 @@ private:
     return result;
   }
 
-  // Returns a width that is at least the width of the widest chart, and about the side of a square
-  // for all charts.
+  // Returns the width of shelves. It is at least the width of the widest chart, and about the side
+  // length of a square that holds all charts.
   double width_of_shelves() const
   {
     double widest = 0, area = 0;
@@ -185,7 +188,7 @@ private:
   {
     const double width = width_of_shelves(), gap = width / 100;
     Complex corner = 0;
-    double height = 0; // of the shelf
+    double height = 0; // the height of the shelf
     for(const std::size_t c : highest_first()) {
       if(corner.real() + m_size[c].real() > width) {
         corner = {0, corner.imag() + height + gap};
@@ -199,7 +202,7 @@ private:
   }
 
   std::vector<Motion> m_motion;
-  std::vector<Complex> m_size; // of the rectangles
+  std::vector<Complex> m_size; // the sizes of the rectangles
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

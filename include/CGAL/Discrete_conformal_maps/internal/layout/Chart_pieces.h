@@ -25,20 +25,20 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores the image of the input in the plane as convex polygons. They are faces of T_3 that belong
-// to the input as a whole, and parts of other faces. Polygons that rounding has left without area
-// are omitted.
+// Stores the image of the input in the plane as convex polygons. A face of T_3 that belongs to the
+// input as a whole is one polygon. Other faces contribute the parts that belong to the input.
+// Polygons whose area has vanished by rounding are omitted.
 class Chart_pieces
 {
 public:
   struct Piece
   {
-    Face_index face; // of T_3
+    Face_index face; // the face of T_3
     Convex_polygon polygon;
     double area;
   };
 
-  // Stores two pieces, the first before the second, and the area that both cover.
+  // Stores two pieces in the order of their indices, and the area that both cover.
   struct Overlap
   {
     std::size_t first, second;
@@ -65,8 +65,8 @@ public:
   std::size_t size() const { return m_pieces.size(); }
   const Piece& operator[](std::size_t n) const { return m_pieces[n]; }
 
-  // Returns the pairs that overlap by more than rounding, in order. Complexity: O(n log n), and
-  // linear in the pairs whose bounding boxes intersect.
+  // Returns the pairs that overlap by more than rounding error, in order. Complexity: O(n log n)
+  // for n pieces, plus the number of pairs with intersecting bounding boxes.
   std::vector<Overlap> overlaps() const
   {
     typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t> Box;
@@ -115,8 +115,8 @@ private:
     return result;
   }
 
-  // Returns the part of a face. Corners at equal positions up to rounding are not in convex
-  // position, but their hull is.
+  // Returns the part of a face. If corners coincide up to rounding, they are not in convex
+  // position, so the convex hull of the corners is returned.
   Convex_polygon part(Face_index f) const
   {
     Convex_polygon result;

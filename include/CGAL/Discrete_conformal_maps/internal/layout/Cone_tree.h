@@ -27,15 +27,15 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// Computes the edges of a short tree that joins all terminals of each component. They are the
-// shortest paths that a minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at
-// cut edges are joined already. Complexity: O(n log n).
+// Computes the edges of a short tree that joins all terminals of each component. The tree consists
+// of the shortest paths that a minimum spanning tree of the terminals needs (Mehlhorn 1988).
+// Terminals at cut edges are joined from the start. Complexity: O(n log n).
 class Cone_tree
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `length` contains lengths of edges. Paths do not cross cut edges.
+  // `length` contains the lengths of edges. Paths do not cross cut edges.
   Cone_tree(const Delta_complex& mesh, const std::vector<double>& length,
             const std::vector<char>& is_cut_edge, const std::vector<char>& is_terminal)
     : m_mesh(mesh),
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  // Joins all boundaries, so that no cut leads from one to another.
+  // Joins all boundaries, so that no cut leads from one boundary to another.
   void join_cut_edges(boost::disjoint_sets_with_storage<>& sets) const
   {
     Edge_index first;
@@ -121,10 +121,10 @@ private:
   std::vector<char> m_contains;
 };
 
-// Returns an order in which edges of these lengths are crossed, the greatest number first. With few
-// digits, the longest edges come first, so that positions are propagated through large triangles.
-// With enough digits, the shortest edges come first. Then no small face is reached from another one
-// across large ones, and errors are small in proportion to both.
+// Returns the priorities of edges for the order of crossings: the edge with the greatest value
+// comes first. With few digits, the longest edges come first, so that positions are propagated
+// through large triangles. With enough digits, the shortest edges come first. Then no path between
+// small faces leads across large faces, and errors are proportional to the sizes of the faces.
 template <typename FT>
 std::vector<double> crossing_order(const std::vector<FT>& length)
 {
@@ -137,10 +137,10 @@ std::vector<double> crossing_order(const std::vector<FT>& length)
   return result;
 }
 
-// Cuts a surface into pieces that can be unfolded into the plane. `length` contains lengths of
-// edges, which are crossed in the order of `order`. `is_cut_edge` determines which edges are not
-// crossed, and `is_used` which faces are used. Every vertex whose faces cannot close up, a cone or
-// an end of a cut edge, is a terminal.
+// Cuts a surface into pieces that can be unfolded into the plane. `length` contains the lengths of
+// edges. Edges are crossed in the order that `order` determines. Edges marked by `is_cut_edge` are
+// not crossed, and only faces marked by `is_used` belong to pieces. Cones and the ends of cut
+// edges are terminals, because their faces do not close up in the plane.
 inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
                                const std::vector<double>& order,
                                const std::vector<char>& is_cut_edge,

@@ -24,13 +24,13 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes the point of hyperbolic space at which masses at infinity are balanced: the weighted sum
-// of their directions vanishes (Baden et al. 2018). One mass is at infinity of the upper
-// half-space. The others are in its boundary plane.
+// Computes the point of hyperbolic space that balances masses at infinity: the weighted sum of the
+// directions to the masses vanishes (Baden et al. 2018). One mass is at infinity of the upper
+// half-space. All other masses lie in the boundary plane of the half-space.
 //
-// Newton's method minimizes the weighted sum of the distances to horospheres, which is convex along
-// geodesics. A step leads from the center of the sphere of directions. After each step the plane is
-// shifted and scaled such that the center is the present point.
+// Newton's method minimizes the weighted sum of the distances to horospheres, which is convex
+// along geodesics. A step starts at the center of the sphere of directions. After each step, the
+// plane is shifted and scaled such that the current point becomes the center.
 template <typename FT>
 class Conformal_barycenter
 {
@@ -39,8 +39,9 @@ class Conformal_barycenter
 public:
   typedef std::array<FT, 2> Point;
 
-  // Computes the barycenter. Complexity: linear for each iteration. About five iterations are
-  // needed, plus at most the hyperbolic distance from the start to the result.
+  // Computes the barycenter. Complexity: linear in the number of masses for each iteration. The
+  // number of iterations is about five plus at most the hyperbolic distance from the start to the
+  // result.
   // \throws Numerical_error if the iteration does not converge because of rounding
   // \pre no mass is half of all masses or more
   Conformal_barycenter(const std::vector<Point>& position, const std::vector<double>& mass,
@@ -59,12 +60,12 @@ public:
     throw Intrinsic_triangulations::Numerical_error("the center of the sphere cannot be found");
   }
 
-  // Returns the point above the plane.
+  // Returns the point of the plane below the barycenter.
   const Point& base() const { return m_base; }
   const FT& height() const { return m_height; }
 
-  // Returns the position if the plane is shifted and scaled such that the point is at height one
-  // above the origin.
+  // Returns the position of `p` after the plane has been shifted and scaled such that the
+  // barycenter is at height one above the origin.
   Point centered(const Point& p) const
   {
     return {(p[0] - m_base[0]) / m_height, (p[1] - m_base[1]) / m_height};
@@ -72,10 +73,10 @@ public:
 
 private:
   static constexpr double longest_step = 8;
-  // The limit grows with the digits of `FT`.
+  // The limit of iterations grows with the number of digits of `FT`.
   static constexpr int iteration_limit = 10 * (std::numeric_limits<FT>::digits10 + 100);
 
-  // Starts above the mean, at the mean distance.
+  // Sets the start above the mean of the masses, at the mean distance from them.
   void start()
   {
     m_base = {FT(0), FT(0)};
@@ -97,7 +98,7 @@ private:
       m_height = distance / total;
   }
 
-  // Makes one step, and returns whether it was the last one.
+  // Makes one step. Returns whether it was the last one.
   bool iterate()
   {
     Vector sum = Vector::Zero();
@@ -107,12 +108,13 @@ private:
       sum += m_mass[v] * p;
       hessian += m_mass[v] * (Eigen::Matrix3d::Identity() - p * p.transpose());
     }
-    // If a quadratically convergent iteration stops to converge, the rounding of the point is the
-    // limit.
+    // If an iteration that converges quadratically makes no progress, rounding of the point limits
+    // it.
     const double last = std::exchange(m_norm, sum.norm());
     if(m_norm <= tolerance::center || (m_norm <= tolerance::near_center && m_norm > last / 2))
       return true;
-    // Masses in two points have no curvature along the line through both.
+    // If all masses lie in two points, the energy has no curvature along the line through both
+    // points.
     hessian += tolerance::least_curvature * Eigen::Matrix3d::Identity();
     const Vector step = hessian.ldlt().solve(sum);
     const double length = step.norm();
@@ -128,7 +130,7 @@ private:
         function(v);
   }
 
-  // Returns the direction of `v` as seen from the center; infinity is below.
+  // Returns the direction of `v` as seen from the center. Infinity is below.
   Vector direction(std::size_t v) const
   {
     if(v == m_at_infinity)
@@ -142,8 +144,7 @@ private:
             static_cast<double>((1 - square) * scale)};
   }
 
-  // Returns the slope of the distances along the geodesic with unit direction `d`, after length
-  // `t`.
+  // Returns the slope of the energy at parameter `t` of the geodesic with unit direction `d`.
   double slope(const Vector& d, double t) const
   {
     double result = 0;
@@ -155,8 +156,8 @@ private:
     return result;
   }
 
-  // Returns a length of the step. It exceeds the minimum only as far as the slope is at most half
-  // of the initial slope.
+  // Returns the length of the step. Beyond the minimum along the geodesic, a length is accepted
+  // only if the slope is at most half of the initial slope.
   double step_length(const Vector& d, double t) const
   {
     const double first = slope(d, 0);
@@ -179,12 +180,12 @@ private:
   }
 
   const std::vector<Point>& m_position;
-  std::vector<double> m_mass; // their sum is one
+  std::vector<double> m_mass; // the masses, whose sum is one
   std::size_t m_at_infinity;
   std::vector<Vector> m_direction;
   Point m_base;
   FT m_height;
-  double m_norm = 1; // of the sum of directions
+  double m_norm = 1; // the norm of the sum of directions
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

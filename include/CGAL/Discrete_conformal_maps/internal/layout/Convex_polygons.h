@@ -48,7 +48,8 @@ inline bool separates(const Convex_polygon& a, const Convex_polygon& b)
   return false;
 }
 
-// Returns the part of a polygon on the left of the line from `p` to `q` (Sutherland and Hodgman).
+// Returns the part of a polygon on the left of the line from `p` to `q` (Sutherland and Hodgman
+// 1974).
 inline Convex_polygon left_part(const Convex_polygon& polygon, const std::complex<double>& p,
                                 const std::complex<double>& q)
 {
@@ -81,10 +82,10 @@ inline Bbox_2 bounding_box(const Convex_polygon& polygon)
   return result;
 }
 
-// Computes the area that at least one of some convex polygons covers. A vertical line sweeps over
-// slabs between all corners and crossings, in which the covered height is linear. Complexity: O(n
-// log n) for n corners and crossings. For each of these it is linear, up to a logarithm, in the
-// polygons that the line meets.
+// Computes the area of the union of convex polygons. A vertical line sweeps over slabs between
+// consecutive corners and crossings. In a slab, the covered height is a linear function.
+// Complexity: O(n log n) for n corners and crossings, plus the number k of polygons at the line
+// for each of them, times log k.
 class Covered_area
 {
   typedef std::complex<double> Complex;
@@ -102,11 +103,11 @@ public:
   {
     if(m_polygons.size() == 1)
       return signed_area(m_polygons[0]);
-    std::vector<Box> waiting = m_boxes; // the leftmost last
+    std::vector<Box> waiting = m_boxes; // sorted such that the leftmost box is last
     std::sort(waiting.begin(), waiting.end(), [](const Box& a, const Box& b) {
       return std::pair(a.bbox().xmin(), a.info()) > std::pair(b.bbox().xmin(), b.info());
     });
-    std::vector<Box> met; // by the line
+    std::vector<Box> met; // the boxes that the line meets
     const std::vector<double> x = bounds_of_slabs();
     double sum = 0;
     for(std::size_t n = 1; n < x.size(); ++n) {
@@ -160,7 +161,7 @@ private:
       x.push_back((a + at_a / (at_a - at_b) * (b - a)).real());
   }
 
-  // Returns the covered height of a vertical line that meets some polygons.
+  // Returns the length of the part of a vertical line that some polygons cover.
   double covered_height(const std::vector<Box>& met, double x) const
   {
     std::vector<Interval> intervals;
@@ -191,7 +192,7 @@ private:
   }
 
   const std::vector<Convex_polygon>& m_polygons;
-  std::vector<Box> m_boxes; // of polygons that are not empty
+  std::vector<Box> m_boxes; // the boxes of polygons that are not empty
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -24,16 +24,16 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Computes the positions of the vertices of a doubled disk in the plane, with one vertex of the
-// boundary at infinity. The other vertices of the boundary are on the real line, the disk is above
-// it, and copies are mirror images. So only vertices of the disk are unknowns.
+// boundary at infinity. All other boundary vertices lie on the real line, and the disk lies above
+// this line. Copies are mirror images, so only the positions of vertices of the disk are unknowns.
 template <typename FT>
 class Half_plane_layout
 {
 public:
   typedef Plane_vector<FT> Vector;
 
-  // `unfolded` contains the positions in the plane up to a motion. Some copies may have none.
-  // Distances do not change.
+  // `unfolded` contains the positions in the plane up to a motion. Some copies may have no
+  // position. The layout preserves distances.
   Half_plane_layout(const Delta_complex& mesh, const Doubled_problem& problem,
                     const std::vector<std::optional<Vector>>& unfolded)
     : m_mesh(mesh), m_problem(problem), m_position(problem.size(), Vector{FT(0), FT(0)})
@@ -54,8 +54,8 @@ public:
         m_position[v.idx()].y = 0;
   }
 
-  // Minimizes a sum over all sides of faces of the double, among symmetric positions. A term is the
-  // squared change of the side, compared with `unfolded`, relative to its length.
+  // Minimizes a sum over all sides of faces of the double among symmetric positions. The term of a
+  // side is its squared change from `unfolded`, divided by its squared length.
   void distribute_errors(const Unfolded_faces<FT>& unfolded)
   {
     for(const auto coordinate : {&Vector::x, &Vector::y})
@@ -80,8 +80,7 @@ private:
       p = FT(-1) * p;
   }
 
-  // Finds the axis from two of its points that are far apart, or from a vertex and its mirror
-  // image.
+  // Finds the axis from two distant points on it, or from a vertex and its mirror image.
   void find_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
     std::vector<Vector> on_axis;
@@ -117,23 +116,24 @@ private:
       m_direction = FT(1 / length) * v;
   }
 
-  // Stores the shift of a vertex with the greatest length on its path from the axis.
+  // Stores the shift of a vertex, and the greatest length on the path from the axis to it.
   struct Shift
   {
-    FT size; // the square of the greatest length on the way
+    FT size; // the square of the greatest length on the path
     std::size_t vertex;
     FT by;
 
-    bool operator<(const Shift& other) const // the last in a queue
+    bool operator<(const Shift& other) const // compares for a queue
     {
       return size != other.size ? size > other.size : vertex > other.vertex;
     }
   };
   typedef std::priority_queue<Shift> Shifts;
 
-  // Shifts every vertex together with a vertex on the axis. Errors of positions are proportional to
-  // the greatest length between them, and faces beside the axis may be smaller than such errors. So
-  // each vertex gets the shift of the vertex on the axis that is reached by the shortest edges.
+  // Shifts every vertex together with a vertex on the axis. The error of a position is
+  // proportional to the greatest length on the path to it. Faces beside the axis may be smaller
+  // than such errors. So each vertex gets the shift of the axis vertex that it reaches by the
+  // shortest edges.
   void shift_to_axis(const std::vector<std::optional<Vector>>& unfolded)
   {
     Shifts queue = shifts_of_axis(unfolded);
@@ -154,8 +154,8 @@ private:
     }
   }
 
-  // Returns the shifts to the axis of vertices on the boundary, and of other points halfway between
-  // a vertex and its copy.
+  // Returns the shifts that move boundary vertices to the axis. For each other point, the shift
+  // moves the midpoint between the vertex and its copy.
   Shifts shifts_of_axis(const std::vector<std::optional<Vector>>& unfolded) const
   {
     Shifts result;
@@ -170,14 +170,15 @@ private:
     return result;
   }
 
-  // Returns the sign of a coordinate. Mirror images have the same abscissa and the opposite
-  // ordinate.
+  // Returns the sign of a coordinate under the reflection. Mirror images have equal abscissas and
+  // opposite ordinates.
   int sign(Vertex_index v, FT Vector::*coordinate) const
   {
     return is_copy(v) && coordinate == &Vector::y ? -1 : 1;
   }
 
-  // Fits a coordinate. If it has more digits than a shift, a second shift follows.
+  // Fits a coordinate by least squares. If the coordinate has more digits than a shift, a second
+  // shift follows.
   void fit(const Unfolded_faces<FT>& unfolded, FT Vector::*coordinate)
   {
     const auto for_each_side = [&](const auto& visit) {
@@ -208,8 +209,8 @@ private:
 
   const Delta_complex& m_mesh;
   const Doubled_problem& m_problem;
-  Vector m_origin{FT(0), FT(0)}, m_direction{FT(1), FT(0)}; // of the real line
-  std::vector<Vector> m_position;                           // of the vertices of the disk
+  Vector m_origin{FT(0), FT(0)}, m_direction{FT(1), FT(0)}; // origin and direction of the real line
+  std::vector<Vector> m_position;                           // positions of vertices of the disk
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -21,13 +21,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// Returns for each edge a distance of its faces: a third of the median in each face. Lengths are
-// sinh(x/2).
+// Returns for each edge a distance between its two faces. A face contributes a third of its median
+// at the edge. Lengths are given as sinh(x/2).
 inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
                                             const std::vector<double>& length)
 {
-  // The median m on the side c satisfies cosh m = (cosh a + cosh b) / (2 cosh(c/2)), without
-  // cancellation.
+  // The median m to the side c satisfies cosh m = (cosh a + cosh b) / (2 cosh(c/2)). The formula
+  // is evaluated without cancellation.
   const auto median = [&](Halfedge_index h) {
     const auto squared = [&](Halfedge_index x) {
       return length[Edge_index(x).idx()] * length[Edge_index(x).idx()];
@@ -43,9 +43,9 @@ inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
   return result;
 }
 
-// Lays out the faces of closed hyperbolic surfaces in the Poincare disk, side by side along a tree.
-// Each corner of a face has a frame. This is the motion that maps the origin to the corner, and the
-// real direction to the halfedge that starts at it.
+// Lays out the faces of closed hyperbolic surfaces in the Poincare disk, side by side along a
+// tree. Each corner of a face has a frame. The frame is the motion that maps the origin to the
+// corner, and the real direction to the halfedge that starts at the corner.
 template <typename FT>
 class Hyperbolic_faces
 {
@@ -65,14 +65,14 @@ public:
   // Returns the frame at the source of `h`, in the face of `h`.
   const Motion& frame(Halfedge_index h) const { return m_frame[h.idx()]; }
 
-  // Returns the motion that maps the face beyond `h` to its position beside the face of `h`.
+  // Returns the motion that moves the face beyond `h` to its position beside the face of `h`.
   Motion gluing(Halfedge_index h) const
   {
     return beyond(h) * m_frame[m_mesh.opposite(h).idx()].inverse();
   }
 
-  // Returns the error of the product of the motions around `v`. They map the faces around `v` to
-  // their positions, one after the other, and must close up.
+  // Returns the error of the product of the motions around `v`. The motions map the faces around
+  // `v` to their positions one after the other, so their product must be the identity.
   double gluing_error(Vertex_index v) const
   {
     Motion product;
@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  // Returns the frame of the opposite halfedge of `h` in the face beside the face of `h`.
+  // Returns the frame of the opposite halfedge of `h`, with its face beside the face of `h`.
   Motion beyond(Halfedge_index h) const
   {
     return m_frame[h.idx()] * m_along[Edge_index(h).idx()] * Motion::rotation(FT(0), FT(1));
@@ -115,8 +115,8 @@ private:
     using std::sqrt;
     const FT norm = sqrt(angle.cosine * angle.cosine + angle.sine * angle.sine);
     const bool is_obtuse = angle.cosine < 0;
-    // These are the cosine and the sine of half the angle, or the sine and the cosine if it is
-    // obtuse.
+    // The two numbers are the cosine and the sine of half the angle. If the angle is obtuse, they
+    // are the sine and the cosine.
     const FT greater = sqrt((norm + (is_obtuse ? FT(-angle.cosine) : angle.cosine)) / (2 * norm)),
              lesser = angle.sine / (2 * norm * greater);
     return is_obtuse ? Motion::rotation(greater, lesser) : Motion::rotation(lesser, greater);
@@ -141,8 +141,8 @@ private:
 
   const Delta_complex& m_mesh;
   const Cut_graph& m_cut;
-  std::vector<Motion> m_frame; // at the source of each halfedge
-  std::vector<Motion> m_along; // the translation by the length of each edge
+  std::vector<Motion> m_frame; // the frame at the source of each halfedge
+  std::vector<Motion> m_along; // the translation along each edge by its length
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

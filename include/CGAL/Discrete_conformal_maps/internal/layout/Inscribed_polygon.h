@@ -29,19 +29,20 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes the image of a disk with all vertices on the boundary. The mirror symmetry of its double
-// fixes all vertices of the ideal polyhedron. So it is the reflection in a plane that contains all
-// vertices, and the polyhedron is an ideal polygon seen from both sides. Its boundary consists of
-// the geodesics of the boundary of the disk, and every triangulation of it is one of the convex
-// hull.
+// Computes the image of a disk with all vertices on the boundary. The mirror symmetry of its
+// double fixes all vertices of the ideal polyhedron. So the symmetry is a reflection in a plane
+// that contains all vertices, and the polyhedron is an ideal polygon with two sides. The boundary
+// of the polygon consists of the geodesics of the boundary of the disk. Every triangulation of the
+// polygon is a triangulation of the convex hull.
 //
-// So no minimization is necessary. Edges of T_2 that cross the boundary are flipped. The chords
-// from the vertex at infinity follow from face to face by Ptolemy's relation, from sums, products
-// and quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
+// Therefore no minimization is necessary. Edges of T_2 that cross the boundary are flipped. The
+// chords from the vertex at infinity follow from face to face by Ptolemy's relation. The relation
+// needs only sums, products and quotients of positive numbers. The bounds of Section 4.4.3 are the
+// scale factors.
 //
-// Positions near infinity and near the origin have all digits, whatever their scale. So these two
-// points are as far from each other as possible. Even a strip whose ends are 1e-60 of its size then
-// keeps its vertices apart.
+// Positions near infinity and near the origin have all digits at any scale. Therefore the vertices
+// at infinity and at the origin are chosen as far from each other as possible. Then a strip whose
+// ends are 1e-60 of its size keeps its vertices apart.
 //
 // `FT` is the number type of lengths and positions.
 template <typename FT>
@@ -81,9 +82,9 @@ public:
 
   const Unfolded_sphere& result() const { return m_result; }
 
-  // Returns the logarithmic scale factors in the unit disk. Consider a vertex at x on the line, in
-  // units of `m_scale`, with a chord c from infinity. It has the factor 2 / (m_scale c^2 (1 +
-  // x^2)).
+  // Returns the logarithmic scale factors in the unit disk. Let x be the position of a vertex on
+  // the line in units of `m_scale`, and c its chord from infinity. Its scale factor is 2 /
+  // (m_scale c^2 (1 + x^2)).
   std::vector<More_extended> log_scales_in_disk() const
   {
     const More_extended unit = converted<More_extended>(m_scale);
@@ -100,8 +101,8 @@ public:
     return result;
   }
 
-  // Returns the lengths of the edges on the boundary of the surface with these scale factors, and
-  // zero for other edges.
+  // Returns the lengths of boundary edges of the surface with these scale factors, and zero for
+  // other edges.
   std::vector<double> side_lengths_in_disk() const
   {
     const std::vector<More_extended> u = log_scales_in_disk();
@@ -113,7 +114,7 @@ public:
     return result;
   }
 
-  // Returns whether a face of T_3 is a face of the polygon, not of its back.
+  // Returns whether a face of T_3 is a face of the front of the polygon, not of its back.
   bool is_original(Face_index f) const { return m_is_original[f.idx()]; }
 
 private:
@@ -122,8 +123,8 @@ private:
 
   void clear_positions() { m_position.assign(m_problem.size(), Point{FT(0), FT(0)}); }
 
-  // Completes the result. Scale factors need no search: every vertex is a neighbor of infinity, so
-  // that no angle is prescribed.
+  // Completes the result. Every vertex is a neighbor of infinity, so no angle is prescribed, and
+  // scale factors follow without a search.
   void complete_result()
   {
     m_result.layout.at_infinity = m_at_infinity;
@@ -135,7 +136,7 @@ private:
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
   }
 
-  // Flips until the edges of the boundary exist, and records which halfedges of T_3 have the
+  // Flips edges until all boundary edges exist. Records the halfedges of T_3 that have the
   // boundary on their right.
   void flip_to_boundary()
   {
@@ -160,7 +161,7 @@ private:
         }
   }
 
-  // Collects the faces of T_3 that triangulate the polygon, not its mirror image.
+  // Collects the faces of T_3 that triangulate the front of the polygon.
   void collect_original_faces()
   {
     m_is_original.assign(mesh().num_faces(), 0);
@@ -178,8 +179,8 @@ private:
     }
   }
 
-  // Computes the lengths of the chords from the vertex at infinity. Chords of its faces come first,
-  // and then, beyond each side, the chord to the opposite corner.
+  // Computes the lengths of the chords from the vertex at infinity. The faces at infinity come
+  // first. Then each face beyond a side determines the chord to its opposite corner.
   void measure_chords()
   {
     m_chord.assign(m_problem.size(), FT(1));
@@ -218,8 +219,8 @@ private:
     return result;
   }
 
-  // Returns the distance of the ends of a side in the plane (Equation 4.15: a horocyclic arc at
-  // infinity).
+  // Returns the distance between the ends of a side in the plane (Equation 4.15). It is the length
+  // of a horocyclic arc at infinity.
   FT gap(Halfedge_index h) const
   {
     return length(h) / m_chord[mesh().source(h).idx()] / m_chord[mesh().target(h).idx()];
@@ -234,8 +235,9 @@ private:
       [this](Halfedge_index h, Halfedge_index o) { return gap(h) < gap(o); });
   }
 
-  // Lays out the polygon with the center of mass in the center. If this needs more than 32 digits,
-  // the origin and infinity are at both ends, because positions beside the origin have all digits.
+  // Lays out the polygon such that the center of mass is the center. If this needs more than 32
+  // digits, the ends of the polygon are placed at the origin and at infinity. Positions
+  // beside the origin have all digits.
   void lay_out(const std::vector<double>& mass)
   {
     const std::vector<Halfedge_index> sides = sides_in_plane();
@@ -256,7 +258,7 @@ private:
       place(sides, end, FT(0));
   }
 
-  // Returns whether products of distances keep their digits.
+  // Returns whether products of distances are in the range of their type, and have all digits.
   bool is_in_range(const std::vector<Halfedge_index>& sides) const
   {
     if(std::is_same<FT, Long_number>::value)
@@ -289,8 +291,8 @@ private:
       mesh(), [this](Edge_index e) { return m_surface.length(e); }, m_position, m_at_infinity);
   }
 
-  // Places the source of a side at `x`, and all others beside it. Sums that start at this side lose
-  // the fewest digits.
+  // Sets the source of a side to `x`, and positions the other vertices beside it. Sums that start
+  // at this side lose the fewest digits.
   void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const FT& x)
   {
     at(mesh().source(sides[first])) = x;
@@ -304,8 +306,8 @@ private:
   const FT& at(Vertex_index v) const { return m_position[v.idx()][0]; }
 
   // Certifies the result. The corners of each face must be in cyclic order on the line through
-  // infinity. This suffices: faces on both sides of an edge do not overlap then, and all edges lie
-  // in one plane.
+  // infinity. This condition suffices: all edges lie in one plane, and the two faces of an edge do
+  // not overlap.
   void certify()
   {
     Convexity_certificate& certificate = m_result.layout.certificate = Convexity_certificate();
@@ -325,7 +327,7 @@ private:
     return ascents == 2 && descents == 1;
   }
 
-  // Returns 1 if `v` comes before `w`, where infinity comes after all others.
+  // Returns 1 if `v` comes before `w`. Infinity comes after all other vertices.
   int order_of(Vertex_index v, Vertex_index w) const
   {
     if(v == m_at_infinity || w == m_at_infinity)
@@ -335,14 +337,14 @@ private:
 
   Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
-  Ptolemy_surface<FT> m_surface;      // in T_3
-  std::vector<char> m_is_on_boundary; // of edges
-  // Stores the sides of the polygon, which is on their left, and their edges of the surface.
+  Ptolemy_surface<FT> m_surface;      // the surface T_3
+  std::vector<char> m_is_on_boundary; // for each edge
+  // Stores the sides of the polygon with their edges of the surface. The polygon is on the left.
   std::vector<std::pair<Halfedge_index, Edge_index>> m_sides;
-  std::vector<char> m_is_original; // of faces
+  std::vector<char> m_is_original; // for each face
   std::vector<FT> m_chord;
   std::vector<double> m_u;
-  std::vector<Point> m_position; // of the vertices of the surface itself, on a line
+  std::vector<Point> m_position; // the positions of the vertices of the surface itself, on a line
   FT m_scale = FT(1);
   Unfolded_sphere m_result;
 };

@@ -12,7 +12,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores lists of numbers, one after the other.
+// Stores lists of numbers in one array.
 class Number_lists
 {
 public:
@@ -23,8 +23,8 @@ public:
   std::size_t size(std::size_t i) const { return m_first[i + 1] - m_first[i]; }
   std::size_t operator()(std::size_t i, std::size_t k) const { return m_numbers[m_first[i] + k]; }
 
-  // Returns for each number below `n` the indices of the lists that contain it, in order. A list
-  // that contains it twice occurs twice. Complexity: linear.
+  // Returns for each number below `n` the indices of the lists that contain it, in order. If a
+  // list contains the number twice, its index occurs twice. Complexity: linear.
   Number_lists inverse(std::size_t n) const
   {
     Number_lists result;

@@ -19,15 +19,15 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Moves the corners of polygons, which are convex up to rounding, until no three corners of a
-// polygon, in order, turn right. Then no triangle is reversed, for any cut of polygons into
-// triangles. A triangle without area is not reversed. Points are in the plane, or vectors in space
-// that are seen from the origin.
+// Moves corners of polygons that are convex up to rounding. After the repair, no three corners of
+// a polygon, in their order, turn right. Then no triangle is reversed, whatever triangles a
+// polygon is cut into. A triangle without area is not reversed. Points are in the plane, or
+// vectors in space as seen from the origin.
 //
-// Exact predicates decide. A move is made only if it reduces the number of triples that turn right,
-// so the search ends. Moreover, its work is bounded. No coordinate of a point changes by more than
-// `maximum_move` units in the last place of the greatest one. Points stay in their bounding box,
-// and points on a side of it stay on this side.
+// Exact predicates decide. Each move reduces the number of triples that turn right, so the search
+// ends. The work of the search is bounded, too. No coordinate of a point changes by more than
+// `maximum_move` units in the last place of its greatest coordinate. Points stay in their bounding
+// box, and points on a side of the box stay on this side.
 template <std::size_t dimension>
 class Orientation_repair
 {
@@ -44,8 +44,7 @@ public:
       m_maximum_work((std::min)(std::size_t(30000000), 2000 * polygons.size()))
   {}
 
-  // Returns the polygons that remain reversed. If no polygon is reversed, the points do not
-  // change.
+  // Returns the polygons that remain reversed. If no polygon was reversed, no point moves.
   std::vector<std::size_t> run()
   {
     std::vector<std::size_t> result;
@@ -65,13 +64,13 @@ public:
 private:
   typedef Polygon_orientations<dimension> Orientations;
   typedef typename Orientations::Defects Defects;
-  typedef std::vector<std::pair<std::size_t, Point>> Positions; // of some corners
+  typedef std::vector<std::pair<std::size_t, Point>> Positions; // some corners with their positions
 
   struct Move
   {
     std::size_t corner;
     Point to;
-    Defects before, after; // around the corner
+    Defects before, after; // the defects around the corner before and after the move
 
     std::size_t gain() const { return before.reversed - after.reversed; }
     bool is_better_than(const Move& m) const
@@ -104,7 +103,7 @@ private:
     m_is_in_cluster.assign(m_points.size(), 0);
   }
 
-  // Returns the polygons that remain reversed, among these polygons and others that a move has
+  // Repairs these polygons, and polygons that a move reverses. Returns the polygons that remain
   // reversed.
   std::vector<std::size_t> mended(std::vector<std::size_t> polygons)
   {
@@ -119,8 +118,8 @@ private:
     return polygons;
   }
 
-  // Makes a move for polygon `i`, if possible one that flattens no triangle. Adds reversed polygons
-  // around it to a list. Returns false if no move exists.
+  // Makes a move for polygon `i`, preferably one that flattens no triangle. Appends the polygons
+  // around the corner that are reversed to a list. Returns false if no move exists.
   bool improve(std::size_t i, std::vector<std::size_t>& reversed)
   {
     return m_work < m_maximum_work &&
@@ -128,7 +127,7 @@ private:
             merge_corners(i, reversed) || slide_corners(i, reversed));
   }
 
-  // Moves a corner of polygon `i`. The shortest steps come first.
+  // Moves a corner of polygon `i`. Tries the shortest steps first.
   bool move_corner(std::size_t i, bool may_flatten, std::vector<std::size_t>& reversed)
   {
     for(int exponent = -2; (1 << (exponent + 2)) <= 4 * maximum_move; ++exponent) {
@@ -151,8 +150,8 @@ private:
       reversed.push_back(i);
   }
 
-  // Finds the best move of a corner by 2^exponent units that is better than `best` and improves
-  // polygon `i`.
+  // Finds the best move of a corner by 2^exponent units. The move must be better than `best`, and
+  // improve polygon `i`.
   void find_move(std::size_t i, std::size_t corner, int exponent, bool may_flatten, Move& best)
   {
     const Point from = m_points[corner];
@@ -177,8 +176,8 @@ private:
     });
   }
 
-  // Calls `f` with the vectors of length one in the maximum norm whose coordinates are multiples of
-  // one half, or of one in space.
+  // Calls `f` with vectors of maximum norm one. In the plane their coordinates are multiples of
+  // one half, in space integers.
   template <typename Function>
   static void for_each_direction(const Function& f)
   {
@@ -212,8 +211,8 @@ private:
     return true;
   }
 
-  // Moves points close to each other to one corner of polygon `i`, so that their triangles have no
-  // area. Merges as few points as possible.
+  // Merges points close to each other at one corner of polygon `i`, so that their triangles have
+  // no area. Merges as few points as possible.
   bool merge_corners(std::size_t i, std::vector<std::size_t>& reversed)
   {
     for(int size = 1; size <= maximum_move; size *= 2)
@@ -263,7 +262,7 @@ private:
     return false;
   }
 
-  // Returns the corners within `size` units of `center` that polygons connect to it.
+  // Returns the corners that polygons connect to `center` within `size` units of it.
   std::vector<std::size_t> cluster(std::size_t center, int size)
   {
     const Point& to = m_points[center];
@@ -288,8 +287,8 @@ private:
     return result;
   }
 
-  // Moves several corners, one after the other, beginning with polygon `i`. Each moves to the
-  // position at which the polygons around it extend least beyond their sides.
+  // Moves several corners one after the other, beginning with polygon `i`. Each corner moves to
+  // the position at which the polygons around it extend least beyond their sides.
   bool slide_corners(std::size_t i, std::vector<std::size_t>& reversed)
   {
     std::vector<std::size_t> waiting;
@@ -355,7 +354,7 @@ private:
   std::vector<Point> m_start; // the given points
   Point m_low, m_high;
   std::vector<char> m_is_in_cluster;
-  std::size_t m_maximum_work; // how many polygons may be looked at
+  std::size_t m_maximum_work; // the maximum number of polygons to examine
   std::size_t m_work = 0;
 };
 

@@ -23,10 +23,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes the positions of the vertices of a sphere in the plane, one of them at infinity.
-// `length` contains the lengths of edges in the plane; the remaining surface is flat (Section
-// 4.4.5). The existing part of a doubled disk has its axis on the real line, with the disk above
-// it.
+// Computes the positions of the vertices of a sphere in the plane, with one vertex at infinity.
+// `length` contains the lengths of edges in the plane. The surface without the vertex at infinity
+// is flat (Section 4.4.5). If the surface is a doubled disk, its axis is the real line, and the
+// disk lies above this line.
 template <typename FT>
 class Plane_layout
 {
@@ -60,12 +60,12 @@ public:
   }
 
 private:
-  // Errors are distributed with weights of sides that are squares in `double`. If sizes of faces
-  // are beyond its range, positions do not change, and have enough digits.
+  // The weights of sides for the distribution of errors are squares in `double`. If the sizes of
+  // faces exceed the range of `double`, positions do not change, because they have enough digits.
   static constexpr bool distributes_errors = !std::is_same<FT, Long_number>::value;
 
-  // Returns the finite faces that can be reached from a vertex inside the surface itself. Some
-  // copies are missing if more copies would be needed to reach them.
+  // Returns the finite faces that can be reached from an interior vertex of the surface itself.
+  // The result lacks copies of faces that only further copies lead to.
   std::vector<char> faces_in_plane() const
   {
     std::vector<char> is_finite(m_mesh.num_faces(), 1), is_reached(is_finite.size(), 0);
@@ -130,7 +130,7 @@ private:
       m_position[v.idx()] = layout.position(v);
   }
 
-  // Lays out a surface without finite faces: a path of edges on a line, from one end to the other.
+  // Lays out a surface without finite faces. It is a path of edges on a line.
   void lay_out_edges()
   {
     FT x(0);

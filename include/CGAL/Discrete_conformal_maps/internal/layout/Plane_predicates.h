@@ -22,8 +22,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Evaluates exact predicates on points with coordinates of type `double` or `Extended`, first by a
-// filter, then with all digits. A point that is not finite is on every line, circle and plane.
+// Evaluates exact predicates on points with coordinates of type `double` or `Extended`. A filter
+// comes first, and exact numbers follow if it fails. A point that is not finite is on every line,
+// circle and plane.
 template <typename FT>
 class Plane_predicates
 {
@@ -31,7 +32,7 @@ public:
   typedef std::array<FT, 2> Point;
   typedef Intrinsic_triangulations::Exact_ring Exact_ring;
 
-  // Returns 1 if `p`, `q`, `r` turn left, 0 if they are on a line, and -1 otherwise.
+  // Returns 1 if `p`, `q`, `r` turn left, 0 if they are collinear, and -1 if they turn right.
   int orientation(const Point& p, const Point& q, const Point& r) const
   {
     const FT unit = std::numeric_limits<FT>::epsilon();
@@ -44,7 +45,8 @@ public:
     return sign_of(cross(row<Exact_ring>(q, p), row<Exact_ring>(r, p)));
   }
 
-  // Returns 1 if `s` is inside the circle through `p`, `q`, `r`, if these turn left.
+  // Returns 1 if `s` is inside the circle through `p`, `q`, `r`, provided that these points turn
+  // left.
   int in_circle(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
     return sign_of_determinant(p, q, r, s);
@@ -67,7 +69,7 @@ private:
   static Exact_ring exact(double x) { return x; }
   static Exact_ring exact(const Extended& x) { return Exact_ring(x.high()) + Exact_ring(x.low()); }
 
-  // Returns an integer times a power of two exactly.
+  // Converts a number, which is an integer times a power of two, without rounding.
   template <typename Number>
   static Exact_ring exact(const Number& x)
   {
@@ -86,7 +88,7 @@ private:
 #if defined(CGAL_HAS_MPZF) && defined(CGAL_USE_MPFR)
     const auto z = static_cast<boost::multiprecision::mpz_int>(x);
     return Exact_ring(Gmpz(z.backend().data()));
-#else // a sum of numbers in `double`
+#else // sums numbers of type `double`
     Exact_ring result = 0;
     while(x != 0) {
       int exponent = 0;
@@ -125,7 +127,7 @@ private:
             difference<T>(p[2], origin[2])};
   }
 
-  // Returns the row of a point in the plane, lifted to a paraboloid above it.
+  // Returns the row of a determinant for a point of the plane that is lifted to a paraboloid.
   template <typename T>
   static Row<T> row(const Point& p, const Point& origin)
   {
@@ -156,7 +158,8 @@ private:
     return x > 0 ? 1 : x < 0 ? -1 : 0;
   }
 
-  // Returns whether the sign is certain. A product that underflows is not reliable.
+  // Returns whether the sign of a determinant is certain. It is not if a product may have
+  // underflowed.
   static bool is_certain(const FT& det, const FT& bound)
   {
     const FT least = (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();
@@ -172,8 +175,8 @@ private:
     return (is_finite(point) && ...);
   }
 
-  // Returns whether four points of the plane are two pairs of mirror images, hence on a circle. The
-  // double of a disk has many of these ties, for which exact numbers are slow.
+  // Returns whether four points of the plane are two pairs of mirror images, and hence cocircular.
+  // The double of a disk has many such ties, for which exact numbers are slow.
   template <typename Coordinates>
   static bool is_trapezoid(const Coordinates& p, const Coordinates& q, const Coordinates& r,
                            const Coordinates& s)

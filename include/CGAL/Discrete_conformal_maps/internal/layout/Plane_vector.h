@@ -11,8 +11,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Represents a vector in the plane that is multiplied as a complex number. `std::complex` supports
-// only built-in numbers.
+// Represents a vector in the plane with the product of complex numbers. `std::complex` supports
+// only built-in number types.
 template <typename FT>
 struct Plane_vector
 {

@@ -20,16 +20,16 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Determines which corners of polygons turn left and right. Points are in the plane, or vectors in
-// space that are seen from the origin.
+// Determines at which corners polygons turn left and right. Points are in the plane, or vectors in
+// space as seen from the origin.
 template <std::size_t dimension>
 class Polygon_orientations
 {
 public:
   typedef std::array<double, dimension> Point;
 
-  // Counts the triples of corners, in the order of the boundary, that turn right, and the triples
-  // on a line.
+  // Counts the triples of corners that turn right, and the collinear triples. The corners of a
+  // triple are in the order of the boundary.
   struct Defects
   {
     std::size_t reversed = 0, flat = 0;
@@ -61,7 +61,7 @@ public:
 
   bool is_reversed(std::size_t i) const { return defects(i).reversed > 0; }
 
-  // Returns the sum of the least heights of the triangles of corners that turn right, in units in
+  // Returns the sum of the least heights of all triangles of corners that turn right, in units in
   // the last place.
   double depth(std::size_t i) const
   {
@@ -97,7 +97,7 @@ private:
 
   const Point& at(std::size_t i, std::size_t k) const { return m_points[m_polygons(i, k)]; }
 
-  // Returns whether the polygon turns left at each corner, and is visible from the first corner.
+  // Returns whether the polygon turns left at each corner, and the first corner sees all others.
   bool is_strictly_convex(std::size_t i) const
   {
     const std::size_t n = m_polygons.size(i);

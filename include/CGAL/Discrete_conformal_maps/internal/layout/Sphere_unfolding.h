@@ -30,15 +30,16 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// States the purpose of an unfolded sphere.
+// Names the purpose of an unfolded sphere.
 enum class Unfolding_use
 {
   map,
-  rough_start,  // of a search, with few digits
-  precise_start // with the digits of `Extended`
+  rough_start,  // the start of a search, with few digits
+  precise_start // the start of a search, with the digits of `Extended`
 };
 
-// Unfolds a sphere from one of its vertices, with more and more digits until the result is good.
+// Unfolds a sphere from one of its vertices. Increases the number of digits until the result is
+// good.
 class Sphere_unfolding
 {
 public:
@@ -56,17 +57,17 @@ public:
     try {
       unfold(visitor);
     } catch(const Intrinsic_triangulations::Numerical_error& e) {
-      m_result.cause = e.what(); // what was found before stays
+      m_result.cause = e.what(); // an earlier result remains
     }
     if(m_number_of_edges != m_problem.triangulation().mesh().num_edges()) {
-      m_result.layout = Spherical_layout(); // the last one was for a smaller copy
+      m_result.layout = Spherical_layout(); // the last layout belongs to a smaller copy
       m_result.layout.at_infinity = m_at_infinity;
     }
     return std::move(m_result);
   }
 
 private:
-  // Returns whether the result is good. Rounding errors alone are far below the tolerance.
+  // Returns whether the result is good. The tolerance is far above rounding errors.
   bool is_good() const
   {
     return is_rough() ? m_result.layout.exists : m_result.is_good(tolerance::good_cross_ratio);
@@ -82,7 +83,7 @@ private:
     const bool is_found = search(
       rounded, is_rough() ? tolerance::gradient_without_circles : tolerance::gradient, visitor);
     if((is_found && m_use != Unfolding_use::precise_start) || m_problem.is_measured() || is_rough())
-      return; // lengths of the exact surface come next, or a better start
+      return; // lengths of the exact surface or a better start follow
     const std::vector<Extended> start = is_lost(rounded.result())
                                           ? flat_start(m_problem, m_at_infinity, visitor)
                                           : std::vector<Extended>();
@@ -95,7 +96,8 @@ private:
       search_beyond_range({}, visitor);
   }
 
-  // Searches with needles of the exact surface, and returns whether the result is good.
+  // Searches on the exact surface, whose needles have more digits. Returns whether the result is
+  // good.
   bool search_on_exact_surface(Any_visitor& visitor)
   {
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
@@ -112,7 +114,7 @@ private:
     return descend(most_precise, visitor);
   }
 
-  // Minimizes the energy of `scale`, and returns whether the result is good.
+  // Minimizes the energy of `scale`. Returns whether the result is good.
   template <typename FT>
   bool descend(Spherical_scale_factors<FT>& scale, Any_visitor& visitor)
   {
@@ -123,16 +125,15 @@ private:
     return is_good();
   }
 
-  // Returns whether the minimization has ended far from a minimum, so that more digits alone do not
-  // help.
+  // Returns whether the minimization has ended far from a minimum. Then more digits do not help.
   static bool is_lost(const Minimization_result& result)
   {
     return result.status != Minimization_status::converged &&
            result.status != Minimization_status::rounding_limit;
   }
 
-  // Finds scale factors beyond the range of `double`, from `start` on or from a guess. Returns
-  // whether the result is good.
+  // Finds scale factors beyond the range of `double`, starting from `start` or from an estimate.
+  // Returns whether the result is good.
   bool search_beyond_range(const std::vector<Extended>& start, Any_visitor& visitor)
   {
     Spherical_scale_factors<Wide_number<double>> rounded(m_problem, m_at_infinity);
@@ -145,7 +146,7 @@ private:
     return search(precise, tolerance::extended_gradient, visitor);
   }
 
-  // Searches scale factors up to `tolerance`, and returns whether the result is good.
+  // Searches for scale factors up to `tolerance`. Returns whether the result is good.
   template <typename FT>
   bool search(Spherical_scale_factors<FT>& scale, double tolerance, Any_visitor& visitor)
   {
@@ -198,7 +199,7 @@ private:
       lay_out(surface.mesh(), surface.flips(), lengths<Long_number>(surface));
   }
 
-  // Lays out with numbers of this type, and returns whether the result is good.
+  // Lays out the sphere with numbers of this type. Returns whether the result is good.
   template <typename Position_FT, typename FT>
   bool is_good_in(const Partially_decorated_surface<FT>& surface)
   {
@@ -220,9 +221,9 @@ private:
     return result;
   }
 
-  // Lays out the vertices in the plane. The inverse of the stereographic projection must have their
-  // center of mass in the center of the sphere. The triangulation is convex on the sphere. `flips`
-  // have led to the triangulation `mesh`.
+  // Lays out the vertices in the plane. After the inverse stereographic projection, the center of
+  // mass of the vertices is the center of the sphere, and the triangulation is convex. `mesh` is
+  // the triangulation after `flips`.
   template <typename FT>
   void lay_out(const Delta_complex& mesh, const std::vector<Halfedge_index>& flips,
                const std::vector<FT>& length)
@@ -247,9 +248,9 @@ private:
     compare(position);
   }
 
-  // Moves the center of mass of all vertices to the center of the sphere, and returns the factor by
-  // which the plane is scaled down. The mirror images of the vertices of a disk have mass, too: its
-  // axis stays the real line.
+  // Moves the center of mass of all vertices to the center of the sphere. Returns the factor by
+  // which the plane is scaled down. The mirror images of the vertices of a disk have masses, too,
+  // so that the real line remains the axis of the disk.
   template <typename Point>
   auto center(std::vector<Point>& points) const
   {
@@ -268,12 +269,12 @@ private:
     return center.height();
   }
 
-  // Compares the result with the ideal polyhedron and the bounds.
+  // Compares the result with the ideal polyhedron, and its scale factors with their bounds.
   template <typename FT>
   void compare(const std::vector<std::array<FT, 2>>& position)
   {
     typedef std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, double>
-      Length; // beyond the range of `double` only if positions are
+      Length; // exceeds the range of `double` only if positions do
     Ptolemy_surface<Length> ideal(m_problem.triangulation().mesh(),
                                   m_problem.template lengths<Length>(m_problem.triangulation()));
     ideal.replay(m_result.flips);

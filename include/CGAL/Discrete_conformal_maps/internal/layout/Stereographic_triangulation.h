@@ -21,10 +21,11 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Represents a triangulated sphere with vertices in the plane and one at infinity: the
-// stereographic projection of an inscribed polyhedron. It can be made exactly Delaunay, which is
-// convex on the sphere. A part of one half of a symmetric sphere may be missing if edges from the
-// other half do not reach it. Beyond its border, it is the mirror image of the other half.
+// Represents a triangulated sphere by vertices in the plane and one vertex at infinity. The plane
+// has the stereographic projection of an inscribed polyhedron. Flips can make the triangulation
+// exactly Delaunay, hence convex on the sphere. If the sphere is symmetric, a part of one half may
+// be missing that edges from the other half do not reach. Beyond the border of the missing part,
+// the triangulation is the mirror image of the other half.
 template <typename FT>
 class Stereographic_triangulation
 {
@@ -50,8 +51,9 @@ public:
     return true;
   }
 
-  // Flips edges that are not convex, as far as possible; rounding has left a few. The loop ends
-  // even if triangles are flipped, because the surface of the polyhedron only grows outwards.
+  // Flips edges that are not convex, as far as possible. Rounding leaves only few such edges. Each
+  // flip moves the surface of the polyhedron outwards, so the loop ends even if triangles are
+  // reversed.
   std::vector<Halfedge_index> make_convex()
   {
     std::vector<Halfedge_index> flips;
@@ -67,8 +69,8 @@ public:
     return flips;
   }
 
-  // Returns the certificate. A surface without a face in the plane is a flat polygon, seen from
-  // both sides, and counts as convex.
+  // Returns the certificate. A surface without a face in the plane is a flat polygon with two
+  // sides, and counts as convex.
   Convexity_certificate certificate() const
   {
     Convexity_certificate result;
@@ -91,9 +93,9 @@ public:
 private:
   const Point& at(Vertex_index v) const { return m_position[v.idx()]; }
 
-  // Returns whether the edge ij of the faces ijk and jil is concave from outside, because l is
-  // inside the circle ijk. A border has the mirror image of another edge beside it, and is not
-  // concave.
+  // Returns whether the edge ij of the faces ijk and jil is concave as seen from outside. It is
+  // concave if l is inside the circle through i, j and k. A border edge lies beside a mirror
+  // image, and is never concave.
   bool is_concave(Halfedge_index h) const
   {
     if(m_mesh.is_border(Edge_index(h)))
@@ -103,8 +105,8 @@ private:
                       m_mesh.target(m_mesh.next(o))}) > 0;
   }
 
-  // Returns the predicate for a circle or, through infinity, a line. An exchange of two points
-  // changes the sign.
+  // Returns the predicate for a circle, or for a line if one point is infinity. An exchange of two
+  // points changes the sign.
   int in_circle(const std::array<Vertex_index, 4>& v) const
   {
     for(std::size_t a = 0; a < 4; ++a)
@@ -119,8 +121,8 @@ private:
     return m_predicates.in_circle(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
   }
 
-  // Returns the number of local maxima of the boundary of the part in the plane. A closed curve
-  // that always turns left has as many as turns.
+  // Returns the number of local maxima on the boundary of the part in the plane. If a closed curve
+  // always turns left, this number is its number of turns.
   std::size_t number_of_local_maxima() const
   {
     std::size_t result = 0;

@@ -35,10 +35,10 @@ struct Unfolded_sphere
 {
   Spherical_layout layout;
   std::vector<double> log_scale;        // of the polyhedron, at the vertices of the surface itself
-  std::vector<Scale_in_plane> in_plane; // at the same vertices, or empty
-  std::vector<Halfedge_index> flips;    // from T_2 to T_3
+  std::vector<Scale_in_plane> in_plane; // for the same vertices, or empty
+  std::vector<Halfedge_index> flips;    // the flips from T_2 to T_3
   Minimization_result minimization;
-  double angle_error = std::numeric_limits<double>::infinity(); // in the plane, where it is flat
+  double angle_error = std::numeric_limits<double>::infinity(); // the error in the flat plane
   double cross_ratio_error = std::numeric_limits<double>::infinity();
   std::string cause; // the message of the error that has ended the search for a good result
 
@@ -53,8 +53,8 @@ struct Unfolded_sphere
     return is_certified() && cross_ratio_error <= greatest_error;
   }
 
-  // Returns the logarithmic scale factor of a vertex of the surface itself with all digits. It is
-  // rounded if positions exceed their range.
+  // Returns the logarithmic scale factor of a vertex of the surface itself with all digits. The
+  // result is rounded to `double` if positions exceed their range.
   Extended precise_log_scale(Vertex_index v) const
   {
     const double rounded = log_scale[v.idx()], shift = log_scale[layout.at_infinity.idx()];
@@ -66,7 +66,7 @@ struct Unfolded_sphere
     return std::abs(result.high() - rounded) < tolerance::bound ? result : Extended(rounded);
   }
 
-  // Compares results. Certified results come first, then results with less error.
+  // Compares results. Certified results come first, and then results with smaller errors.
   bool operator<(const Unfolded_sphere& other) const
   {
     return is_certified() != other.is_certified() ? is_certified()
@@ -74,8 +74,8 @@ struct Unfolded_sphere
   }
 };
 
-// Returns positions in the plane as a map stores them. Positions whose squares are beyond the
-// range of `double` cannot be distinguished from infinity.
+// Returns positions in the plane as a map stores them. If the square of a position exceeds the
+// range of `double`, the position cannot be distinguished from infinity.
 template <typename FT>
 std::vector<std::array<Extended, 2>>
 in_range_of_squares(const std::vector<std::array<FT, 2>>& position)
@@ -96,10 +96,11 @@ double log_of_one_plus(const Number& x)
   return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
 }
 
-// Returns the logarithmic scale factors of lengths on the sphere. The first part are the factors of
-// the plane, `u`, which is scaled down by `plane_scale` to `position`. The second part are the
-// factors of the stereographic projection. At infinity, where neighbors have the distance one of
-// horocycles, only the second part exists. The factors of isolated vertices of `surface` are zero.
+// Returns the logarithmic scale factors of lengths on the sphere. A factor has two parts. The
+// first part comes from the plane: `u`, with the scaling by `plane_scale` that leads to
+// `position`. The second part comes from the stereographic projection. At infinity, only the
+// second part exists, because neighbors have the distance one in horocycles. Isolated vertices of
+// `surface` get zero.
 template <typename FT>
 std::vector<double> spherical_log_scales(const std::vector<double>& u, const FT& plane_scale,
                                          const std::vector<std::array<FT, 2>>& position,

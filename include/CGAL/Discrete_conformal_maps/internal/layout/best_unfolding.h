@@ -20,10 +20,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Unfolds a sphere from several vertices, unless their searches have done all work that a map may
-// take. Returns the first good result, or else the best one.
-// Results with different copies of a disk cannot be compared: unless the first is good, they have
-// the whole copy. `mass` has the mass of each vertex of the surface.
+// Unfolds a sphere from several vertices, until a result is good or the searches have reached the
+// limit of work for a map. Returns the first good result, or else the best one.
+// Results with different copies of a disk cannot be compared. So later results contain the whole
+// copy unless the first result is good. `mass` has the mass of each vertex of the surface.
 inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
                                       Any_visitor& visitor, Unfolding_use use = Unfolding_use::map)
 {
@@ -37,10 +37,10 @@ inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vecto
   };
   Unfolded_sphere best = unfolded(vertices.front());
   if(problem.is_measured())
-    return best; // lengths of the exact surface come next
+    return best; // lengths of the exact surface follow
   if(!is_good(best) && problem.complete())
     best = unfolded(vertices.front());
-  // Vertices far apart in the order of areas are most likely far apart on the surface.
+  // Vertices with distant ranks in the order of areas are most likely distant on the surface.
   const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
   for(std::size_t i = stride; !is_good(best) && problem.work().left() > 0 && i < vertices.size() &&
                               i < maximum_number_of_trials * stride;

@@ -18,8 +18,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns, for each vertex of the surface, a third of the area of the faces of the double around
-// it.
+// Returns, for each vertex of the surface, a third of the total area of its faces in the double.
 inline std::vector<double> vertex_areas(const Doubled_problem& problem)
 {
   const auto& triangulation = problem.triangulation();
@@ -39,9 +38,9 @@ inline std::vector<double> vertex_areas(const Doubled_problem& problem)
   return result;
 }
 
-// Returns the vertices from which a surface is unfolded best, the best first. They are vertices
-// with much area, because all others are visible from them. If the surface has a boundary, they are
-// on it.
+// Returns candidates for the vertex at infinity, the best one first. Vertices with large areas are
+// the best ones, because all other vertices are visible from them. If the surface has a boundary,
+// only boundary vertices are candidates.
 inline std::vector<Vertex_index> vertices_at_infinity(const Doubled_problem& problem,
                                                       const std::vector<double>& area)
 {
@@ -58,7 +57,7 @@ inline std::vector<Vertex_index> vertices_at_infinity(const Doubled_problem& pro
   return result;
 }
 
-// Returns whether a vertex of the surface is not on its boundary.
+// Returns whether the surface has an interior vertex.
 inline bool has_vertices_inside(const Doubled_problem& problem)
 {
   const auto vertices = problem.surface().vertices();

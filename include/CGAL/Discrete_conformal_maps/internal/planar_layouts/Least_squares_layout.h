@@ -21,16 +21,16 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores the change of a side of a face, along one axis: `x[to] - sign * x[from]` is to change by
-// `change`. If the sign is -1, one end is the mirror image of a point.
+// Stores the required change of a side of a face along one axis: `x[to] - sign * x[from]` should
+// change by `change`. If the sign is -1, one end is the mirror image of a point.
 struct Side_change
 {
   int from, to, sign;
   double weight, change;
 };
 
-// Shifts points on a line such that sides of faces change by given amounts, in the sense of
-// weighted least squares.
+// Shifts points on a line such that sides of faces change by given amounts. Solves for the shifts
+// by weighted least squares.
 class Least_squares_shift
 {
 public:
@@ -53,8 +53,8 @@ public:
     });
   }
 
-  // Fixes point `i`. Points without sides are fixed, too. One point of each component that sides
-  // connect must be fixed, unless one of its signs is -1.
+  // Fixes point `i`. Points without sides are fixed automatically. In each set of points that
+  // sides connect, the caller fixes one point, unless one of the signs is -1.
   void fix(int i) { m_is_held[static_cast<std::size_t>(i)] = 1; }
 
   // `order` is the elimination order of the points.
@@ -64,11 +64,11 @@ public:
       m_entries.emplace_back(static_cast<int>(i), static_cast<int>(i), m_diagonal[i]);
     Eigen::SparseMatrix<double> matrix(m_diagonal.size(), m_diagonal.size());
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
-    std::vector<Eigen::Triplet<double>>().swap(m_entries); // the factor comes in its place
+    std::vector<Eigen::Triplet<double>>().swap(m_entries); // the factor replaces them
     m_solver.emplace(matrix, m_is_held, order);
   }
 
-  // Returns the right side for these changes.
+  // Returns the right-hand side for these changes.
   template <typename For_each_side>
   Vector right_side(const For_each_side& for_each_side) const
   {
@@ -91,21 +91,21 @@ public:
   }
 
 private:
-  std::vector<Eigen::Triplet<double>> m_entries; // beside the diagonal
+  std::vector<Eigen::Triplet<double>> m_entries; // entries outside the diagonal
   Vector m_diagonal;
   std::vector<char> m_is_held;
   std::optional<Dirichlet_solver> m_solver;
 };
 
-// Returns the weight of a side: changes are relative to its length.
+// Returns the weight of a side. It makes changes relative to the length of the side.
 template <typename FT>
 double side_weight(const FT& length)
 {
   return static_cast<double>(1 / (length * length));
 }
 
-// Shifts the points such that the sum of the squared changes of all sides of faces, relative to
-// their lengths, is least.
+// Shifts the points such that the sum of the squared relative changes of all sides of faces is
+// minimal.
 struct Least_squares_layout
 {
   template <typename FT>
@@ -130,11 +130,11 @@ struct Least_squares_layout
         shift.fix(int(faces.point(faces.mesh().halfedge(step.face))));
     const Eigen::VectorXd x = shift.right_side(along_x), y = shift.right_side(along_y);
     if(std::is_same<FT, double>::value)
-      faces.drop_sides(); // the factor comes in their place
+      faces.drop_sides(); // the factor replaces them
     shift.factorize(order.refined(faces.vertices));
     shift.shift(x, faces.positions, &Vector::x);
     shift.shift(y, faces.positions, &Vector::y);
-    // With more digits than shifts have, a second shift removes the remaining errors.
+    // If numbers have more digits than shifts, a second shift removes the remaining errors.
     if(!std::is_same<FT, double>::value) {
       shift.shift(shift.right_side(along_x), faces.positions, &Vector::x);
       shift.shift(shift.right_side(along_y), faces.positions, &Vector::y);

@@ -25,17 +25,18 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Computes the spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008). It is the
-// eigenvector of L z = lambda B z with the least eigenvalue beside the constants. Here z^* L z is
-// the conformal energy, the Dirichlet energy minus the area, and z^* B z is the mean square on the
-// boundary.
+// Computes the spectral conformal layout of a chart (Mullen, Tong, Alliez, Desbrun 2008). It is
+// the eigenvector of L z = lambda B z with the least eigenvalue besides the constant vectors. Here
+// z^* L z is the conformal energy, which is the Dirichlet energy minus the area. The term z^* B z
+// is the mean square on the boundary.
 //
-// L is a sum over faces of |r|^2 / (8 area). Here r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0)
-// vanishes if the image is similar to the face. Sizes of faces may differ by a factor of 1e20, and
-// an eigenvector as a whole has no digits for the small ones. So the inverse iteration z <- L^-1
-// (lambda B z), with the Rayleigh quotient lambda, is computed as z - L^-1 (L z - lambda B z). The
-// unknown is the correction of a layout, and r is computed from differences. On a flat chart L has
-// one more vector in its kernel, the layout; its scale is left unchanged.
+// L is a sum over faces of |r|^2 / (8 area) with r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0). The
+// residual r vanishes if the image is similar to the face. Sizes of faces may differ by a factor
+// of 1e20, and the eigenvector as a whole has no digits for small faces. So the inverse iteration
+// z <- L^-1 (lambda B z) with the Rayleigh quotient lambda is computed as z - L^-1 (L z - lambda B
+// z). The solution of the linear system is a correction of the layout, and r is computed from
+// differences. On a flat chart, the kernel of L also contains the layout, whose scale is left
+// unchanged.
 template <typename FT>
 class Spectral_chart
 {
@@ -44,10 +45,10 @@ public:
   typedef std::array<std::size_t, 3> Points;
   typedef std::array<Vector, 3> Sides;
 
-  // Side `s` leads from point `s` to the next.
+  // Side `s` leads from point `s` to the next point.
   void add_face(const Points& point, const Sides& side)
   {
-    std::size_t first = 0; // the shortest: differences to it lose no digits on needles
+    std::size_t first = 0; // the shortest side: differences to it lose no digits on needles
     for(std::size_t s : {1u, 2u})
       if(norm(side[s]) < norm(side[first]))
         first = s;
@@ -62,16 +63,16 @@ public:
     m_boundary.push_back({i, j, length});
   }
 
-  // Improves a layout of the chart as long as corrections get smaller and, up to rounding, the
-  // energy does not rise. The area of the result is the area of the faces. A chart with a face
-  // without area does not change. `order` is the elimination order of the points.
+  // Improves a layout of the chart while corrections get smaller and the energy does not rise by
+  // more than rounding. The area of the result is the area of the faces. If a face has no area,
+  // the chart does not change. `order` is the elimination order of the points.
   // \throws Numerical_error if L has no factorization
   void improve(std::vector<Vector>& z, const Shared_order& order = {}) const
   {
     Energy energy = evaluate(z);
     if(!std::isfinite(energy.value))
       return;
-    std::vector<std::size_t> point(2 * z.size()); // of each coordinate
+    std::vector<std::size_t> point(2 * z.size()); // the point of each coordinate
     for(std::size_t k = 0; k < point.size(); ++k)
       point[k] = k / 2;
     Dirichlet_solver solver(matrix(z.size()), held_points(z), order.refined(point, 2));
@@ -108,7 +109,7 @@ private:
   struct Energy
   {
     double value;             // z^* L z
-    Eigen::VectorXd gradient; // L z; real and imaginary parts by turns
+    Eigen::VectorXd gradient; // L z, with real and imaginary parts alternating
   };
 
   static FT quadrupled_area(const Sides& side)
@@ -144,7 +145,7 @@ private:
     return result;
   }
 
-  // Returns the lumped B z, for a translate of `z` with mean zero on the boundary.
+  // Returns B z with lumped B, for a translate of `z` whose mean on the boundary is zero.
   Eigen::VectorXd boundary_moment(const std::vector<Vector>& z) const
   {
     std::complex<double> mean(0);
@@ -198,8 +199,8 @@ private:
     return result;
   }
 
-  // Returns two points that are fixed because L has a kernel: the first one and the point farthest
-  // from it.
+  // Returns two points that are fixed because L has a kernel. They are the first point and the
+  // point farthest from it.
   static std::vector<char> held_points(const std::vector<Vector>& z)
   {
     std::size_t far = 0;
@@ -229,7 +230,7 @@ private:
       wanted += FT(1) / (4 * f.weight);
       area += (conj(image(f, 0, z)) * image(f, 1, z)).y;
     }
-    if(!(area > 0)) // it has collapsed
+    if(!(area > 0)) // the layout has collapsed
       return;
     const FT factor = sqrt(wanted / area);
     for(Vector& p : z)

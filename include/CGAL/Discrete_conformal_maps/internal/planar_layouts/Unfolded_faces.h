@@ -23,12 +23,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Cut_graph;
 
-// Unfolds the faces of a flat surface with cones into the plane one after the other. Directions are
-// turned by the angles of faces, so that differences of positions beside large faces do not affect
-// small faces. Corners without a seam between them are one point.
+// Unfolds the faces of a flat surface with cones into the plane, one after the other. Directions
+// are rotated by the angles of faces, and not computed from positions. Thus rounding of positions
+// beside large faces does not affect small faces. Corners without a seam between them are one
+// point.
 //
-// A planar layout is a function object. `layout(faces, order)` moves the points of unfolded faces.
-// Rounding has shifted them between faces that were reached on different paths. `order` is the
+// A planar layout is a function object. `layout(faces, order)` moves the points of unfolded faces,
+// because rounding has shifted faces that were reached on different paths. `order` is the
 // elimination order of the vertices. Models: `Incremental_layout`, `Least_squares_layout` and
 // `Spectral_layout`.
 template <typename FT_>
@@ -66,13 +67,13 @@ public:
 
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
-  // Returns the vector of `h` in its face, without the errors of positions.
+  // Returns the vector of `h` in its face. It is free of the errors of positions.
   Vector side(Halfedge_index h) const { return length(h) * m_direction[h.idx()]; }
 
-  // Frees the memory of directions, so that sides no longer exist.
+  // Frees the memory of directions. Sides no longer exist after the call.
   void drop_sides() { std::vector<Vector>().swap(m_direction); }
 
-  // Calls `visit(h)` for the sides of all faces, in the order in which they are joined.
+  // Calls `visit(h)` for the sides of all faces, in the order in which the faces were joined.
   template <typename Visit>
   void for_each_side(const Visit& visit) const
   {
@@ -81,11 +82,11 @@ public:
         visit(h);
   }
 
-  std::vector<Vector> positions;      // of all points
+  std::vector<Vector> positions;      // the positions of all points
   std::vector<Vertex_index> vertices; // the vertex of each point
 
 private:
-  // Places the source of the halfedge `h` at its position in the face beyond it, or at the origin.
+  // Positions the source of the halfedge `h` as in the face beyond it, or at the origin.
   void start(Halfedge_index h, bool is_entry, std::vector<Vector>& position)
   {
     const Halfedge_index o = m_mesh.opposite(h);
@@ -94,7 +95,7 @@ private:
     m_direction[h.idx()] = is_entry ? FT(-1) * m_direction[o.idx()] : Vector{FT(1), FT(0)};
   }
 
-  // Places the other corners of the face.
+  // Positions the other corners of the face.
   void place(Halfedge_index h, std::vector<Vector>& position)
   {
     const Halfedge_index n = m_mesh.next(h), p = m_mesh.prev(h);
@@ -107,7 +108,7 @@ private:
                           : position[h.idx()] + (-length(p)) * m_direction[p.idx()];
   }
 
-  // Returns the turn of the boundary of a face at the source of `h`, which is pi minus its angle.
+  // Returns the exterior angle of a face at the source of `h`, as a unit vector.
   Vector turn(Halfedge_index h) const
   {
     using std::sqrt;
@@ -120,7 +121,7 @@ private:
     return {-cosine / norm, sine / norm};
   }
 
-  // Unites corners without a seam between them, which differ slightly by rounding.
+  // Unites corners that no seam separates. Their positions differ slightly by rounding.
   void unite_corners(Vertex_index v, const std::vector<Vector>& position)
   {
     m_cut.for_each_corner(v, [&](Halfedge_index h, Halfedge_index first) {
@@ -135,8 +136,8 @@ private:
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
   const Cut_graph& m_cut;
-  std::vector<Vector> m_direction;               // of each halfedge
-  std::vector<Delta_complex::size_type> m_point; // at the source of each halfedge
+  std::vector<Vector> m_direction;               // the direction of each halfedge
+  std::vector<Delta_complex::size_type> m_point; // the point at the source of each halfedge
 };
 
 // Leaves the points at their unfolded positions. Errors add up from face to face.

@@ -28,20 +28,21 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Lays out a surface as a polygon with two sides, in the plane z = 0.
+// Lays out a surface as a polygon with two sides in the plane z = 0.
 //
-// Folding a convex polygon flat lengthens no path. So the distance of two corners on its surface is
-// their distance in the plane, and the distances from three corners determine all positions. If a
-// polygon is thin, these have few digits, but enough for a triangulation without edges across the
-// rim. Its faces on the upper side determine the positions by their lengths.
+// Folding a convex polygon flat lengthens no path. So the distance between two corners on the
+// surface is their distance in the plane, and the distances from three corners determine all
+// positions. Positions in a thin polygon have few digits. The digits suffice to find a
+// triangulation without edges across the rim. The faces on its upper side then determine positions
+// by their lengths.
 class Polygon_layout
 {
   typedef Double_double Number;
 
 public:
-  // With the squared distances from a point as weights, all triangulations of both sides are
-  // weighted Delaunay. Weights that are less by this fraction choose between them. The fraction is
-  // greater than rounding, and so small that thin polygons have no edges across the rim.
+  // If the weights are the squared distances from a point, all triangulations of both sides are
+  // weighted Delaunay. Weights that are reduced by this fraction select one of them. The fraction
+  // exceeds rounding, and is so small that thin polygons get no edges across the rim.
   static constexpr double less_weight = 0x1p-46;
 
   // \throws Numerical_error if the surface is too thin for the search for distances
@@ -52,16 +53,17 @@ public:
       m_exists = m_exists && triangulate() && lay_out();
   }
 
-  // Returns whether the upper side has all vertices. It is no proof that the surface is a polygon.
+  // Returns whether all vertices lie on the upper side. This does not prove that the surface is a
+  // polygon.
   bool exists() const { return m_exists; }
-  // Returns the surface with the triangulation that has the sides of the polygon as edges.
+  // Returns the surface with a triangulation whose edges include the sides of the polygon.
   const Metric_surface& surface() const { return m_surface; }
   const std::vector<Precise_vector>& positions() const { return m_positions; }
 
 private:
-  // The second triangulation is made from positions with all digits.
+  // The second triangulation is computed from positions with all digits.
   static constexpr int rounds = 2;
-  // Stops searches around very thin surfaces.
+  // Stops the search for distances on very thin surfaces.
   struct Window_limit
   {
     std::size_t rest;
@@ -96,8 +98,8 @@ private:
                                     values.begin());
   }
 
-  // Returns positions with two distant vertices on the x-axis. The third vertex that determines
-  // signs is the farthest one from the axis.
+  // Returns positions such that two distant vertices lie on the x-axis. The vertex farthest from
+  // the axis determines the signs of ordinates.
   std::vector<Precise_vector> positions_by_distances() const
   {
     const std::size_t a = greatest(distances(0));
@@ -140,7 +142,8 @@ private:
     return cross(at(1) - at(0), at(2) - at(0)).z;
   }
 
-  // Lays out the faces above, one after the other. Returns whether they have all vertices.
+  // Lays out the faces of the upper side one after the other. Returns whether they contain all
+  // vertices.
   bool lay_out()
   {
     const auto faces = mesh().faces();
@@ -170,7 +173,7 @@ private:
     return std::find(is_placed.begin(), is_placed.end(), false) == is_placed.end();
   }
 
-  // Places the corner opposite to `h` on its left.
+  // Positions the corner opposite to `h` on the left of `h`.
   void place(Halfedge_index h)
   {
     const Number a = m_surface.length(h), b = m_surface.length(mesh().next(h)),
