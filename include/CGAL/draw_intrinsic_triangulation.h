@@ -70,7 +70,7 @@ void add_to_scene(const Intrinsic_triangulation<Traits>& tri, const PointMap& po
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// adds \f$T_2\f$ on the surface of \f$T_1\f$ to `scene`. Faces of the common subdivision have a
 /// color for each face of \f$T_2\f$. Edges of \f$T_2\f$ are red, over gray edges of \f$T_1\f$. It
-/// needs CGAL 6 or later.
+/// needs CGAL 6 or later. Complexity: linear in the size of the common subdivision.
 ///
 /// \param tri the triangulation
 /// \param positions a readable property map from the vertices of \f$T_1\f$ to points of a kernel
@@ -93,7 +93,7 @@ void add_to_graphics_scene(const Intrinsic_triangulations::Intrinsic_triangulati
 /// `add_to_graphics_scene()` does. It returns when the user closes the window. As other functions
 /// `draw()` of CGAL it requires `CGAL_Qt6` (`CGAL_Qt5` with CGAL 5). It is only available if the
 /// macro `CGAL_USE_BASIC_VIEWER` is defined, which the CMake target `CGAL::CGAL_Basic_viewer`
-/// does.
+/// does. Complexity: the complexity of `add_to_graphics_scene()`.
 ///
 /// \param tri the triangulation
 /// \param positions a readable property map from the vertices of \f$T_1\f$ to points of a kernel

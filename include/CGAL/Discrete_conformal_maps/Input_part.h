@@ -73,8 +73,8 @@ private:
 };
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns whether the two faces of the edge `e` of the subdivision belong to the input and lie
-/// apart in the image.
+/// returns whether the two faces of the edge `e` of the subdivision belong to `part` and lie apart
+/// in the image under `map`. Complexity: constant.
 /// \tparam Map `Planar_conformal_map` or `Hyperbolic_conformal_map`
 template <typename Map>
 bool is_seam(const Map& map, const Input_part& part, Edge_index e)

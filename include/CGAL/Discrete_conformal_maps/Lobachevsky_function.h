@@ -52,7 +52,7 @@ FT odd_series(const FT& x, const Factor& factor)
 /// \ingroup PkgDiscreteConformalMapsFormulas
 /// returns Milnor's Lobachevsky function \f$Л(\theta) = -\int_0^\theta \log |2 \sin u|\,du\f$ for
 /// \f$0 \le \theta \le \pi\f$, to full precision. It is half of Clausen's function of the double
-/// angle, computed by expansions around 0 and \f$\pi\f$.
+/// angle, computed by expansions around 0 and \f$\pi\f$. Complexity: linear in the digits of `FT`.
 /// \tparam FT a floating point type, of any precision
 template <typename FT>
 FT Lobachevsky_function(const FT& theta)

@@ -108,7 +108,8 @@ inline const char* to_string(Map_status status) { return internal::text_of(statu
 inline const char* message(Map_status status) { return internal::text_of(status).message; }
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// returns advice after `status`, as part of a sentence for users; empty after success.
+/// returns advice after `status`, as part of a sentence for users; empty after success. Complexity:
+/// constant.
 inline const char* advice(Map_status status) { return internal::text_of(status).advice; }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -15,9 +15,9 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns the images in the Poincare disk of the corners of a part, in their order. They are
-/// rounded such that no face is reversed, if that is possible (\ref dcm_reversed). Complexity:
-/// linear, without faces that are reversed at first.
+/// returns the images in the Poincare disk under `map` of the corners of a part, in their order.
+/// They are rounded such that no face is reversed, if that is possible (\ref dcm_reversed).
+/// Complexity: linear if rounding reverses no face.
 inline Rounded_points<std::array<double, 2>> texture_points(const Hyperbolic_conformal_map& map,
                                                             const Input_part& part,
                                                             const Texture_corners& corners)

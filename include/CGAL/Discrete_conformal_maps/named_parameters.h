@@ -35,12 +35,12 @@ template <typename Cones>
 auto cones(const Cones& value);
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// names the bound of logarithmic scale factors beyond which cones are placed.
+/// names `value`, a bound of logarithmic scale factors. Beyond the bound, cones are placed.
 template <typename Number>
 auto maximum_log_scale(const Number& value);
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// names the factor by which areas may change, beyond which cones are placed.
+/// names `value`, the factor by which areas may change. Beyond the factor, cones are placed.
 template <typename Number>
 auto maximum_area_distortion(const Number& value);
 

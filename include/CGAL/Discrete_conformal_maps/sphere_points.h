@@ -17,8 +17,8 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// returns the homogeneous coordinates of the image of each vertex of an input part, in the order
-/// of its vertices. Complexity: linear.
+/// returns the homogeneous coordinates of the image under `map` of each vertex of `part`, in the
+/// order of its vertices. Complexity: linear.
 inline std::vector<std::array<double, 4>>
 homogeneous_coordinates(const Spherical_conformal_map& map, const Input_part& part)
 {

@@ -309,7 +309,7 @@ private:
 };
 
 /// \ingroup PkgIntrinsicSimplificationApplications
-/// closes all boundary loops of at most the length `maximum_length` by disks, see
+/// closes all boundary loops of `surface` that are at most `maximum_length` long by disks, see
 /// `Surface_surgery`. Complexity: linear.
 /// \returns the number of closed loops
 inline std::size_t close_boundary_loops(Surface_surgery& surface, double maximum_length)

@@ -25,12 +25,12 @@ using namespace Intrinsic_triangulations::internal_np;
 namespace parameters {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// names the number of remaining vertices.
+/// names `value`, the number of remaining vertices.
 template <typename Number>
 auto number_of_vertices(const Number& value);
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// names the greatest allowed cost of a removal.
+/// names `value`, the greatest allowed cost of a removal, in the unit of the cost.
 template <typename Number>
 auto maximum_cost(const Number& value);
 

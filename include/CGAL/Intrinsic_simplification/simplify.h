@@ -236,9 +236,9 @@ constexpr double default_area_change_weight = 6;
 constexpr double default_boundary_change_weight = 12;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns a cost with four masses. Curvature has weight one, area `default_area_weight`. The
-/// change of area has `default_area_change_weight`, and at the boundary also
-/// `default_boundary_change_weight`. Complexity: linear.
+/// returns a cost for `surface` with four masses. Curvature has weight one, area
+/// `default_area_weight`. The change of area has `default_area_change_weight`, and at the boundary
+/// also `default_boundary_change_weight`. Complexity: linear.
 inline Transport_cost default_cost(const Evolving_surface& surface)
 {
   Transport_cost cost(surface);
@@ -262,8 +262,8 @@ Simplification_result simplified(Evolving_surface& surface, std::size_t number_o
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// simplifies `surface` with `default_cost()`. Named parameters, result, exceptions and complexity
-/// belong to the function with a cost.
+/// simplifies `surface` with `default_cost()`. Named parameters, result and exceptions are
+/// described at the function with a cost. Complexity: the complexity of that function.
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface,
                                const NamedParameters& np = CGAL::parameters::default_values())

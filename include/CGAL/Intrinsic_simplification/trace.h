@@ -101,7 +101,9 @@ inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surfac
 /// other direction. A removed vertex as an end is inside a face, or on a boundary edge.
 /// \param h a halfedge of the fine level
 /// \param map the map
-/// \returns the pieces, with the guarantees and the complexity of `trace_coarse_edge()`
+/// \returns the pieces, with the guarantees of `trace_coarse_edge()`
+///
+/// Complexity: the complexity of `trace_coarse_edge()`.
 inline std::vector<Trace_piece> trace_fine_edge(Halfedge_index h, const Surface_map& map)
 {
   return internal::trace_pieces(internal::Curve_tracer(map, true).trace_through_near_vertices(h),

@@ -109,8 +109,9 @@ Halfedge_index previous_around_source(Halfedge_index h, const Surface_mesh<P>& m
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the first outgoing halfedge of `v`. At a boundary vertex it has the boundary on its
-/// right, so `next_around_source()` visits all outgoing halfedges.
+/// returns the first outgoing halfedge of the vertex `v` of `mesh`. At a boundary vertex it has the
+/// boundary on its right, so `next_around_source()` visits all outgoing halfedges. Complexity:
+/// constant.
 /// \pre `v` is not isolated
 template <typename P>
 Halfedge_index first_outgoing_halfedge(Vertex_index v, const Surface_mesh<P>& mesh)

@@ -157,7 +157,7 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// calls `f(surface)` with the surface itself.
+/// calls `f(surface)` with the surface itself. Complexity: the complexity of `f`.
 template <typename Surface, typename Function>
 auto with_resolved_areas(const Surface& surface, const Function& f)
 {
@@ -165,9 +165,9 @@ auto with_resolved_areas(const Surface& surface, const Function& f)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// calls `f(surface)` with the surface of \f$T_2\f$. It is a `Precise_surface` if its lengths do
-/// not determine the areas of faces (`has_unresolved_areas()`). Otherwise it has the stored
-/// lengths.
+/// calls `f(surface)` with the surface of \f$T_2\f$ of `tri`. It is a `Precise_surface` if its
+/// lengths do not determine the areas of faces (`has_unresolved_areas()`). Otherwise it has the
+/// stored lengths. Complexity: linear, plus the complexity of `f` and of `Precise_surface`.
 /// \returns what `f` returns, of one type for both
 template <typename Traits, typename Function>
 auto with_resolved_areas(const Intrinsic_triangulation<Traits>& tri, const Function& f)

@@ -116,7 +116,7 @@ Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surfa
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes `surface.share()` times the sum of the cotan Laplacians of the vertex fans, see
-/// `cotan_laplacian()`.
+/// `cotan_laplacian()`. Complexity: linear.
 template <typename FT>
 Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 {
@@ -125,7 +125,7 @@ Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes `surface.share()` times the sum of the mass matrices of the vertex fans, see
-/// `mass_matrix()`.
+/// `mass_matrix()`. Complexity: linear.
 template <typename FT>
 Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 {
@@ -134,7 +134,7 @@ Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes `surface.share()` times the sum of the lumped mass matrices of the vertex fans, see
-/// `lumped_mass_matrix()`.
+/// `lumped_mass_matrix()`. Complexity: linear.
 template <typename FT>
 Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)
 {
@@ -143,7 +143,7 @@ Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes `surface.share()` times the divergence, see `divergence_matrix()`: its product with
-/// `gradient_matrix()` is minus the Laplacian, up to rounding.
+/// `gradient_matrix()` is minus the Laplacian, up to rounding. Complexity: linear.
 template <typename FT>
 Eigen::SparseMatrix<FT> divergence_matrix(const Tufted_surface<FT>& surface)
 {

@@ -326,7 +326,8 @@ Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& co
 ///   position in the face or on the edge of \f$T_1\f$ that contains the vertex. If a position on
 ///   \f$T_1\f$ is the position of an inserted vertex, the path passes this vertex of \f$T_2\f$.
 ///
-/// Connectivity, rounding and complexity are as in `curve_across()` for curves.
+/// Connectivity and rounding are described at `curve_across()` for curves. Complexity: the
+/// complexity of that function.
 /// \throws Invalid_input if two consecutive positions that are not both vertices share no face
 template <typename Traits>
 Surface_path<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,

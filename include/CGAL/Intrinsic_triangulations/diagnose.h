@@ -275,8 +275,8 @@ An index that is negative counts as out of range. Positions are rounded to `doub
 \param kept_occurrences the number of occurrences of each kind of defect that are kept
 \returns the defects found and numbers about the surface
 
-Takes time linear in the size of the soup, up to sorting the edges at each vertex and the
-inverse of Ackermann's function.
+Complexity: linear in the size of the soup, up to sorting the edges at each vertex and the inverse
+of Ackermann's function.
 \throws std::length_error if there are \f$2^{32}-1\f$ points or corners of faces, or more
 */
 template <class PointRange, class PolygonRange>
@@ -318,7 +318,7 @@ Elements are given by their positions in `vertices(g)` and `faces(g)`.
 \cgalNamedParamsEnd
 \returns the defects found and numbers about the surface
 
-Takes time linear in the size of the graph, up to the inverse of Ackermann's function.
+Complexity: linear in the size of the graph, up to the inverse of Ackermann's function.
 */
 template <class Graph, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Input_diagnosis diagnose(const Graph& g,

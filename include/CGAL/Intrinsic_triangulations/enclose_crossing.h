@@ -82,8 +82,8 @@ struct Place_certificate
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// compares the positions of all crossings with intervals that enclose them, see
-/// `enclose_crossings()`.
+/// compares the positions of all crossings of `correspondence` with intervals that enclose them,
+/// see `enclose_crossings()`.
 ///
 /// Complexity: linear in the edges and crossings.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`

@@ -399,6 +399,12 @@ Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<
 /// follows the geodesic on one of the two triangulations of `tri` that starts at a vertex of
 /// \f$T_2\f$. On \f$T_1\f$ this may be an inserted vertex; for its frame see `angle_on_input()`.
 /// Complexity: linear in the number of crossed edges.
+/// \param tri both triangulations
+/// \param side the triangulation that the geodesic crosses
+/// \param v the vertex at which the geodesic starts
+/// \param vector the direction and the length of the geodesic, in the frame of `v`
+/// \param at_boundary whether the geodesic ends at the boundary or follows it
+/// \param path an output iterator for the points at which the geodesic crosses edges
 template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<typename Traits::FT>
 trace_geodesic(const Intrinsic_triangulation<Traits>& tri, Side side, Vertex_index v,

@@ -68,9 +68,9 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone (Mosher's
-/// algorithm, Algorithm 4). Constraints stay, because they are on edges of \f$T_1\f$. Complexity:
-/// finite; in practice below the number of crossings.
+/// turns \f$T_2\f$ of `tri` back into \f$T_1\f$ by flips that follow the integer coordinates alone
+/// (Mosher's algorithm, Algorithm 4). Constraints stay, because they are on edges of \f$T_1\f$.
+/// Complexity: finite; in practice below the number of crossings.
 /// \returns the number of flips
 /// \throws Overflow_error if an intermediate normal coordinate is out of range; nothing has
 ///   changed then.

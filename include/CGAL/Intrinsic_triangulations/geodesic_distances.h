@@ -255,7 +255,8 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// distance in space, and values away from the sources that are not positive, are raised and
 /// counted.
 ///
-/// `Shortest_paths` and `Heat_distance` are for repeated use.
+/// `Shortest_paths` and `Heat_distance` are for repeated use. Complexity: proportional to the
+/// number of windows for exact distances, and one factorization for heat.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating-point lengths, an
 ///   `Intrinsic_triangulation`, or a `Tufted_surface`, which has heat alone. With an

@@ -376,7 +376,8 @@ std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface)
 ///
 /// The shortest loops along edges are measured: at most \f$4k + 16\f$ beside a shortest basis of
 /// \f$k\f$ loops. They are up to 1.5 times as long as the loops of a shortest basis. By increasing
-/// measure, each loop is chosen that is no combination of chosen loops.
+/// measure, each loop is chosen that is no combination of chosen loops. Complexity: the complexity
+/// of the function without a measure, plus at most \f$5k + 16\f$ calls of `measure`.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \param measure a function of the halfedges of a loop that returns a number

@@ -286,10 +286,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns \f$T_1\f$ with the vertices of \f$T_2\f$: edges are cut at inserted vertices, and faces
-/// are triangulated. So no edge of the result crosses an edge of \f$T_1\f$. Each face lies in a
-/// face of \f$T_1\f$, and is flat in space if the input is. Flipped to be Delaunay, it is a refined
-/// triangulation again.
+/// returns \f$T_1\f$ of `tri` with the vertices of \f$T_2\f$: edges are cut at inserted vertices,
+/// and faces are triangulated. So no edge of the result crosses an edge of \f$T_1\f$. Each face
+/// lies in a face of \f$T_1\f$, and is flat in space if the input is. Flipped to be Delaunay, it is
+/// a refined triangulation again.
 ///
 /// Vertices keep their indices and positions, and so do edges and faces if nothing has been
 /// inserted. No edge is constrained. Complexity: linear, and \f$O(n \log n)\f$ in the vertices in a

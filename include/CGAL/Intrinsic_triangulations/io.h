@@ -312,12 +312,12 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// writes `tri` with its correspondence, exactly. `read_intrinsic_triangulation()` restores the
-/// same elements with the same indices, and the same lengths to the bit. The format is described
-/// in the user manual (\ref Intrinsic_triangulations_file_format). The number type of the traits
-/// must be a floating-point type. Exact positions stay exact, and so do squared lengths that are
-/// rational. For squared lengths in other fields, the lengths count as exact after reading.
-/// Complexity: linear.
+/// writes `tri` with its correspondence to the stream `os`, exactly.
+/// `read_intrinsic_triangulation()` restores the same elements with the same indices, and the same
+/// lengths to the bit. The format is described in the user manual (\ref
+/// Intrinsic_triangulations_file_format). The number type of the traits must be a floating-point
+/// type. Exact positions stay exact, and so do squared lengths that are rational. For squared
+/// lengths in other fields, the lengths count as exact after reading. Complexity: linear.
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
 /// \returns whether the stream is good afterwards.
 template <typename Traits>
@@ -344,7 +344,8 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// reads what `write_intrinsic_triangulation()` has written, and checks it.
+/// reads what `write_intrinsic_triangulation()` has written to the stream `is`, and checks it. The
+/// triangulation gets `traits`.
 /// Complexity: linear in the elements and crossings.
 /// \throws File_format_error if the text does not follow the format; the line is named
 /// \throws Invalid_input if the text follows the format, but is not a triangulation of a surface

@@ -15,7 +15,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns whether the ends of the edge of `h` are two vertices, and no other edge has these ends.
+/// returns whether the ends of the edge of `h` are two vertices, and no other edge of `mesh` has
+/// these ends.
 /// Complexity: linear in the degree of the source.
 inline bool is_simplicial(Halfedge_index h, const Delta_complex& mesh)
 {
@@ -27,8 +28,8 @@ inline bool is_simplicial(Halfedge_index h, const Delta_complex& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns whether the three sides of the face `f` are simplicial, and no other face has the same
-/// corners. Complexity: linear in the degrees of the corners.
+/// returns whether the three sides of the face `f` are simplicial, and no other face of `mesh` has
+/// the same corners. Complexity: linear in the degrees of the corners.
 inline bool is_simplicial(Face_index f, const Delta_complex& mesh)
 {
   const auto side = sides(f, mesh);

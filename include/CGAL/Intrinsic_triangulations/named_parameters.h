@@ -49,19 +49,19 @@ template <typename Number>
 auto mollification(const Number& epsilon);
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// names whether all decisions about Delaunay edges are exact.
+/// names a `value` of type `bool`: whether all decisions about Delaunay edges are exact.
 auto exact_decisions(bool value);
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// names whether several threads are used: `CGAL::Sequential_tag`, which is the default everywhere,
-/// `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag`. Results are bitwise the same with
-/// each of them, and with any number of threads.
+/// names by `tag` whether several threads are used: `CGAL::Sequential_tag`, which is the default
+/// everywhere, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag`. Results are bitwise the
+/// same with each of them, and with any number of threads.
 template <typename ConcurrencyTag>
 auto concurrency_tag(const ConcurrencyTag& tag);
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// names the time for which heat flows, in squared mean edge lengths of the component. A shorter
-/// time follows the surface more closely; a longer time gives smoother distances.
+/// names the time for which heat flows: `factor` squared mean edge lengths of the component. A
+/// shorter time follows the surface more closely; a longer time gives smoother distances.
 template <typename Number>
 auto time_step_factor(const Number& factor);
 
@@ -80,7 +80,7 @@ template <typename Number>
 auto maximum_circumradius(const Number& value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// names whether the triangulation becomes simplicial.
+/// names a `value` of type `bool`: whether the triangulation becomes simplicial.
 auto simplicial(bool value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement

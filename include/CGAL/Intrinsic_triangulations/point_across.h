@@ -72,6 +72,10 @@ Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& co
 /// of its face are traced. Complexity: the complexity of `trace_input_edge()` or
 /// `trace_intrinsic_edge()` for these sides. If `p` is on \f$T_1\f$ and vertices have been
 /// inserted, it is the complexity of `Correspondence`.
+/// \param tri both triangulations
+/// \param side the triangulation with the point
+/// \param p the face and the barycentric coordinates of the point
+/// \returns the point on the other triangulation
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(const Intrinsic_triangulation<Traits>& tri,
                                                 Side side,

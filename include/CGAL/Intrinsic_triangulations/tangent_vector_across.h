@@ -56,8 +56,12 @@ tangent_vector_across(const Intrinsic_triangulation<Traits>& tri, Side side, Ver
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// transforms a tangent vector from the frame of one triangulation to the frame of the other, for
-/// many vectors. Complexity: constant.
+/// transforms one of many tangent vectors from the frame of one triangulation to the frame of the
+/// other. Complexity: constant.
+/// \param angles the angles on both triangulations
+/// \param side the triangulation in whose frame `vector` is
+/// \param v a vertex, not isolated
+/// \param vector the vector
 template <typename Traits>
 std::complex<typename Traits::FT>
 tangent_vector_across(const Angular_coordinates<Traits>& angles, Side side, Vertex_index v,

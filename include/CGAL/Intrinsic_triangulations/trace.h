@@ -143,7 +143,8 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// traces the halfedge `h` of \f$T_1\f$ over \f$T_2\f$ (Algorithms 1 to 3).
+/// traces the halfedge `h` of \f$T_1\f$ over \f$T_2\f$ (Algorithms 1 to 3). `tri` has both
+/// triangulations.
 ///
 /// \returns the points where it meets edges of \f$T_2\f$, from its source to its target, both
 ///   included. Positions on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the
@@ -187,7 +188,7 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// traces the halfedge `h` of \f$T_2\f$ over \f$T_1\f$.
+/// traces the halfedge `h` of \f$T_2\f$ over \f$T_1\f$. `tri` has both triangulations.
 ///
 /// \returns the points where it meets edges of \f$T_1\f$, from its source to its target, both
 ///   included. Positions on `h` never decrease. At a crossing the halfedge of \f$T_1\f$ is the

@@ -54,8 +54,9 @@ void add_inserted_vertices(Halfedge_index h, const Correspondence<Traits>& corre
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the trace of the halfedge `h` of `side` over the other triangulation, as
-/// `trace_input_edge()` and `trace_intrinsic_edge()` give it. Complexity: linear in its crossings.
+/// returns the trace of the halfedge `h` of `side` over the other triangulation. The points are the
+/// points of `trace_input_edge()` and `trace_intrinsic_edge()`. They are taken from
+/// `correspondence`. Complexity: linear in the crossings of `h`.
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
 trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspondence)

@@ -188,8 +188,12 @@ auto power_center_height(Halfedge_index h, const Surface& surface, const WeightM
 }
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
-/// returns the power center of the face of `h` in barycentric coordinates, of the source of `h`
-/// first. Coordinates are negative if the power center is outside the face.
+/// returns the power center of the face of `h` in barycentric coordinates. The coordinate of the
+/// source of `h` comes first. Coordinates are negative if the power center is outside the face.
+/// Complexity: constant.
+/// \param h a halfedge of the face
+/// \param surface a model of `IntrinsicSurface`
+/// \param weight a readable property map from vertices to their weights, which are squared lengths
 /// \pre the area of the face is positive
 template <typename Surface, typename WeightMap>
 auto power_center(Halfedge_index h, const Surface& surface, const WeightMap& weight)
@@ -209,7 +213,10 @@ auto power_center(Halfedge_index h, const Surface& surface, const WeightMap& wei
 /// returns the signed length of the dual edge of `e`: the sum of the heights of the power centers
 /// over the edge. For an inner edge it is not negative if and only if the edge is weighted
 /// Delaunay. For a boundary edge it is the height of the only power center. Dual edges are
-/// orthogonal to their edges.
+/// orthogonal to their edges. Complexity: constant.
+/// \param e the edge
+/// \param surface a model of `IntrinsicSurface`
+/// \param weight a readable property map from vertices to their weights, which are squared lengths
 /// \pre the areas of the faces at `e` are positive
 template <typename Surface, typename WeightMap>
 auto dual_edge_length(Edge_index e, const Surface& surface, const WeightMap& weight)
