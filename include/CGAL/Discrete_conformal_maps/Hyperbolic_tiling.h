@@ -102,9 +102,9 @@ private:
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// returns the center \f$c\f$ of the circle that contains the geodesic through two points of the
-/// Poincare disk. It is not finite if the geodesic is a diameter. The radius is \f$\sqrt{|c|^2 -
-/// 1}\f$.
+/// returns the center \f$c\f$ of the circle that contains the geodesic through the points `z` and
+/// `w` of the Poincare disk. It is not finite if the geodesic is a diameter. The radius is
+/// \f$\sqrt{|c|^2 - 1}\f$. Complexity: constant.
 inline std::complex<double> geodesic_center(const std::complex<double>& z,
                                             const std::complex<double>& w)
 {

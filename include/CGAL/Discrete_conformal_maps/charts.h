@@ -171,8 +171,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns the index of the chart of each face of \f$T_3\f$ that is laid out. Faces that are
-/// adjacent in the plane are in one chart. Complexity: linear.
+/// returns the index of the chart of each face of \f$T_3\f$ of `map` that is laid out. Faces that
+/// are adjacent in the plane are in one chart. Complexity: linear.
 inline std::vector<std::size_t> charts_of_faces(const Planar_conformal_map& map)
 {
   return internal::Chart_growth(map).charts();

@@ -62,9 +62,9 @@ inline double max_inversive_distance_error(const Spherical_conformal_map& map)
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// returns the greatest relative error of a length cross ratio of an edge of \f$T_3\f$. Ratios of
-/// lengths on the sphere are compared with ratios of the ideal polyhedron. Positions have the
-/// digits of `Spherical_conformal_map::stereographic_position()`. Edges do not count if these
+/// returns the greatest relative error of a length cross ratio of an edge of \f$T_3\f$ of `map`.
+/// Ratios of lengths on the sphere are compared with ratios of the ideal polyhedron. Positions have
+/// the digits of `Spherical_conformal_map::stereographic_position()`. Edges do not count if these
 /// digits do not determine the length of a side of their faces. If there are circles, inversive
 /// distances are compared instead. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)

@@ -76,7 +76,7 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 ///   no boundary vertex becomes a cone. `Cones::automatic` places cones if there is a
 ///   `maximum_log_scale` or `maximum_area_distortion`
 ///
-/// Complexity and status: see `flatten()`.
+/// Complexity: the complexity of `flatten()`, which also describes the status.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
 ///   four vertices on each boundary, or as `flatten()` does. A component with handles has no
 ///   rectangle without cones inside

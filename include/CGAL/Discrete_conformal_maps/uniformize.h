@@ -70,7 +70,8 @@ struct Uniformization
 ///        `minimizer` is for surfaces that become flat or hyperbolic; scale factors on the sphere
 ///        have bounds, which `Bounded_Newton_minimizer` keeps.
 ///
-/// Complexity and exceptions: see `map_to_sphere()`, `flatten()` and `uniformize_hyperbolic()`.
+/// Complexity: the complexity of `map_to_sphere()`, `flatten()` or `uniformize_hyperbolic()`. These
+/// functions throw further exceptions.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not connected
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Uniformization uniformize(const Graph& g,

@@ -228,8 +228,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the position of a vertex of the fine surface on the coarse surface, by
-/// `map.to_coarse()`.
+/// returns the position of the vertex `v` of the fine surface on the coarse surface. Complexity:
+/// the complexity of `map.to_coarse()`.
 /// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \pre `v` is not isolated
 template <typename Map>
@@ -241,7 +241,8 @@ Surface_map::Location image_of_vertex(Vertex_index v, const Map& map)
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the position of a vertex of the coarse surface on the fine surface, by `map.to_fine()`.
+/// returns the position of the vertex `v` of the coarse surface on the fine surface. Complexity:
+/// the complexity of `map.to_fine()`.
 /// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \pre `v` is not isolated
 template <typename Map>

@@ -202,9 +202,9 @@ Simplification_result with_target(const NamedParameters& np, const Run& run)
 ///
 /// \returns the numbers of removals and of remaining vertices
 ///
-/// Complexity, for bounded degrees and numbers of flips: \f$O(r \log n)\f$ for \f$r\f$ removals
-/// among \f$n\f$ vertices, plus linear in the size of the surface. Memory besides the history: 21
-/// bytes for each vertex.
+/// Complexity: \f$O(r \log n)\f$ for \f$r\f$ removals among \f$n\f$ vertices, plus linear in the
+/// size of the surface. Degrees and numbers of flips for a removal count as bounded. Memory besides
+/// the history: 21 bytes for each vertex.
 /// \throws Intrinsic_triangulations::Invalid_input if neither a number of vertices nor a greatest
 ///   cost is given; then the surface is not changed
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded,

@@ -92,8 +92,9 @@ struct Decorated_length
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// returns the length \f$t_{ij}\f$ of the tangent between two circles, from the distance of their
-/// centers; zero if they touch or meet.
+/// returns the length \f$t_{ij}\f$ of the tangent between two circles, or zero if they touch or
+/// meet. The circles have the radii `source_radius` and `target_radius`, and their centers the
+/// distance `length`. Complexity: constant.
 template <typename FT>
 FT tangent_length(const FT& length, const FT& source_radius, const FT& target_radius)
 {

@@ -180,7 +180,8 @@ auto with_resolved_areas(const Intrinsic_triangulation<Traits>& tri, const Funct
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// returns the values of a function, or the entries of a matrix, rounded to `double`.
+/// returns the values of a function, or the entries of a matrix, rounded to `double`. Complexity:
+/// linear.
 template <typename Matrix>
 auto rounded_values(const Matrix& values)
 {

@@ -83,7 +83,7 @@ struct Remaining_face
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns whether a small-angle vertex excuses `f`.
+/// returns whether a small-angle vertex excuses `f`. Complexity: constant.
 inline bool is_excused(const Remaining_face& f)
 {
   return f.reason == Remaining_reason::at_small_angle_vertex ||

@@ -56,7 +56,7 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsSurfaces
 /// returns the map of the edge lengths that are stored with `mesh`. Adds it, with zeros, if it does
-/// not exist.
+/// not exist. Complexity: constant, or linear if it adds the map.
 template <typename FT>
 Delta_complex::Property_map<Edge_index, FT> stored_length_map(Delta_complex& mesh)
 {
@@ -65,7 +65,7 @@ Delta_complex::Property_map<Edge_index, FT> stored_length_map(Delta_complex& mes
 
 /// \ingroup PkgIntrinsicTriangulationsSurfaces
 /// returns the map that states for each edge of `mesh` whether it must not be flipped. Adds it if
-/// it does not exist.
+/// it does not exist. Complexity: constant, or linear if it adds the map.
 inline Delta_complex::Property_map<Edge_index, bool> stored_constraint_map(Delta_complex& mesh)
 {
   return mesh.add_property_map<Edge_index, bool>("e:is_constrained", false).first;

@@ -16,8 +16,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the
-/// frame of \f$T_1\f$ at the source.
+/// computes the normalized angle in which the halfedge `h` of \f$T_2\f$ of `tri` leaves its source,
+/// in the frame of \f$T_1\f$ at the source.
 ///
 /// At a vertex of \f$T_1\f$ the frame is the frame of `Tangent_frames`. At a vertex inserted on an
 /// edge of \f$T_1\f$ the real axis is along its first outgoing halfedge (see

@@ -199,8 +199,9 @@ Ideal_Delaunay_certificate certify_ideal_Delaunay(const Intrinsic_triangulation<
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// decides exactly which edges of \f$T_2\f$ satisfy the local ideal Delaunay condition with the
-/// unscaled lengths of \f$T_1\f$: all factors are 1.
+/// decides exactly which edges of \f$T_2\f$ of `tri` satisfy the local ideal Delaunay condition
+/// with the unscaled lengths of \f$T_1\f$: all factors are 1. Complexity: the complexity of the
+/// function with factors.
 template <typename Ideal_traits>
 Ideal_Delaunay_certificate certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_traits>& tri)
 {

@@ -25,8 +25,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsWeights
-/// returns whether every edge of `tri` that could be flipped is weighted Delaunay. With floating
-/// point numbers the tolerance is one-sided, as in `is_Delaunay()`. Complexity: linear.
+/// returns whether every edge of `tri` that could be flipped is weighted Delaunay. `weight` is a
+/// readable property map from vertices to squared lengths. With floating point numbers the
+/// tolerance is one-sided, as in `is_Delaunay()`. Complexity: linear.
 template <typename Traits, typename WeightMap>
 bool is_weighted_Delaunay(const Intrinsic_triangulation<Traits>& tri, const WeightMap& weight)
 {
