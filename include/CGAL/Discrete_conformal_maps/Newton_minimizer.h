@@ -30,13 +30,13 @@ using Newton_steps = Newton_iteration<Energy, Visitor>;
 /// factorization is reused while the pattern of the Hessian does not change. CHOLMOD factorizes if
 /// the macro `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined, Eigen otherwise.
 ///
-/// About ten iterations are usual. Hundreds can be necessary if the energy resembles a linear
-/// program: its slopes change sharply at many points between start and minimum.
+/// Most minimizations take about ten iterations. Hundreds can be necessary if the slopes of the
+/// energy change sharply at many points between start and minimum, as in a linear program.
 ///
 /// Results are bitwise reproducible.
 ///
 /// An iteration takes a sparse Cholesky factorization, or two if the Hessian is damped. It
-/// evaluates the energy once, rarely more often, at most 40 times.
+/// evaluates the energy once in most cases, and at most 40 times.
 ///
 /// \cgalModels `ConvexMinimizer`
 class Newton_minimizer : public internal::Iterative_minimizer<internal::Newton_steps>

@@ -45,7 +45,7 @@ class Negative_curvature : public Invalid_input
   }
 
 public:
-  /// makes an error of these vertices, at least one. The first of them has this curvature.
+  /// makes an error for one or more vertices. `curvature` is the curvature of the first one.
   Negative_curvature(const std::vector<std::size_t>& vertices, double curvature)
     : Invalid_input("vertex " + std::to_string(vertices.front()) + " has negative curvature, " +
                     scientific(curvature) + " radians" +

@@ -38,9 +38,9 @@ constexpr bool is_rounded()
 /// - whether a geodesic hits a vertex;
 /// - whether barycentric coordinates sum up to 1.
 ///
-/// It is relative: to the lengths that are compared, to a full turn or angle sum, or to 1. The
-/// other tolerances in this header decide nothing about Delaunay edges. Bounds of rounding errors
-/// that follow from a formula are next to that formula. Complexity: constant.
+/// It is relative: to the lengths that are compared, to a full turn or angle sum, or to 1. No other
+/// tolerance in this header affects decisions about Delaunay edges. Bounds of rounding errors that
+/// follow from a formula are next to that formula. Complexity: constant.
 template <typename FT>
 constexpr FT rounding_unit()
 {
@@ -79,8 +79,7 @@ constexpr double flat_fan_tolerance() { return 1e-24; }
 
 // Returns the distance by which a circumcenter may be moved onto an edge, in circumradii. For
 // `double` it is 2^-20. It is far greater than the rounding error of a walk, so that no piece is as
-// short as rounding errors. It is so small that angles change by no more than the error of nearly
-// flat corners.
+// short as rounding errors. It changes angles by at most the error of nearly flat corners.
 template <typename FT>
 FT circumcenter_tolerance()
 {
@@ -165,9 +164,9 @@ constexpr double inserted_edge_tolerance() { return 1e-6; }
 constexpr double crossing_width() { return 0x1p-50; }
 constexpr double greatest_crossing_width() { return 0x1p-40; }
 
-// Points outside of their region by rounding are moved to the center of their face by these amounts
-// in barycentric coordinates, one after the other. With the first ones, points may still be on an
-// edge.
+// If rounding moves a point out of its region, the point is moved towards the center of its face.
+// These amounts in barycentric coordinates are tried one after the other. After the first amounts,
+// points may still be on an edge.
 constexpr double inward_moves[] = {0., 0x1p-30, 0x1p-15, 0x1p-8, 0x1p-4, 0x1p-2};
 constexpr double greatest_move_on_edge() { return 0x1p-15; }
 

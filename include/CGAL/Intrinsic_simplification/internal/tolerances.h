@@ -14,8 +14,8 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// This file contains every tolerance of the package, with its reason. All are relative, or angles:
-// none depends on the unit of length.
+// This file contains every tolerance of the package, with its reason. Each is an angle or a
+// relative number, so none depends on the unit of length.
 
 inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
 
@@ -23,23 +23,25 @@ inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<d
 // vertex or an edge. The coordinates of a crossing are sums of a few products.
 inline double rounding() { return 16 * rounding_unit(); }
 
-// Returns the rounding error of the sum of so many angles. Each is rounded to a unit of 2 pi.
+// Returns the rounding error of the sum of this number of angles. Each angle is rounded to a unit
+// of 2 pi.
 inline double angle_rounding(std::size_t number_of_angles)
 {
   return rounding_unit() * 2 * Intrinsic_triangulations::pi<double>() *
          static_cast<double>(number_of_angles);
 }
 
-// From this excess of angles, one more step of Newton's method, which squares it, leads to about
-// half of all digits. This suffices for a cost, which decides only about the order of removals.
+// If the excess of angles is at most this number, one more step of Newton's method squares it, and
+// leaves about half of all digits. This suffices for a cost, which only determines the order of
+// removals.
 constexpr double nearly_flat = 1e-4;
 
 // The last step of Newton's method may change the scale factor by at most this value. If a small
-// excess hardly changes with the scale factor, it vanishes only in the limit of length zero.
+// excess hardly depends on the scale factor, it vanishes only in the limit of length zero.
 constexpr double greatest_last_step = 0.1;
 
-// No step of Newton's method is longer. A longer step would multiply lengths by more than e^2 at
-// once, and the linear model is useless at such distances.
+// This is the greatest length of a step of Newton's method. A longer step would multiply lengths by
+// more than e^2, and the linear model is useless at such distances.
 constexpr double greatest_newton_step = 4;
 
 // Up to this squared tangent, six terms of the series of the arc tangent are exact up to rounding.
@@ -50,8 +52,9 @@ constexpr double greatest_squared_tangent = 0.0036;
 // absolute values. Each entry is a sum of some ten numbers.
 constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 
-// The areas of the pieces of a face and its area differ by at most this value. Each area has the
-// rounding error of a product of as many matrices as operations. Slivers lose half of all digits.
+// The sum of the areas of the pieces of a face differs from the area of the face by at most this
+// value. Each area has the rounding error of a product of one matrix for each operation. Slivers
+// lose half of all digits.
 constexpr double tiling_rounding = 1e-6;
 
 } // namespace CGAL::Intrinsic_simplification::internal

@@ -61,8 +61,7 @@ public:
   void resume(const std::vector<Extended>& found) { m_scale.resume(found); }
   const std::vector<Extended>& found_with_bounds() const { return m_scale.found_with_bounds(); }
 
-  // Finds scale factors. Cones are placed first, at the first call, for a finite bound of scale
-  // factors.
+  // Finds scale factors. If scale factors have a finite bound, the first call places cones before.
   void find_scale_factors(const Any_minimizer& minimizer, const Cone_choice& choice)
   {
     const double bound = choice.maximum_log_scale;
@@ -206,8 +205,8 @@ private:
     return m_problem.component(mesh().target(mesh().halfedge(f)));
   }
 
-  // Returns the number to be added to the scale factors of each component. It is zero, or, if no
-  // scale factors are prescribed, it preserves the area of the component.
+  // Returns the number to be added to the scale factors of each component. If no scale factors are
+  // prescribed, it preserves the area of the component. Otherwise it is zero.
   std::vector<double> area_correction() const
   {
     const auto& Delaunay = m_builder.data().ab;
@@ -223,7 +222,7 @@ private:
     return result;
   }
 
-  // Returns for each component whether its chart is not cut, as it is by cones and handles.
+  // Returns for each component whether its chart is not cut. Cones and handles require cuts.
   std::vector<char> whole_charts(const Planar_conformal_map& map) const
   {
     std::vector<char> result(m_problem.components().size(), 1);

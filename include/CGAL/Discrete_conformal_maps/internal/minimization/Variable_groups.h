@@ -20,9 +20,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Finds groups of variables that a Laplacian ties to each other much more strongly than to others.
-// An example are vertices of a surface that are close to each other. Groups result from single
-// linkage.
+// Finds groups of variables whose weights in a Laplacian are much greater within the group than to
+// other variables. Vertices of a surface that are close to each other form such groups. Groups
+// result from single-linkage clustering.
 class Variable_groups
 {
 public:
@@ -45,7 +45,7 @@ public:
     std::reverse(m_groups.begin(), m_groups.end());
   }
 
-  // Returns the groups; a group comes before its parts.
+  // Returns the groups. A group comes before the groups that it contains.
   const std::vector<Group>& groups() const { return m_groups; }
 
 private:
@@ -55,7 +55,7 @@ private:
     std::size_t v, w;
   };
 
-  // Returns the ties, the strongest ones first.
+  // Returns the ties in the order of decreasing weights.
   static std::vector<Tie> ties(const Eigen::SparseMatrix<double>& Laplacian)
   {
     std::vector<Tie> result;

@@ -119,7 +119,7 @@ private:
     return m_solution - (m_solution[i] / m_inverse(i, i)) * m_inverse.col(i);
   }
 
-  // Returns the scale factor at cone i without it.
+  // Returns the scale factor at cone i after the cone has been removed.
   double scale_without(Index i) const { return std::abs(m_solution[i] / m_inverse(i, i)); }
 
   // Returns the greatest scale factor of a solution, and its vertex.
@@ -138,7 +138,7 @@ private:
     return result;
   }
 
-  // Returns cones in the order of the scale factors that their vertices would have without them.
+  // Returns the cones in the order of the scale factors that their vertices have after a removal.
   std::vector<Index> least_needed() const
   {
     std::vector<Index> result(m_cones.size());
@@ -148,8 +148,9 @@ private:
     return result;
   }
 
-  // Replaces a cone by one at the greatest scale factor without it, if scale factors are then
-  // within the limit. With `is_pair`, another cone that depends on it is replaced, too.
+  // Removes a cone, and adds a cone at the greatest scale factor of the result, if scale factors
+  // are then within the limit. With `is_pair`, the cone with the greatest correlation is removed,
+  // too.
   bool replace(bool is_pair, double limit)
   {
     if(is_pair && !is_one_too_many())
@@ -170,7 +171,7 @@ private:
     return false;
   }
 
-  // Returns whether fewer cones suffice for the curvature of the component.
+  // Returns whether the curvature of the component permits fewer cones.
   bool is_one_too_many() const
   {
     return m_cones.size() > (std::max)(m_component.least_number_of_cones, std::size_t(1));
@@ -189,7 +190,7 @@ private:
     return result;
   }
 
-  // Adds a cone at the greatest scale factor, and returns the greatest one with it.
+  // Adds a cone at the greatest scale factor. Returns the greatest scale factor afterwards.
   double add_worst()
   {
     const Index v = extent(m_solution).at;
@@ -198,8 +199,9 @@ private:
     return extent(m_solution).greatest;
   }
 
-  // Adds a cone at the greatest scale factor, and removes the cone without which they are then
-  // least. Returns false, with the previous cones, if the greatest one is not within the limit.
+  // Adds a cone at the greatest scale factor, and removes the cone whose removal leaves the least
+  // scale factors. If the greatest scale factor exceeds the limit, restores the previous cones and
+  // returns false.
   bool move(double limit)
   {
     const Index added = size();
@@ -211,8 +213,8 @@ private:
     return is_dropped;
   }
 
-  // Removes the one of the first `end` cones without which scale factors are least, if they are
-  // within the limit.
+  // Removes one of the first `end` cones, if scale factors are then within the limit. Chooses the
+  // cone whose removal leaves the least scale factors.
   bool drop_one_before(Index end, double limit)
   {
     double least = limit;

@@ -14,7 +14,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // This type replaces `Extended` if errors grow on very long paths.
 typedef Intrinsic_triangulations::Decimal_float<115> More_extended;
 
-// This type stores positions in one plane of faces that differ in size by a factor of up to e^3400.
+// This type stores positions of faces in one plane. Sizes of faces may differ by a factor of
+// e^3400.
 typedef Intrinsic_triangulations::Decimal_float<1500> Long_number;
 
 } // namespace CGAL::Discrete_conformal_maps::internal

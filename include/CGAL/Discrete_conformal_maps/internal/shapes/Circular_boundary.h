@@ -29,8 +29,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Prescribes the exterior angles of a boundary whose components are circles. They are found by
-// iteration, because the angles of a circle depend on the lengths in the plane.
+// Prescribes the exterior angles of a boundary whose components are circles. An iteration finds the
+// angles, because they depend on the lengths in the plane.
 class Circular_boundary : public Free_shape
 {
   typedef Eigen::VectorXd Vector;
@@ -110,18 +110,18 @@ private:
   };
   typedef std::vector<Side> Circle;
 
-  // The angles of most disks need no more rounds.
+  // This number of rounds suffices for most disks.
   static constexpr std::size_t usual_rounds = 20;
-  // Beyond the range of `double`, rounds are slow, and only the angles of the hemisphere are close
-  // enough to the angles of the circle.
+  // If scale factors exceed the range of `double`, rounds are slow. Then only the angles of the
+  // hemisphere are close enough to the angles of the circle.
   static constexpr std::size_t greatest_number_of_wide_rounds = 10;
 
   // Beyond this range of scale factors, faces lose their shape in the picture.
   static constexpr double usual_range = 18;
 
-  // Returns whether the first angles are far from the angles of the surface. Then the next ones are
-  // far away, too. Searches with bounded differences take long, and searches for a hemisphere take
-  // longer.
+  // Returns whether the first angles are far from the angles of the surface. Then the next angles
+  // are also far from them. Searches with bounded differences take long, and searches for a
+  // hemisphere take longer.
   static bool is_far_off(const Flattening& flattening)
   {
     return flattening.minimization().iterations > 16 && !flattening.has_bounded_differences();
@@ -154,7 +154,7 @@ private:
     return is_disk(problem) && is_flat(problem) && !has_vertices_inside(problem);
   }
 
-  // Returns whether a polygon is crowded. Few digits suffice for other disks.
+  // Returns whether a polygon is crowded. Disks that are not crowded need few digits.
   bool is_crowded_polygon(Doubled_problem& problem) const
   {
     if(!is_polygon(problem))
@@ -172,8 +172,8 @@ private:
     return result;
   }
 
-  // Uses the scale factors of an inscribed polygon. It must have its exterior angles with rounded
-  // lengths, or else with the lengths of the exact surface.
+  // Uses the scale factors of an inscribed polygon. The polygon must have its exterior angles with
+  // rounded lengths, or else with lengths of the exact surface.
   bool take_polygon(Doubled_problem& problem, Flattening& flattening)
   {
     const Vector angle_before = m_angle;
@@ -244,8 +244,8 @@ private:
 
   // Uses angles and scale factors of the map of the disk to a hemisphere. Unless edges of T_3 cross
   // the boundary, this map is its stereographic projection. Otherwise, the angles are close to the
-  // projected ones. These are good enough if the search succeeds and scale factors differ by
-  // little. Returns whether the angles are used.
+  // projected angles. They are used if the search succeeds and scale factors differ by little.
+  // Returns whether the angles are used.
   bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
   {
     if(!is_disk(problem) || !(flattening.has_succeeded() || is_flat(problem)))

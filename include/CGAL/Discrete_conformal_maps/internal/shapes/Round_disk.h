@@ -31,28 +31,28 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores the image of a hemisphere in the plane of its equator, which is the unit circle. It is the
-// stereographic projection from the pole of the other hemisphere.
+// Stores the stereographic projection of a hemisphere from the pole of the other hemisphere. The
+// image lies in the plane of the equator, which is the unit circle.
 struct Round_disk
 {
-  // `half_arc` contains half of the angles under which the center sees the sides of the boundary.
+  // `half_arc` contains half of the angle of each boundary side as seen from the center.
   std::vector<double> half_arc;
   // `log_scale` contains the factors of lengths in the plane, at the vertices of the surface.
   std::vector<More_extended> log_scale;
 };
 
-// Stores a round disk without vertices inside. Its corners are on one circle, so that a flip of
-// edges changes nothing. All data of a map to a disk are known.
+// Stores a round disk without interior vertices. Its corners are cocircular, so every triangulation
+// is Delaunay. The disk has all data of a map.
 struct Round_polygon : Round_disk
 {
   std::vector<Halfedge_index> flips; // from T_2 to T_3
   std::vector<double> side_length;   // in the plane, of each edge on the boundary of the surface
 };
 
-// Returns half of the angles under which the center of the unit disk, the image of the half plane,
-// sees the sides of its boundary. They lead from each vertex of `boundary` to the next. Returns
-// nothing if their sum is not pi, or if some are negative. Sides that are too short for their
-// positions have the angle zero.
+// Returns half of the angle of each boundary side as seen from the center of the unit disk, the
+// image of the half plane. Sides lead from each vertex of `boundary` to the next. Returns nothing
+// if the sum is not pi, or if an angle is negative. A side that is too short for its positions has
+// the angle zero.
 inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layout,
                                                     const std::vector<Vertex_index>& boundary)
 {
@@ -108,8 +108,8 @@ auto unless_numbers_fail(const Find& find) -> decltype(find())
   }
 }
 
-// Maps a disk without vertices inside to an inscribed polygon, in numbers of type `FT`. Returns
-// nothing if they have too few digits.
+// Maps a disk without interior vertices to an inscribed polygon, in numbers of type `FT`. Returns
+// nothing if these numbers have too few digits.
 template <typename FT>
 std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
                                            const std::vector<Vertex_index>& boundary)
@@ -132,8 +132,8 @@ std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
 }
 
 // Returns the greatest error of an exterior angle of a polygon, compared with the prescribed
-// angles, on both sides of the double. Lengths changed by rounding differ on both sides, by much if
-// the surface has needles.
+// angles, on both sides of the double. Rounding makes lengths on both sides different. The
+// difference is great if the surface has needles.
 inline std::optional<double> exterior_angle_error(const Doubled_problem& problem,
                                                   const Round_polygon& polygon)
 {
@@ -153,8 +153,8 @@ inline std::optional<double> exterior_angle_error(const Doubled_problem& problem
   });
 }
 
-// Maps a disk with vertices inside to a hemisphere, the boundary to the equator. Returns nothing if
-// no such map exists.
+// Maps a disk with interior vertices to a hemisphere, and its boundary to the equator. Returns
+// nothing if no such map exists.
 // \pre the surface is a disk; `boundary` are the vertices of its boundary in cyclic order
 inline std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,
                                                   const std::vector<Vertex_index>& boundary,

@@ -17,8 +17,8 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Computes the crossings of chords of a disk, from the order of their ends on the boundary alone.
-// Chords have two families, and chords of one family do not cross. A chord leads from its first end
-// to its last.
+// The chords form two families. Chords of one family do not cross. A chord leads from its first end
+// to its last end.
 //
 // Along the boundary, the open chords of one family form a stack. When a chord closes, it crosses
 // the chords of the other family that have been opened after it.
@@ -100,8 +100,8 @@ private:
     ++m_chords[later].count;
   }
 
-  // Orders the crossings along each chord. If two chords cross, one has an end beside the other.
-  // Along the latter, crossings are in the order of these ends.
+  // Orders the crossings along each chord. On one side of a chord, the chords that cross it have
+  // one end each. Along the chord, crossings are in the order of these ends.
   void order(const std::vector<std::size_t>& ends)
   {
     std::size_t first = 0;

@@ -120,8 +120,8 @@ private:
       [&] { m_result.resize_mesh(vertices, edges, faces); });
   }
 
-  // Returns whether `f` is the last face at the source of `h`. Vertices of several faces have
-  // positions in the last of these faces.
+  // Returns whether `f` is the last face at the source of `h`. A vertex of several faces has its
+  // position in the last of these faces.
   bool is_last_at_source(Face_index f, Halfedge_index h) const
   {
     return m_last_face[m_b.source(h)] == f;
@@ -160,7 +160,7 @@ private:
         m_result.set_parent(layer(family), piece, m_marks.outgoing(family, h));
   }
 
-  // Edges on the boundary have no marks, hence they are one piece each.
+  // A boundary edge has no marks, so it is one piece.
   void link_border(Halfedge_index h)
   {
     if(m_b.is_border(h))
@@ -195,8 +195,8 @@ public:
       m_chords(builder.m_marks)
   {}
 
-  // Returns the numbers of elements in a face. Lines that meet only at the boundary cut a disk into
-  // one part more than their number. Each crossing adds one part.
+  // Returns the numbers of elements in a face. If n lines do not cross, they cut a disk into n + 1
+  // parts. Each crossing adds one part.
   Size size(Face_index f)
   {
     m_chords.order_ends(f);

@@ -63,7 +63,8 @@ public:
   }
 
   // Returns the greatest distance of a point of the boundary from the straight line between the
-  // ends of a side. It is relative to the length of that line. `side` has the border halfedges.
+  // ends of a side. The distance is relative to the length of the line. `side` contains the border
+  // halfedges.
   double straightness_error(const Boundary_loop& side, const Delta_complex& mesh) const
   {
     const Point start = position(mesh.source(side.front())),
@@ -91,7 +92,7 @@ private:
   const Point& position(Vertex_index v) const { return m_position[v.idx()]; }
 
   // Returns the center of the circle that fits vertices best. Points z = x + iy of a circle satisfy
-  // |z|^2 = a x + b y + c; distances are from their mean.
+  // |z|^2 = a x + b y + c. Coordinates are relative to the mean of the points.
   Point center_of(const Vertices& vertices) const
   {
     Point mean = 0;
@@ -113,7 +114,7 @@ private:
   }
 
   std::vector<Point> m_position;              // of the vertices on the boundary
-  std::vector<std::vector<Point>> m_crossing; // where edges of T_2 and T_3 cross an edge
+  std::vector<std::vector<Point>> m_crossing; // crossings of edges of T_2 and T_3 with an edge
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

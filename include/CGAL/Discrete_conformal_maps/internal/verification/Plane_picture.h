@@ -29,13 +29,13 @@ struct Planar_layout
   std::vector<char> is_laid_out;              // for each face
   std::vector<std::complex<double>> position; // of the source of each halfedge
   std::vector<char> is_seam;                  // for each edge
-  double scale = 1;                           // by which positions have been multiplied since then
+  double scale = 1;                           // positions have been multiplied by it since then
 };
 
 // Compares the faces of T_3 in the plane, with positions in `double`, with their scaled lengths.
 //
 // A side or a face is crowded if it has another shape in the picture, and rounding of its corners
-// alone can be the reason. Errors are the errors of all other sides and faces.
+// explains the difference. Crowded sides and faces do not contribute to errors.
 class Plane_picture
 {
 public:
@@ -84,7 +84,8 @@ public:
   }
 
   // Returns the greatest relative difference of a length in the plane from the scaled length. The
-  // two sides of a seam have the same scaled length. If it is zero, the charts close up.
+  // two sides of a seam have the same scaled length. If the difference is zero, the charts close
+  // up.
   double edge_length_error() const
   {
     double result = 0;
@@ -135,7 +136,7 @@ private:
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
   const std::complex<double>& at(Halfedge_index h) const { return m_layout.position[h.idx()]; }
 
-  // Returns the length in the plane.
+  // Returns the length of a side in the plane.
   double length_of(Halfedge_index h) const
   {
     return std::abs(at(mesh().next(h)) - at(h)) / m_layout.scale;
@@ -144,7 +145,7 @@ private:
   double scaled_length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
 
   // Returns whether rounding has changed a cross ratio, which has the errors of four lengths. A
-  // length of zero is a length out of range.
+  // length of zero indicates underflow.
   bool has_changed_by_rounding(Halfedge_index h) const
   {
     const double length = scaled_length(h), error = std::abs(length_of(h) - length);

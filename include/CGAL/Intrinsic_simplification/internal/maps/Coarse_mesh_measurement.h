@@ -151,7 +151,7 @@ public:
     return result;
   }
 
-  // Returns the number of pairs of faces that do not only intersect in a common vertex or edge.
+  // Returns the number of pairs of faces that intersect outside of their common vertices and edges.
   std::size_t number_of_self_intersections() const
   {
     std::size_t result = 0;

@@ -140,8 +140,7 @@ private:
   }
 };
 
-// Represents a piece of an edge of the coarse level, followed with or against the direction of its
-// edge.
+// Represents a piece of an edge of the coarse level, and the direction in which it is followed.
 struct Strand
 {
   std::size_t piece;
@@ -181,7 +180,7 @@ public:
                         : s.piece == m_first_piece[e.idx()];
   }
 
-  // Returns whether both follow one edge in one direction.
+  // Returns whether both curves follow the same edge in the same direction.
   bool is_on_same_way(const Strand& s, const Strand& other) const
   {
     return halfedge(s) == halfedge(other);
@@ -207,8 +206,8 @@ public:
       s.piece = s.is_forward ? s.piece + 1 : s.piece - 1;
   }
 
-  // Follows the curve to its exit from the face, and returns whether it leaves. An edge that comes
-  // from outside is preceded by at most two edges of its face.
+  // Follows the curve to its exit from the face, and returns whether it leaves. At most two edges
+  // of its face precede an edge that comes from outside.
   bool leave_face(Strand& s, Turn turn) const
   {
     for(int edges = 0; is_bend(end(s)); advance(s, turn))
@@ -241,8 +240,9 @@ using Intrinsic_triangulations::opposite;
 
 // Determines the order in which curves cross an edge. Curves that do not cross each other continue
 // side by side until they leave a face by different sides or corners. At this face their order is
-// known without numbers. Curves that continue side by side for long are compared at each edge that
-// they cross. Results are kept at some of their pieces, so that the total time is linear.
+// known without numbers. Curves that continue side by side over many faces would be compared at
+// each edge that they cross. Results are stored at some of their pieces, so that the total time is
+// linear.
 class Crossing_order
 {
 public:
@@ -333,7 +333,7 @@ private:
   int follow(Strand a, Strand b, Halfedge_index h, Turn turn)
   {
     const Strand start = a;
-    Ways before = ways(a, b, turn); // Brent's way to find a circle
+    Ways before = ways(a, b, turn); // Brent's algorithm detects a cycle
     std::size_t steps = 0, next_before = distance_of_kept;
     do {
       if(++steps == next_before) {

@@ -42,8 +42,8 @@ struct Star_flip
   Flip_geometry geometry;
 };
 
-// Represents the flat star of a vertex without loops, laid out in the plane around the origin, and
-// the outgoing halfedges whose flips leave three. A flip cuts off an ear of the polygon.
+// Represents the flat star of a vertex without loops, laid out in the plane around the origin.
+// Chooses the outgoing halfedges whose flips leave three. A flip cuts off an ear of the polygon.
 class Star_polygon
 {
 public:
@@ -103,7 +103,7 @@ private:
     m_first = 0;
   }
 
-  // Returns `p`, turned by the angle between the sides a and b.
+  // Returns `p` after a rotation by the angle between the sides a and b.
   static Plane_point turned(const Plane_point& p, double a, double b, double opposite)
   {
     const double cosine = Intrinsic_triangulations::corner_cosine(opposite, a, b);
@@ -112,8 +112,8 @@ private:
   }
 
   // Rates an ear, which can be cut off if it is convex and does not contain the center. The center
-  // may be on the cut. Ears whose circumcircle has the center closest to its inside come first: in
-  // a Delaunay star they are Delaunay.
+  // may be on the cut. Ears are rated by the power of the center with respect to their
+  // circumcircle. In a Delaunay star, the best ears are Delaunay.
   void rate(std::size_t n)
   {
     Corner& corner = m_corners[n];

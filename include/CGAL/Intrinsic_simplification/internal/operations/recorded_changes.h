@@ -35,7 +35,7 @@ inline Flip_geometry flip_geometry(const Intrinsic_triangulations::Diamond<doubl
     IT::scaled_foot(d.jk, d.ki) * at_l + IT::scaled_foot(d.lj, d.il) * at_k; // from the midpoint
   const double both = at_k + at_l;
   const double length = IT::Euclidean_geometry_traits<double>::Compute_flipped_length()(d);
-  if(!(both > 0)) // all four points on a line: any place is correct
+  if(!(both > 0)) // all four points are collinear: any position is correct
     return {length, 0.5, 0.5};
   return {length, std::clamp(0.5 + feet / (2 * d.ij * d.ij * both), 0., 1.), at_l / both};
 }

@@ -53,8 +53,8 @@ public:
     return m_corners.number(x);
   }
 
-  // Returns the side of T1 at or clockwise from the halfedge `h` of T2. If its source lies inside
-  // a face, returns any side of this face.
+  // Returns the first side of T1 clockwise from the halfedge `h` of T2, or at `h`. If the source of
+  // `h` lies inside a face, returns any side of this face.
   Placed_side start(Halfedge_index h) const
   {
     const Vertex_index v = m_pair.mesh().source(h);
@@ -120,8 +120,8 @@ public:
     return {end(h, side), end(following, following_side(h, side))};
   }
 
-  // Returns the side at or clockwise from the outgoing halfedge of T2 that follows `h`. `side` is
-  // the side at or clockwise from `h`.
+  // Returns the first side clockwise from the outgoing halfedge of T2 that follows `h`, or at it.
+  // `side` is the corresponding side for `h`.
   Placed_side following_side(Halfedge_index h, Placed_side side) const
   {
     const Delta_complex& mesh = m_pair.mesh();
@@ -220,8 +220,8 @@ private:
   }
 
   // Returns the coordinates of the source of the halfedge `back` of T2, which leads into the
-  // triangle of `side`. On an edge of T1 both coordinates are read. Neither is computed from the
-  // other, so that both sides agree.
+  // triangle of `side`. On an edge of T1, both coordinates are read from the input. Neither is
+  // computed from the other, so that both faces of the edge agree.
   std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
   {
     const Vertex_index v = m_pair.mesh().source(back);

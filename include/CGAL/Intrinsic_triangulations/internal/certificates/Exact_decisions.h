@@ -67,7 +67,7 @@ public:
   using Base::is_input_edge;
   using Base::rounded_angle;
 
-  // The courses of edges are computed when they are read.
+  // The courses of edges are computed when a decision first needs them.
   explicit Exact_decisions(const Pair& pair)
     : Base(pair), m_is_flat(m_metric.points, pair.input_mesh())
   {}
@@ -194,8 +194,8 @@ public:
     return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });
   }
 
-  // Returns whether the face of `h` has the orientation of the faces of T1 in which it lies. It may
-  // have zero area only if these faces have zero area.
+  // Returns whether the face of `h` has the orientation of the faces of T1 in which it lies. The
+  // face may have zero area only if all these faces have zero area.
   bool is_oriented(Halfedge_index h)
   {
     const Sign sign = orientation(h);
@@ -213,9 +213,9 @@ public:
     return sign == POSITIVE || (sign == ZERO && passes_triangle(h, false));
   }
 
-  // Returns the sign of s - `t`, if `h` crosses an edge of T1 as crossing `m` at the position s. It
-  // follows from the heights of both ends of `h`, which is straight, over that edge. If `h` runs
-  // along that edge, the sign is ZERO.
+  // Returns the sign of s - `t`, where s is the position at which `h` crosses an edge of T1 as
+  // crossing `m`. It follows from the heights of both ends of the straight edge `h` over the edge
+  // of T1. If `h` runs along the edge of T1, the sign is ZERO.
   template <typename Lazy_number>
   Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_number& t)
   {
@@ -232,9 +232,9 @@ public:
 
   const Decision_count& count() const { return m_count; }
 
-  // Returns the sign `predicate(development)`, which is called with more and more digits. Few
-  // roots, as for many coplanar faces, are faster than many digits. If the input consists of
-  // numbers of type `double`, the last numbers are of type `Exact`.
+  // Returns the sign `predicate(development)`, which is called with more and more digits. If there
+  // are few roots, exact numbers are faster than many digits. Coplanar faces are an example. If the
+  // input consists of numbers of type `double`, the last numbers are of type `Exact`.
   template <typename Exact = Exact_ring, typename Predicate>
   Sign decide(const Predicate& predicate)
   {
@@ -368,7 +368,7 @@ private:
     return sum;
   }
 
-  // Returns whether the edges lead along one edge of T1, through the vertex between them.
+  // Returns whether both edges lie on one edge of T1, with the vertex between them.
   bool is_straight_corner(Halfedge_index before, Halfedge_index after) const
   {
     return m_pair.is_inserted(m_mesh.source(after)) && before != m_mesh.opposite(after) &&
@@ -391,8 +391,8 @@ private:
 
   // ---- Squared lengths ----
 
-  // Returns whether `h` crosses a triangle of T1, or has one on its left, that has an area (or that
-  // has none).
+  // Returns whether `h` crosses a triangle of T1 with positive area (or with zero area), or has
+  // such a triangle on its left.
   bool passes_triangle(Halfedge_index h, bool has_area) const
   {
     const auto is_one = [&](Halfedge_index side) {

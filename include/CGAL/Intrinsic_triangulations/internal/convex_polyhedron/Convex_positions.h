@@ -142,7 +142,7 @@ inline Orientation orientation_in_plane(const std::array<Polyhedron_kernel::Poin
   return CGAL::orientation(projected(p[0]), projected(p[1]), projected(p[2]));
 }
 
-// Returns the angle in the plane z = 0 by which the way over three points turns at the second.
+// Returns the exterior angle at the second of three points of a polyline in the plane z = 0.
 inline double turn_in_plane(const std::array<Polyhedron_kernel::Point_3, 3>& p)
 {
   const auto u = p[1] - p[0], v = p[2] - p[1];

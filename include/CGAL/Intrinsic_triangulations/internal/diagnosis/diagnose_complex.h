@@ -263,12 +263,12 @@ private:
 
   Input_diagnosis& m_diagnosis;
   Diagnosis_complex m_complex;
-  std::vector<Index> m_last_face;  // that named the vertex
+  std::vector<Index> m_last_face;  // the last face with the vertex
   std::vector<Index> m_first_side; // of each smaller end, in the next
   std::vector<Side> m_sides;
 };
 
-// Takes edges from the halfedges, so that loops and parallel edges keep their identity.
+// Makes the edges from the halfedges of a graph, so that loops and parallel edges stay different.
 template <class Graph>
 class Graph_complex_builder
 {

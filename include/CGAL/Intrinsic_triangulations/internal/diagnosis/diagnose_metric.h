@@ -104,8 +104,8 @@ private:
   }
 
   // Returns whether the least height is at most a unit in the last place of the greatest
-  // coordinate. Lengths decide, unless the height is of the order of their rounding error or of its
-  // root.
+  // coordinate. Lengths decide, unless the height is as small as their rounding error, or its
+  // square root.
   static bool is_within_rounding(const Corners& p, const std::array<double, 3>& sides,
                                  double longest)
   {
@@ -180,7 +180,7 @@ private:
   Input_diagnosis& m_diagnosis;
 };
 
-// Diagnoses lengths and angles, whatever their source is.
+// Diagnoses lengths and angles of an embedding or of given lengths.
 template <class Metric>
 class Metric_diagnoser
 {

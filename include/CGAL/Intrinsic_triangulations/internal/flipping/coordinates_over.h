@@ -64,9 +64,8 @@ void copy_coordinates(const Delta_complex& mesh, const std::vector<Halfedge_inde
 }
 
 // Returns the connectivity of T3, the second triangulation of `pair`, with the integer coordinates
-// of T2, the second triangulation of `base`. T2 is the input of the result. T2 is shared with
-// itself in the beginning, and is flipped to T1. Then T1 is flipped to T3, in the reverse order of
-// the flips from T3.
+// of T2, the second triangulation of `base`. T2 is the input of the result. First T2 over itself is
+// flipped to T1. Then T1 is flipped to T3, in the reverse order of the flips from T3.
 template <typename Traits>
 Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
                                const Triangulation_pair<Traits>& pair)

@@ -20,8 +20,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Returns the number of windows that exact distances are expected to need. Four scanned and
-// modelled surfaces needed from a quarter of this number to a little more. It grows as the number
-// of edges that a straight line crosses. Each of several sources has its share of the surface.
+// modelled surfaces needed from a quarter of this number to a little more. It is proportional to
+// the number of edges that a straight line crosses. Several sources divide the surface among them.
 inline double expected_windows(std::size_t vertices, std::size_t sources)
 {
   const auto n = static_cast<double>(vertices);

@@ -76,7 +76,8 @@ public:
     return m_number_of_sources++;
   }
 
-  // Segments not longer than rounding errors are points. Ends come first: they open fewer views.
+  // A segment as short as rounding errors counts as a point. Ends are added first, because they
+  // open fewer views.
   std::size_t add_source(const Surface_curve<FT>& curve)
   {
     Surface_curve<FT> segments;
@@ -94,8 +95,8 @@ public:
 
   static constexpr std::size_t unlimited_steps = (std::numeric_limits<std::size_t>::max)();
 
-  // Makes distances up to `limit()` final and returns true. Returns false if this needs more than
-  // `most_steps` views.
+  // Makes distances up to `limit()` final. Returns false if this needs more than `most_steps`
+  // views, and true otherwise.
   template <typename Limit, typename Visitor>
   bool run(const Limit& limit, std::size_t most_steps, Visitor& visitor)
   {

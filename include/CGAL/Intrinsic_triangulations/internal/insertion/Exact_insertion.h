@@ -216,8 +216,8 @@ private:
 };
 
 // Changes T2 with exact decisions, and with lengths that have errors of at most
-// `certified_length_error()`. All functions read stored courses. None is inlined, because exact
-// decisions are rare.
+// `certified_length_error()`. All functions read stored courses. No function is inlined, because
+// exact decisions are rare.
 template <typename Traits>
 class Exact_insertion
 {
@@ -355,8 +355,8 @@ private:
                                                          : m_decisions.is_straight(h);
   }
 
-  // Checks that neither part of an edge is too short, and no new edge beside it. New edges are
-  // measured only if their faces are small, because rounding could hide needles elsewhere.
+  // Checks that both parts of an edge, and the new edges beside it, are not too short. New edges
+  // are measured only if their faces are small, because only then rounding can hide needles.
   // \throws Numerical_error if an edge is too short
   void check_lengths_of_parts(Halfedge_index h, double t) const
   {

@@ -65,8 +65,8 @@ private:
   }
 
   // Returns a side of the face that contains the point. If the point lies on a side, returns this
-  // side. The walk begins in the face with the number `f`, which lies in the same face of T1.
-  // Random turns prevent cycles.
+  // side. The walk begins in the face with index `f`, which lies in the same face of T1. Random
+  // turns prevent cycles.
   Halfedge_index locate(const Weights& point, Face_index f)
   {
     Halfedge_index h = m_mesh.halfedge(f);

@@ -25,7 +25,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The following functions convert between numbers with many digits and `double`, real or complex.
+// The following functions convert real or complex numbers between many digits and `double`.
 template <typename Real>
 Real real_part(const Real& x)
 {
@@ -172,7 +172,7 @@ private:
       }
   }
 
-  // Subtracts the contribution of a row that is eliminated from all later ones.
+  // Subtracts the contribution of a row that is eliminated from all later rows.
   bool eliminate(std::size_t k, std::vector<Row>& row, Updates& rest)
   {
     const int s = m_first[k];
@@ -243,7 +243,7 @@ private:
   }
 
   std::vector<int> m_first, m_rest; // rows that are eliminated with all digits, and the others
-  std::vector<int> m_number;        // of each row among the others; -1 if it is eliminated first
+  std::vector<int> m_number;        // of each row among the rest; -1 if it is eliminated first
   std::vector<Column> m_columns;
   std::unique_ptr<Factorization<Rounded>> m_factorization;
 };

@@ -35,9 +35,9 @@ public:
                                [&](Halfedge_index h) { m_outgoing_halfedges.push_back(h); });
   }
 
-  // Returns whether the vertex has fewer than three neighbors, and the circumcenters of its faces
-  // would not help. They would hide all neighbors and leave fewer than three again, as on a pointed
-  // cone.
+  // Returns whether the vertex has fewer than three neighbors, and inserting the circumcenters of
+  // its faces leaves fewer than three again. This happens on a pointed cone: the circumcenters hide
+  // all neighbors.
   bool is_pointed_without_neighbors() const
   {
     FT sum(0);
