@@ -252,8 +252,8 @@ public:
 
 protected:
   /// \cond SKIP_IN_MANUAL
-  // Returns the weights of the corners of a face of T_3 in homogeneous coordinates, with another
-  // common factor if they are out of range.
+  // Returns the weights of the corners of a face of T_3 in homogeneous coordinates. If they exceed
+  // the range of their type, they have another common factor.
   std::array<double, 3> homogeneous_weights(const Face_location& on_C) const
   {
     const auto side = sides(on_C.first, ideal().mesh());

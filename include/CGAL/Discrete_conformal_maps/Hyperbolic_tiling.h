@@ -44,8 +44,8 @@ public:
       }
   }
 
-  /// returns the vertices on the boundary of the domain, counterclockwise; consecutive ones are
-  /// joined by geodesics.
+  /// returns the vertices on the boundary of the domain, counterclockwise. Geodesics join
+  /// consecutive vertices.
   const std::vector<std::complex<double>>& corners() const { return m_corners; }
 
   /// returns the motions to the images beyond the sides of the domain, one for each side.

@@ -19,8 +19,8 @@ namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
-// Returns the coefficients |B_2k| / (2k (2k + 1)!) of Clausen's function, for k = 1, 2, ... The
-// next ones are negligible for arguments up to 2 pi / 3, where each term is a ninth of the previous
+// Returns the coefficients |B_2k| / (2k (2k + 1)!) of Clausen's function, for k = 1, 2, ... Further
+// terms are negligible for arguments up to 2 pi / 3, where each term is a ninth of the previous
 // one.
 template <typename FT>
 std::vector<FT> Clausen_coefficients()

@@ -32,11 +32,11 @@ enum class Map_status
   not_rectangular,  ///< the sides of a rectangle are not straight, or its angles are not right
   not_convex,       ///< the image on the sphere is not a convex polyhedron, or violates a bound of
                     ///< Section 4.4.3
-  not_inscribed, ///< vertices are not on the sphere. Or boundary vertices of a disk are not on the
-                 ///< equator, or others not above it
-  not_conformal, ///< a length cross ratio of the image differs from the input
-  not_glued      ///< in the hyperbolic plane, faces do not close up around a vertex, or the
-                 ///< generators do not satisfy their relation
+  not_inscribed,    ///< vertices are not on the sphere, boundary vertices of a disk are not on the
+                    ///< equator, or interior vertices are not above it
+  not_conformal,    ///< a length cross ratio of the image differs from the input
+  not_glued         ///< in the hyperbolic plane, faces do not close up around a vertex, or the
+                    ///< generators do not satisfy their relation
 };
 
 namespace internal {

@@ -140,7 +140,7 @@ constexpr bool has_corners()
 ///
 /// The vertices of the input come first, in their order, then crossings. Faces are convex polygons,
 /// with the orientation of the input. Images are rounded such that no face is reversed, if that is
-/// possible (\ref dcm_reversed). Complexity: linear, without faces that are reversed at first.
+/// possible (\ref dcm_reversed). Complexity: linear if rounding reverses no face.
 ///
 /// \tparam Map `Planar_conformal_map`, `Hyperbolic_conformal_map` or `Spherical_conformal_map`
 /// \tparam Graph a model of `MutableFaceGraph`

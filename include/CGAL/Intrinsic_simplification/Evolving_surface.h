@@ -191,6 +191,7 @@ public:
   ///   plus a thousand for each edge
   /// \throws Intrinsic_triangulations::Numerical_error if an edge has no positive finite length
   /// \throws Intrinsic_triangulations::Overflow_error if the history has too many elements
+  ///
   /// After an exception the surface is valid.
   void make_Delaunay()
   {

@@ -33,8 +33,8 @@ inline Delta_complex::size_type along_first_halfedge(Halfedge_index h, Delta_com
 /// direction of its first halfedge, and edge follows edge. On a halfedge they are counted from its
 /// source.
 ///
-/// An edge with \f$n\f$ marks consists of \f$n+1\f$ pieces. These are indexed in the same way, as
-/// edges of a mesh in which they come first.
+/// An edge with \f$n\f$ marks consists of \f$n+1\f$ pieces. The marks on these edges are indexed in
+/// the same way. The edges come first in their mesh.
 class Edge_marks
 {
 public:

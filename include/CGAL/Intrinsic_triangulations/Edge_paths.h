@@ -133,10 +133,11 @@ public:
 
   /// shortens all paths to geodesics. Least angles come first.
   ///
-  /// Complexity: it ends, since lengths decrease; in practice some flips for each edge of a path.
+  /// Complexity: finite, since lengths decrease. In practice, an edge of a path takes a few flips.
   /// \throws Numerical_error if a flipped edge has no positive finite length
-  /// \throws Overflow_error if a normal coordinate is out of range After an exception the paths are
-  /// shorter or unchanged, and still paths of \f$T_2\f$.
+  /// \throws Overflow_error if a normal coordinate is out of range
+  ///
+  /// After an exception the paths are shorter or unchanged, and still paths of \f$T_2\f$.
   Shortening_status shorten()
   {
     for(bool has_moved = true; has_moved;) {

@@ -43,7 +43,7 @@ public:
 
   /// adds `e` if `is_wanted`, unless it waits already. There is no branch, since `is_wanted` is
   /// unpredictable, and mispredictions would take most of the time.
-  /// \pre `e` is one of the edges that there were at first
+  /// \pre `e` is one of the edges that existed at the start
   void push_if(bool is_wanted, Edge_index e)
   {
     const bool is_pushed = is_wanted & !m_waits[e.idx()];

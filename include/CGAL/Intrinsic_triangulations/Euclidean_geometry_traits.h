@@ -136,7 +136,7 @@ public:
     /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
-      // Except for near ties, the cosines decide, which are cheap. Near 0 and pi they hardly
+      // Except for near ties, the cosines decide, which are cheap. Near 0 and pi, cosines hardly
       // change, and only the sines can decide.
       if(is_certain(length))
         return true;

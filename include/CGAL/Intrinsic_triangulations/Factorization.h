@@ -77,9 +77,9 @@ public:
                       : right_side;
   }
 
-  /// returns the solutions for all columns, which takes less time than one after the other. They
-  /// are equal to the results of `solve()` up to rounding. It may be called by several threads at
-  /// once.
+  /// returns the solutions for all columns. This takes less time than one call for each column.
+  /// They are equal to the results of `solve()` up to rounding. It may be called by several threads
+  /// at once.
   Columns solve_columns(const Columns& right_sides) const
   {
     return m_cholesky

@@ -64,6 +64,7 @@ public:
   /// returns a geodesic from `source` to `target`. It has no points if the two are equal; if there
   /// is no path, its length is infinite, too.
   /// \throws Numerical_error, Overflow_error as `Edge_paths::shorten()` and `path_on_input()`
+  ///
   /// After an exception other paths can be computed.
   Flipped_path<FT> path(Vertex_index source, Vertex_index target)
   {

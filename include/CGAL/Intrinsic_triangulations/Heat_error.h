@@ -29,8 +29,7 @@ struct Heat_error
   /// makes an estimate without vertices.
   Heat_error() = default;
 
-  /// compares distances with exact ones, as far as these are no greater than `final_length`.
-  /// Complexity: linear.
+  /// compares distances with exact distances that are at most `final_length`. Complexity: linear.
   Heat_error(const std::vector<FT>& distance, const std::vector<FT>& exact, const FT& final_length)
   {
     std::vector<FT> errors;

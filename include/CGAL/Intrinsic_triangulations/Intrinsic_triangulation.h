@@ -202,6 +202,7 @@ public:
   /// bit. Complexity: constant; no memory is allocated.
   /// \throws Numerical_error if the new length is not positive and finite
   /// \throws Overflow_error if the new normal coordinate is out of range
+  ///
   /// After an exception nothing has changed.
   /// \pre `is_flippable(h)`, or the edge of `h` is not Delaunay
   void flip(Halfedge_index h)
@@ -224,6 +225,7 @@ public:
   /// strips are known exactly. Complexity: linear in the edges and crossings.
   /// \throws Numerical_error if a length is not positive and finite
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
+  ///
   /// After an exception nothing has changed.
   void recompute_lengths()
   {

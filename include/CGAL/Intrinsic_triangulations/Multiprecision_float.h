@@ -40,7 +40,8 @@ namespace Intrinsic_triangulations {
 /// many digits. It has the operators, comparisons and functions of `double`, such as `sqrt()`.
 ///
 /// Coordinates of type `double` are multiples of \f$2^{-1074}\f$. So the height of a triangle with
-/// sides of about one is zero or at least as large. Lengths with so many digits determine it.
+/// sides of about one is zero or at least as large. Lengths with this number of digits determine
+/// it.
 class Multiprecision_float
 {
 public:

@@ -140,7 +140,7 @@ private:
         visit(h);
   }
 
-  // Finds the shortest paths from `root`, and returns the faces, the closest ones first.
+  // Finds the shortest paths from `root`. Returns the faces in the order of their distances.
   std::vector<Face_index> search_from(Face_index root, const Lengths& crossing_length,
                                       Search& search) const
   {

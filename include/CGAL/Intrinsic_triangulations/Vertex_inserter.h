@@ -92,6 +92,7 @@ public:
   ///   is also thrown if no near point has coordinates on \f$T_1\f$ that leave its edges straight
   ///   and its faces positive
   /// \throws Overflow_error if a normal coordinate is out of range
+  ///
   /// After an exception nothing has changed.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {

@@ -164,7 +164,7 @@ private:
 /// The lengths of \f$T_1\f$ and the factors of vertices are taken as exact numbers. The stored
 /// lengths of \f$T_2\f$, which flips have rounded, are not used. Integer coordinates determine
 /// exactly which triangles of \f$T_1\f$ an edge passes, and its length is a rational function of
-/// their lengths. Intervals decide most edges, and rational numbers the others.
+/// their lengths. Intervals decide most edges, and rational numbers the remaining edges.
 ///
 /// An ideal triangulation is ideal Delaunay for these numbers if all its edges pass. Arcs of any
 /// triangulation are geodesics of the ideal polyhedron, and disjoint.

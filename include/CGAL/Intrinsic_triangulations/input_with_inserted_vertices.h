@@ -121,8 +121,8 @@ private:
 
   // ---- Faces of T1 ----
 
-  // Stores the pieces around a face, and the vertices at which they begin, followed by those inside
-  // the face.
+  // Stores the pieces around a face and the vertices at which they begin. The vertices inside the
+  // face follow.
   struct Polygon
   {
     std::vector<Halfedge_index> pieces;

@@ -40,7 +40,7 @@ public:
       m_is_done(m_mesh.number_of_faces(), 0)
   {}
 
-  // Returns the curves, from boundary to boundary before closed ones.
+  // Returns the curves. Curves from boundary to boundary come before closed curves.
   std::vector<Curve> operator()()
   {
     std::vector<Curve> result;

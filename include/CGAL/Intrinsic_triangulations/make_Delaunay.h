@@ -233,8 +233,8 @@ inline std::size_t flips_by_lengths(std::size_t number_of_edges)
   return 10000000 + 1000 * number_of_edges;
 }
 
-// Returns the number of flips that are first made with decisions in the exact metric. After very
-// many flips, edges cross so many others that each flip takes long.
+// Returns the number of flips that are first made with decisions in the exact metric. After many
+// flips, edges cross so many edges that each flip takes long.
 inline std::size_t flips_in_exact_metric(std::size_t number_of_edges)
 {
   return 1000 + 100 * number_of_edges;
@@ -279,7 +279,7 @@ Flipping_result flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t l
 }
 
 // Decides in the exact metric which edges are Delaunay, and recomputes all lengths to nearly all
-// digits. Fails after too many flips, or if edges cross too many others.
+// digits. Fails after too many flips, or if edges cross too many other edges.
 template <typename Traits, typename Visitor>
 Flipping_result flip_in_exact_metric(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                      Visitor& visitor, Concurrency concurrency)
@@ -394,6 +394,7 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 /// - An exact decision involves too many square roots (see `certify_Delaunay()`).
 /// - Rounding of the lengths prevents the postcondition, and exact decisions are not possible.
 /// \throws Overflow_error if a normal coordinate is out of range
+///
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -192,6 +192,7 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 /// \throws Numerical_error if a length is not positive and finite, or rounding of the lengths
 ///         prevents the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
+///
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_weighted_Delaunay(tri, result.weight_map())`, up to rounding of the weights of hidden
 ///       vertices

@@ -370,6 +370,7 @@ std::size_t insertion_limit(const Intrinsic_triangulation<Traits>& tri,
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// \throws Invalid_input if the bound on circumradii needs more insertions than the default
+///
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
 ///   `double`, exactly: `certify_Delaunay()` confirms it

@@ -236,7 +236,7 @@ private:
   }
 
   // Ends the path to `w` with `h` if it is as short, and `h` has a lesser index than its last
-  // halfedge. A path whose last length is lost by rounding is replaced by others.
+  // halfedge. If rounding loses the last length of a path, other paths replace it.
   void choose_entry(Vertex_index w, const FT& distance, Halfedge_index h, Search& search) const
   {
     const auto is_closer = [&](Halfedge_index x) {

@@ -270,8 +270,8 @@ public:
   /// the square root of the number of parts.
   /// \param curve segments, with the negative side on their left
   /// \throws Underflow_error if normals underflow somewhere, at distances as in `Heat_distance`
-  /// \throws Numerical_error if normals cancel on a whole component. Or if the means over the parts
-  ///         of the curve differ by more than 2^-20 of the greatest distance
+  /// \throws Numerical_error if normals cancel on a whole component, or means over parts of the
+  ///         curve differ by more than 2^-20 of the greatest distance
   Vector distances(const Surface_curve<FT>& curve) const
   {
     const std::vector<FT> length = length_on_components(curve);

@@ -171,7 +171,7 @@ constexpr double inward_moves[] = {0., 0x1p-30, 0x1p-15, 0x1p-8, 0x1p-4, 0x1p-2}
 constexpr double greatest_move_on_edge() { return 0x1p-15; }
 
 // Returns the relative residual below which the residual that conjugate gradients update may differ
-// from the true one. It is the result of some hundred updates.
+// from the true one. It results from about a hundred updates.
 template <typename FT>
 constexpr FT residual_rounding()
 {

@@ -49,7 +49,7 @@ constexpr double greatest_newton_step = 4;
 constexpr double greatest_squared_tangent = 0.0036;
 
 // A sum of a Laplace matrix up to this value can be rounding error, relative to the sum of all
-// absolute values. Each entry is a sum of some ten numbers.
+// absolute values. Each entry is a sum of about ten numbers.
 constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 
 // The sum of the areas of the pieces of a face differs from the area of the face by at most this

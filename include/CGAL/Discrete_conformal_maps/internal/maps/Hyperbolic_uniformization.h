@@ -125,8 +125,8 @@ private:
       lay_out_with_more_digits<More_extended>();
   }
 
-  // Lays out the faces with more digits. A triangulation that is Delaunay with rounded scale
-  // factors has another metric with precise ones.
+  // Lays out the faces with more digits. If a triangulation is Delaunay with rounded scale factors,
+  // precise scale factors give it another metric.
   template <typename FT>
   double lay_out_with_more_digits()
   {

@@ -19,8 +19,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns whether a map has failed in a way that more digits may mend. They do not if steps were
-// too few, or if a fixed triangulation has no map.
+// Returns whether more digits may prevent the failure of a map. They do not if steps were too few,
+// or if a fixed triangulation has no map.
 template <typename Map>
 bool may_need_digits(const Map& map)
 {

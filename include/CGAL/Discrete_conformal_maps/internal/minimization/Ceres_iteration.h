@@ -117,7 +117,7 @@ private:
     Ceres_iteration& run;
   };
 
-  // After so many iterations the Hessian at the start is outdated.
+  // After this number of iterations, the Hessian at the start is outdated.
   static constexpr std::size_t iterations_of_run = 30;
 
   Status minimize()

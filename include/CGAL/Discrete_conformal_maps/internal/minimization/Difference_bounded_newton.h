@@ -31,10 +31,11 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // differences of neighbors, and use the changes of the gradient along earlier steps.
 //
 // Angles of needles jump by pi within distances that are far shorter than a step. The Hessian on
-// one side of such a jump says nothing about it. So steps correct the Hessian by the changes of the
-// gradient along the last steps, as the method of Broyden, Fletcher, Goldfarb and Shanno does. The
-// matrix of that method is the Hessian here, see Nocedal (1980). With such a correction, a step
-// follows the edge of a jump. Lewis and Overton (2013) show this for functions that are not smooth.
+// one side of such a jump contains no information about the jump. So steps correct the Hessian by
+// the changes of the gradient along the last steps, as the method of Broyden, Fletcher, Goldfarb
+// and Shanno does. The matrix of that method is the Hessian here, see Nocedal (1980). With such a
+// correction, a step follows the edge of a jump. Lewis and Overton (2013) show this for functions
+// that are not smooth.
 //
 // A step ends where its slope has risen by half, or where slopes prove that the energy is less.
 // After a step that would go too far, the bound is smaller. Steps have the digits of the energy.
@@ -163,7 +164,8 @@ private:
     return is_known ? part : 0;
   }
 
-  // Returns a point between two others. By turns, their slopes determine it, or it is the middle.
+  // Returns a point between two given points. By turns, their slopes determine it, or it is the
+  // middle.
   static double next_part(int trial, double low, double low_slope, double high, double high_slope)
   {
     if(trial % 2 == 0)

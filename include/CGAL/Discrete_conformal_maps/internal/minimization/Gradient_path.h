@@ -23,10 +23,10 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Follows the path on which the gradient g of an energy shrinks to zero proportionally. Angle
-// defects move from their present values to the prescribed ones. Its tangent is Newton's direction.
-// A step covers a part t of it such that the greatest |g_i| shrinks by at least the fraction t/4.
-// The slope along the direction suffices near a minimum. It can vanish if single defects have grown
-// to 2 pi, and Newton's method hardly moves from such points.
+// defects move from their present values to the prescribed values. Its tangent is Newton's
+// direction. A step covers a part t of it such that the greatest |g_i| shrinks by at least the
+// fraction t/4. The slope along the direction suffices near a minimum. It can vanish if single
+// defects have grown to 2 pi, and Newton's method hardly moves from such points.
 //
 // The range in which the tangent is accurate depends on changes of neighbors relative to each
 // other, not on their common change. The scale factors of a strip can move by hundreds in one step.

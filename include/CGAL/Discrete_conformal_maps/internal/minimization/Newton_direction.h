@@ -55,7 +55,7 @@ inline Eigen::VectorXd grounding(const Eigen::SparseMatrix<double>& hessian,
 // If the Hessian alone is singular, or gives a step that is too long (max norm), the entries |g_i|
 // / bound are added to its diagonal. Consider a Hessian with positive diagonal and non-positive
 // off-diagonals, as a Laplacian has. Then no entry of the step is above the bound (maximum
-// principle). Where the function is almost linear the step has the length allowed; elsewhere it
+// principle). If the function is almost linear, the step gets the allowed length. Otherwise it
 // hardly changes. The added numbers vanish with the gradient.
 class Newton_direction
 {

@@ -34,8 +34,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // A step that changes these differences by a few times as much as distances allow makes angles zero
 // or pi. Such angles do not change any more until the scale factors have returned exactly to their
 // old values. So steps stay close to the path on which all entries of the gradient shrink
-// proportionally, from the start to zero. Angles on the path are between the angles of the start
-// and the prescribed ones.
+// proportionally, from the start to zero. Angles on the path lie between the angles of the start
+// and the prescribed angles.
 //
 // Variables may have lower bounds. At its bound, a variable may have a derivative that is greater
 // than on the path, and is then excluded from the step. Close to a bound, the slope can behave like
@@ -248,9 +248,9 @@ private:
   }
 
   // Moves groups of variables as one, and then their parts, until the entries of the gradient equal
-  // the entries on the path. The movement of a group hardly depends on differences within it.
-  // Within bounds, variables that are not tied strongly to others would move far, and steps of all
-  // variables are as good.
+  // the entries on the path. The movement of a group hardly depends on differences within the
+  // group. Within bounds, variables that are not tied strongly to others would move far, and steps
+  // of all variables are as good.
   void relax(double position, double limit)
   {
     if(!m_gradient.allFinite())

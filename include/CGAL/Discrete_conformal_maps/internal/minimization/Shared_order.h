@@ -89,7 +89,7 @@ private:
   std::shared_ptr<Factorization_counts> m_counts = std::make_shared<Factorization_counts>();
 };
 
-// Returns the order that an energy shares with others, or a new one.
+// Returns the order that an energy shares with other energies, or a new order.
 template <typename Energy, typename = void>
 struct Order_of_energy
 {

@@ -410,8 +410,8 @@ private:
       find_precise_lengths();
   }
 
-  // Computes precise lengths. Unless exact lengths are requested, rounded ones are kept if 1024
-  // bits do not suffice.
+  // Computes precise lengths. If 1024 bits do not suffice, rounded lengths are kept, unless exact
+  // lengths are requested.
   void find_precise_lengths()
   {
     try {

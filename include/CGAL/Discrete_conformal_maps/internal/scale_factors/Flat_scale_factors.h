@@ -274,7 +274,7 @@ private:
   }
 
   // Starts from scale factors near `u`, at which the energy is evaluated, with a smaller gradient.
-  // While lengths change little, so does the Laplacian, and on a smooth surface it hardly changes.
+  // If lengths change little, the Laplacian changes little. On a smooth surface it hardly changes.
   // So the factorization of the placement finds them. Cones that are certainly needed are placed
   // meanwhile.
   void start_near(Vector u, Energy& energy, Cone_placement& placement, double bound)

@@ -142,8 +142,8 @@ private:
   }
 
   // Returns d^2 by the hyperbolic formula of Heron, the product of sinh s, sinh(s - x_a), sinh(s -
-  // x_b) and sinh(s - x_c) for half the perimeter s. The first and the third factor are multiplied,
-  // and so are the others.
+  // x_b) and sinh(s - x_c) for half the perimeter s. The first factor is multiplied with the third,
+  // and the second with the fourth.
   static FT squared_sine_without_Euclidean_triangle(std::array<FT, 3> l)
   {
     using std::sqrt;

@@ -144,12 +144,12 @@ public:
     m_bend = (std::min)(tolerance::bend, tolerance::promised_angle / sides);
   }
 
-  // Returns the differences between the tried angle defects and the prescribed ones. Consider a
-  // straight boundary without vertices inside. Every triangle beside it reaches to a vertex inside,
-  // however small its side on the boundary is and however far that vertex is. So lengths would need
-  // as many digits. A bend of 1e-13 is a rounding error of angles. It makes triangles with a third
-  // corner on the boundary Delaunay if sides are so small. The other exterior angles of the
-  // component shrink proportionally.
+  // Returns the differences between the tried and the prescribed angle defects. Consider a straight
+  // boundary without vertices inside. Every triangle beside it reaches to a vertex inside, however
+  // small its side on the boundary is and however far that vertex is. So lengths would need as many
+  // digits. A bend of 1e-13 is a rounding error of angles. It makes triangles with a third corner
+  // on the boundary Delaunay if sides are so small. The other exterior angles of the component
+  // shrink proportionally.
   Vector bends() const
   {
     Vector result = Vector::Zero(m_value.size());

@@ -361,8 +361,8 @@ private:
     }
   }
 
-  // Without enough digits, intermediate flips have turned needles over: the next search does not
-  // start where this one has ended.
+  // If numbers have too few digits, intermediate flips reverse needles. Then the next search does
+  // not start from the end of this search.
   template <typename FT>
   void descend_from_start(Energy<FT>& energy, double tolerance, Any_visitor& visitor)
   {

@@ -70,10 +70,10 @@ public:
   const std::vector<FT>& bounds() const { return m_bound; }
   const Minimization_result& result() const { return m_result; }
 
-  // Returns the greatest error of an angle that must be 2 pi, at vertices that are not at their
-  // bounds. At the others, the slope of the energy behaves like a root, and numbers may not resolve
-  // its zero. The bound leaves as much as the root of a rounding unit in the gradient, beside which
-  // all other terms are lost. But the sum of angles need not be 2 pi at these vertices.
+  // Returns the greatest error of an angle sum that must be 2 pi, at vertices that are not at their
+  // bounds. At vertices at their bounds, the sum need not be 2 pi. Their slope of the energy
+  // behaves like a square root, and numbers may not resolve its zero. The bound leaves the square
+  // root of a rounding unit in the gradient, which exceeds all other terms.
   double angle_error() const { return m_angle_error; }
 
   // Starts from scale factors of another precision instead of a guess.
@@ -86,8 +86,8 @@ public:
                  : (std::max)(m_bound[v], converted<FT>(other.values()[v]));
   }
 
-  // Starts from rounded scale factors, which are equal at near vertices, because rounding has left
-  // no digits of the angles between these.
+  // Starts from rounded scale factors. Near vertices get equal scale factors, because rounding has
+  // left no digits of the angles between near vertices.
   void set_start_of_groups(const Spherical_scale_factors<double>& rounded)
   {
     set_start(rounded);
@@ -108,9 +108,9 @@ public:
   void set_start(const std::vector<Extended>& flat) { m_u = start(flat); }
 
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
-  // `double` limits only how far a step can change the scale factors. If they have more digits, a
-  // second run finds these. Otherwise, a second run leaves vertices at their bounds, see
-  // `angle_error()`. The energy does not outlive the minimization, because a layout needs its
+  // `double` limits only how far a step can change the scale factors. If scale factors have more
+  // digits, a second run finds the digits. Otherwise, a second run leaves vertices at their bounds,
+  // see `angle_error()`. The energy does not outlive the minimization, because a layout needs its
   // memory.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)

@@ -31,7 +31,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // Represents half of the energy of a double, as a function of the scale factors on the surface
 // itself. Copies have equal scale factors. It is a model of `ConvexEnergy`. All faces at a vertex
-// of the surface exist. If the second copy is not deep enough for a point, it is made deeper. A
+// of the surface exist. If the second copy is not deep enough for a point, it is extended. A
 // surface without boundary has its own energy.
 template <typename Energy>
 class Symmetric_energy

@@ -194,7 +194,7 @@ private:
     return Wide_number(mantissa, Window{k});
   }
 
-  // Normalizes the mantissa, which changes nothing in nearly all cases.
+  // Normalizes the mantissa. In nearly all cases the mantissa is normalized already.
   void normalize()
   {
     const double size = std::abs(leading_part());

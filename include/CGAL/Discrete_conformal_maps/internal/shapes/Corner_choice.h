@@ -54,7 +54,8 @@ public:
   }
 
 private:
-  // Returns up to four positions. Each is the sharpest one at this distance from the previous ones.
+  // Returns up to four positions. Each corner is the sharpest vertex at this distance from the
+  // previous corners.
   Corners sharpest_at_distance(double distance) const
   {
     Corners result;

@@ -21,7 +21,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores the greatest differences of curvatures and exterior angles from the prescribed ones, in
+// Stores the greatest differences between actual and prescribed curvatures and exterior angles, in
 // radians.
 struct Defect_errors
 {

@@ -145,9 +145,9 @@ inline void prefetch(const void* address, std::size_t size)
 inline void prefetch_vertex(Intrinsic_triangulations::Vertex_index, const void*) {}
 
 // Brings the stars of the vertices near the top of a heap into the cache, many at once. A walk
-// around a star waits for memory at each outgoing halfedge. Many simultaneous walks hardly wait
-// longer than one. On surfaces larger than the cache, waiting would take a quarter of the time.
-// Results do not depend on it.
+// around a star waits for memory at each outgoing halfedge. Many simultaneous walks take hardly
+// more time than one walk. On surfaces larger than the cache, waiting would take a quarter of the
+// time. Results do not depend on it.
 class Star_prefetcher
 {
 public:

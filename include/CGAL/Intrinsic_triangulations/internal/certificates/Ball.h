@@ -113,8 +113,8 @@ Ball<N> root(const Ball<N>& a)
   return Ball<N>{root, N(0), a.radius / to_double(root)}.with_error(4);
 }
 
-// Returns `value` up to an error. Numbers of type `double` are taken away from it one after the
-// other, until the rest does not matter, or intervals get no smaller.
+// Returns `value` up to an error. Numbers of type `double` are subtracted from it one after the
+// other. The loop ends if the remainder is negligible, or intervals get no smaller.
 template <typename N, typename K>
 Ball<N> to_ball(K value)
 {

@@ -90,8 +90,8 @@ public:
     return by_lengths.is_certain(lengths) || (by_lengths(lengths) && is_exactly_Delaunay(h));
   }
 
-  // Returns whether the edge of `h` is locally Delaunay, whatever lengths are stored. An undecided
-  // edge counts as a tie, and certificates list it; exact traits leave none undecided.
+  // Returns whether the edge of `h` is locally Delaunay, independently of the stored lengths. An
+  // undecided edge counts as a tie, and certificates list it; exact traits leave none undecided.
   bool is_exactly_Delaunay(Halfedge_index h, bool has_exact_squares = false)
   {
     try {

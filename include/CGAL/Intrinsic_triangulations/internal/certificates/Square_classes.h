@@ -27,7 +27,7 @@ struct Scaled_part
   int exponent;
 };
 
-// Returns `x` rounded to some 52 bits, whatever its size.
+// Returns `x` rounded to about 52 bits, for any size.
 template <typename K>
 Scaled_part leading_part(K x)
 {

@@ -122,7 +122,7 @@ private:
     return {all * x / (1 + x), all / (1 + x) - m_rest_at_start};
   }
 
-  // Returns the radii at a position, on a polynomial through the last ones.
+  // Returns the radii at a position, extrapolated by a polynomial through the last radii.
   Radii prediction(double place) const
   {
     const bool are_large = at(place).t > 0.5;

@@ -103,7 +103,7 @@ private:
     throw Numerical_error(text.str());
   }
 
-  // Builds a polyhedron. Returns why it is no result, or nothing.
+  // Builds a polyhedron. Returns the reason why the polyhedron is no result, or nothing.
   std::string failure_of_polyhedron(const Curvature_path& path,
                                     const std::vector<Vertex_index>& vertices)
   {

@@ -32,7 +32,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Stores the part of T2 that a flip of the edge of `h` changes, as it is before the flip. Later
+// Stores the part of T2 that a flip of the edge of `h` changes, in the state before the flip. Later
 // flips are undone in reverse order. Then every index and every number is bitwise restored.
 template <typename Traits>
 class Flip_record

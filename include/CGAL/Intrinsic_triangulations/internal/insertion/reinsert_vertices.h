@@ -131,8 +131,8 @@ private:
   std::minstd_rand m_random;
 };
 
-// Resets T2 to T1 with its first `number` inserted vertices, which keep their indices. All edges
-// are straight afterwards, whatever T2 was.
+// Resets T2 to T1 with its first `number` inserted vertices, which keep their indices. Afterwards
+// all edges are straight, for any state of T2 before.
 template <typename Traits>
 void reset_with_vertices(Intrinsic_triangulation<Traits>& tri, std::size_t number)
 {

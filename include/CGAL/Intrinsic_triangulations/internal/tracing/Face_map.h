@@ -127,9 +127,9 @@ public:
 
 private:
   // Returns the image of a point of a triangle, given its barycentric coordinates. If the triangle
-  // is thin, they have large rounding errors, and only one is used. It is the coordinate across the
-  // longest side, or across a side on which the point lies. The position along that side is
-  // computed by projection.
+  // is thin, the coordinates have large rounding errors, and only one coordinate is used. It is the
+  // coordinate across the longest side, or across a side on which the point lies. The position
+  // along that side is computed by projection.
   Coordinates image_in_triangle(const Coordinates& p, const std::array<std::size_t, 3>& corner,
                                 const Coordinates& weight) const
   {
