@@ -303,7 +303,7 @@ private:
   std::vector<char> m_is_constrained;
   std::vector<Vertex_index> m_origin;
   std::vector<Triangulation> m_stages; // each over the surface before it
-  std::size_t m_number_of_faces;       // at the beginning
+  std::size_t m_number_of_faces;       // before the first operation
   std::size_t m_number_of_disks = 0;
   double m_filled_area = 0;
 };

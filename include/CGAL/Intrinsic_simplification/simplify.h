@@ -127,7 +127,7 @@ private:
   Star_prefetcher m_prefetcher;
   std::vector<Removal_status> m_status; // of each vertex
   Flattened_star m_star;
-  std::vector<Vertex_index> m_touched; // by the last removal
+  std::vector<Vertex_index> m_touched; // changed by the last removal
   Simplification_result m_result;
 };
 

@@ -132,7 +132,8 @@ private:
   }
 
   // Returns the errors on the exact surface, whose lengths the problem has. They are errors of the
-  // scale factors of the plane at vertices that are not at their bounds. A polygon has none.
+  // scale factors of the plane at vertices that are not at their bounds. A polygon has no such
+  // errors.
   Scale_errors errors(const Unfolded_sphere& sphere)
   {
     if(sphere.in_plane.empty())
@@ -205,8 +206,8 @@ private:
     return !has_corner(f, [this](Vertex_index v) { return v == m_layout.at_infinity; });
   }
 
-  // Returns whether a face is inside. Faces of a disk are inside it if they have a vertex inside;
-  // others are on its back.
+  // Returns whether a face is inside. A face of a disk is inside it if it has an interior vertex.
+  // All other faces are on the back of the disk.
   bool is_inside(Face_index f) const
   {
     return has_corner(f, [this](Vertex_index v) {

@@ -27,9 +27,9 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Implements Newton's method for an energy whose Hessian is a Laplacian, with steps in the digits
-// of the energy. Scale factors of vertices much closer to each other than to others are nearly
-// equal. A step in `double` that they have in common would change their differences by more than
-// their distances allow.
+// of the energy. If vertices are much closer to each other than to all others, their scale factors
+// are nearly equal. A common step in `double` would change the differences by more than the
+// distances allow.
 //
 // A step that changes these differences by a few times as much as distances allow makes angles zero
 // or pi. Such angles do not change any more until the scale factors have returned exactly to their
@@ -39,7 +39,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 //
 // Variables may have lower bounds. At its bound, a variable may have a derivative that is greater
 // than on the path, and is then excluded from the step. Close to a bound, the slope can behave like
-// a root. Then a derivative at the bound is known up to the root of a rounding error.
+// a root. Then a derivative at the bound is known up to the square root of a rounding error.
 template <typename Energy>
 class Precise_newton_iteration
 {
@@ -47,7 +47,7 @@ class Precise_newton_iteration
   typedef Eigen::VectorXd Vector;
 
 public:
-  // Without `lower_bound`, no bounds exist.
+  // If `lower_bound` is empty, variables have no bounds.
   // \pre The scale factors of the energy are not below `lower_bound`.
   Precise_newton_iteration(Energy& energy, const Minimization_domain& domain,
                            std::vector<FT> lower_bound = {})
@@ -167,8 +167,8 @@ private:
   }
 
   // Moves each variable towards the minimum, by at most `longest_damped_step`, and restarts the
-  // path. From far away, no point of the path is within reach. Returns whether any variable has
-  // moved.
+  // path. If the variables are far away, no step reaches a point of the path. Returns whether any
+  // variable has moved.
   bool take_damped_step()
   {
     const Vector wrong = excess(0);
@@ -181,8 +181,8 @@ private:
     return m_gradient.allFinite() && m_length > 0;
   }
 
-  // Corrects the distance from a point of the path. Returns whether it is small afterwards, and
-  // false if it is NaN.
+  // Corrects the distance from a point of the path. Returns whether the distance is small
+  // afterwards, and false if it is NaN.
   bool has_reached(double position)
   {
     const double limit =
@@ -363,8 +363,9 @@ private:
     move_to(u);
   }
 
-  // Returns whether a step is useless, because it causes very many flips. Within bounds, its length
-  // counts, otherwise the greatest difference of neighbors: all of them can move far together.
+  // Returns whether a step is useless, because it causes very many flips. Within bounds, the length
+  // of the step decides. Otherwise the greatest difference of neighbors decides, because all
+  // variables can move far together.
   bool is_too_long(const std::vector<FT>& direction) const
   {
     return has_bounds() ? !(length(direction) <= longest_step_within_bounds)

@@ -20,9 +20,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Takes steps with the Hessian at the start, close to the minimum. Each gains as many digits as
-// `double` has near the minimum. Returns the remaining gradient, once it is within `limit` or a
-// step gains less than a digit.
+// Takes steps with the Hessian at the start, close to the minimum. Each step gains as many digits
+// as `double` has near the minimum. Stops if the gradient is within `limit`, or a step gains less
+// than a digit. Returns the remaining gradient.
 template <typename Energy, typename Visitor>
 double reduce_gradient(Energy& energy, const Free_variables& variables,
                        const std::vector<char>& is_fixed,

@@ -28,9 +28,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Stores the prescribed curvature or scale factor of each vertex of a surface, and the topology of
-// its components, which curvatures must match. A component with boundary is doubled (Section
-// 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
+// Stores the prescribed curvature or scale factor of each vertex of a surface. Stores the topology
+// of its components, which determines the sums of curvatures. A component with boundary is doubled
+// (Section 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
 class Prescribed_curvatures
 {
 public:
@@ -108,8 +108,8 @@ public:
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
   // Returns the prescribed scale factor, or zero if none is prescribed.
   double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
-  // Returns the free variables of an energy of scale factors: all that are not prescribed. If
-  // scaling changes no angles, the variables of a component move together.
+  // Returns the free variables of an energy of scale factors: all scale factors that are not
+  // prescribed. If scaling changes no angles, the variables of a component move together.
   Minimization_domain domain(bool has_similar_ones) const
   {
     Minimization_domain result{m_is_fixed, {}};
@@ -134,8 +134,7 @@ public:
 
   void straighten_boundaries() { m_bend = 0; }
 
-  // Bends straight boundaries by so little that the sum of all bends is less than the promised
-  // error of one angle.
+  // Bends straight boundaries. The sum of all bends is less than the promised error of one angle.
   void bend_straight_boundaries()
   {
     double sides = 1;
@@ -145,11 +144,11 @@ public:
   }
 
   // Returns the differences between the tried and the prescribed angle defects. Consider a straight
-  // boundary without vertices inside. Every triangle beside it reaches to a vertex inside, however
-  // small its side on the boundary is and however far that vertex is. So lengths would need as many
-  // digits. A bend of 1e-13 is a rounding error of angles. It makes triangles with a third corner
-  // on the boundary Delaunay if sides are so small. The other exterior angles of the component
-  // shrink proportionally.
+  // boundary without vertices inside. Every triangle beside the boundary has an interior vertex as
+  // corner, even if its boundary side is short and the vertex is far away. Lengths would need
+  // digits for the ratio of both. A bend of 1e-13 is a rounding error of angles. It makes triangles
+  // with a third corner on the boundary Delaunay if sides are that small. The other exterior angles
+  // of the component shrink proportionally.
   Vector bends() const
   {
     Vector result = Vector::Zero(m_value.size());

@@ -49,16 +49,16 @@ class Scale_factors : public Scale_values
   using Energy = Symmetric_energy<Conformal_energy<FT, Triangle<FT>>>;
 
 public:
-  // `start` contains initial scale factors; prescribed ones are ignored.
+  // `start` contains initial scale factors. Its entries for prescribed scale factors are not read.
   Scale_factors(Doubled_problem& problem, const Vector& start) : Scale_values(problem, start) {}
 
   // Returns whether the scale factors were found with bounded differences of neighbors.
   bool has_bounded_differences() const { return !m_found.empty(); }
-  // Returns these scale factors, if they were found.
+  // Returns the scale factors that were found with bounded differences, if any.
   const std::vector<Extended>& found_with_bounds() const { return m_found; }
 
-  // Begins with another search with bounded differences, from scale factors found before, if any
-  // were.
+  // Begins with another search with bounded differences. It starts from scale factors found before,
+  // if any.
   void resume(const std::vector<Extended>& found) { m_found = m_resumed = found; }
 
   // Lets all searches do only a part of the work that is left.
@@ -74,9 +74,9 @@ public:
     m_max_curvature_error = 0;
   }
 
-  // Minimizes the energy. If `double` has too few digits for `tolerance`, more digits are used, and
-  // then still more. If rounding or limits keep the minimizer from its own tolerance, `tolerance`
-  // is enough.
+  // Minimizes the energy. If `double` has too few digits for `tolerance`, two stages with more
+  // digits follow. If rounding or limits prevent the tolerance of the minimizer, `tolerance`
+  // suffices.
   void minimize(const Any_minimizer& minimizer, double tolerance, Any_visitor& visitor)
   {
     for(std::size_t v = 0; v < m_problem.size(); ++v)
@@ -217,9 +217,9 @@ private:
            m_result.status != Minimization_status::iteration_limit;
   }
 
-  // Searches from the start, on the exact surface, with bounded differences of neighbors; once in
-  // each minimization. Returns whether scale factors are found. If not, nothing has changed but the
-  // numbers of steps. If they are, the next minimization begins with this search.
+  // Searches from the start, on the exact surface, with bounded differences of neighbors. Each
+  // minimization makes at most one such search. Returns whether scale factors are found. If so, the
+  // next minimization begins with this search. Otherwise only the numbers of steps have changed.
   bool bounds_differences(Any_visitor& visitor)
   {
     m_found.clear();
@@ -282,7 +282,7 @@ private:
       energy_at_start<FT>(m_problem.triangulation()), domain());
   }
 
-  // Goes on from a gradient of this norm until no more than the rounding of `FT` is left.
+  // Continues from a gradient of this norm until only the rounding error of `FT` remains.
   template <typename FT>
   void approach(Energy<FT>& energy, double norm, Any_visitor& visitor) const
   {

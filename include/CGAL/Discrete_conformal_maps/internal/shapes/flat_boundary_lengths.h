@@ -37,7 +37,7 @@ class Flat_strips
 
 public:
   // `FT` has the range of the lengths. Lengths beyond the range of `double` are stored relative to
-  // the longest one.
+  // the longest length.
   template <typename FT>
   Flat_strips(Doubled_problem& problem, const std::vector<FT>& scale)
   {
@@ -46,7 +46,7 @@ public:
     for(Edge_index e : surface.mesh().edges())
       m_length.push_back(static_cast<double>(surface.scaled_length(e) / unit));
     const auto& ab = problem.triangulation();
-    m_triangulation = Triangulation(ab.input_mesh(), ab.mesh()); // crossings know no lengths
+    m_triangulation = Triangulation(ab.input_mesh(), ab.mesh()); // crossings need no lengths
     for(Halfedge_index h : surface.flips())
       m_triangulation.flip(h);
   }

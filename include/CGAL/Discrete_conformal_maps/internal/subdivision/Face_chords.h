@@ -137,8 +137,8 @@ private:
     return Face_regions(n);
   }
 
-  // Adds the ends at a corner. Chords do not cross, so the first one at the corner is the last one
-  // on the opposite side.
+  // Adds the ends at a corner. Chords do not cross, so the first chord at the corner is the last
+  // chord on the opposite side.
   void add_ends_at_corner(std::size_t s)
   {
     const std::size_t opposite = (s + 1) % 3;
@@ -204,7 +204,7 @@ private:
 
   // Returns the positions of an intersection. Areas determine the position on the shorter chord.
   // The position on the longer chord is the projection of this point. So both positions are the
-  // same point, however flat the angle is.
+  // same point, even if the angle is almost zero.
   static std::array<FT, 2> intersection(const Chord<FT>& earlier, const Chord<FT>& later)
   {
     if(squared_length(earlier) < squared_length(later)) {

@@ -51,9 +51,9 @@ double newton_step(const Energy& energy, const Free_variables& variables, Eigen:
   return max_norm(step);
 }
 
-// Returns the errors at the point at which an energy has been evaluated. The more the weights of a
-// Laplacian differ, the less derivatives determine scale factors. If the Hessian is a Laplacian, a
-// step of Newton's method is measured, too.
+// Returns the errors at the point at which an energy has been evaluated. If the weights of a
+// Laplacian differ strongly, derivatives hardly determine scale factors. If the Hessian is a
+// Laplacian, a step of Newton's method is measured, too.
 template <bool has_Laplacian, typename Energy>
 Scale_errors scale_errors(const Energy& energy, const Minimization_domain& domain)
 {
@@ -68,7 +68,8 @@ Scale_errors scale_errors(const Energy& energy, const Minimization_domain& domai
 
 // Returns the promises of rounded lengths and scale factors on the exact surface. Returns nothing
 // if 1024 bits do not suffice. `measure()` returns the errors of the scale factors, while the
-// problem has lengths of the exact surface. Nothing is promised if the problem has had them before.
+// problem has lengths of the exact surface. If the problem already had these lengths, it promises
+// nothing.
 template <typename Measure>
 std::vector<Map_promise> exact_promises(Doubled_problem& problem, const Measure& measure)
 {

@@ -369,7 +369,7 @@ private:
   Curve_strands m_strands;
   const Delta_complex& m_mesh;
   std::unordered_map<Ways, int> m_known;
-  std::vector<Ways> m_passed; // by the last comparison
+  std::vector<Ways> m_passed; // the states of the last comparison
 };
 
 } // namespace CGAL::Intrinsic_simplification::internal

@@ -134,7 +134,7 @@ Apex_ratios<N> apex_ratios(Halfedge_index h, const Exact_surface<Number>& input)
 // straight.
 struct Straight_edge
 {
-  bool is_certain; // that it is straight
+  bool is_certain; // the edge is certainly straight
   double length;   // NaN if it is not known up to the error that is allowed
   double error;    // a bound for its relative error
 };

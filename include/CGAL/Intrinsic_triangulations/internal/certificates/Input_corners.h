@@ -283,7 +283,7 @@ private:
     std::array<K, 3> square; // the squared sides; unused with positions
     std::size_t axis = 0;    // a nonzero component of the normal, and its sign
     int sign = 0;
-    double unit = 1; // in which coordinates take few digits
+    double unit = 1; // coordinates in this unit have few digits
     Element root;
     K factor{1};
   };

@@ -53,8 +53,8 @@ inline int last_exponent(double x)
   return exponent - digits + std::ilogb(static_cast<double>(mantissa & -mantissa));
 }
 
-// Multiplies coordinates by the least power of two that makes all of them whole numbers, if they
-// stay in range. Returns this power, or one that is in range.
+// Multiplies coordinates by the least power of two that makes all of them integers, if they stay in
+// range. Returns this power, or a smaller power that keeps them in range.
 template <std::size_t n>
 double scale_to_integers(std::array<Position, n>& points)
 {
@@ -94,7 +94,7 @@ std::array<R, 3> exact_vector(const Position& p, const Position& q, double unit 
 }
 
 // Stores a corner of a triangle: the scalar product of its sides and the product of their squares,
-// or these times 2 and 4.
+// or both numbers times 2 and 4.
 template <typename R>
 struct Corner_cosine
 {

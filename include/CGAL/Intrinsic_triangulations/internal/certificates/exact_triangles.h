@@ -25,8 +25,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns a face that violates the triangle inequality. Returns null if none does, as with
-// positions. Lengths that satisfy it by more than rounding errors need no exact test.
+// Returns a face that violates the triangle inequality, or null if no face does. Lengths of
+// positions never do. If lengths satisfy the inequality by more than rounding errors, they need no
+// exact test.
 template <typename Number>
 Face_index violated_triangle(const Exact_surface<Number>& input)
 {
@@ -53,7 +54,8 @@ void check_exact_triangles(const Exact_surface<Number>& input)
 
 // ---- Lengths in floating point ----
 
-// Returns the greatest number of type `double` that does not exceed the sum of two positive ones.
+// Returns the greatest number of type `double` that does not exceed the sum of two positive
+// numbers.
 inline double sum_rounded_down(double a, double b)
 {
   if(a < b)
@@ -62,7 +64,7 @@ inline double sum_rounded_down(double a, double b)
   return sum - a > b ? std::nextafter(sum, 0) : sum; // the difference is exact
 }
 
-// Returns the longest side of a face, and the sum of the others, rounded down.
+// Returns the longest side of a face, and the sum of the other two sides, rounded down.
 template <typename Surface>
 std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surface)
 {
@@ -76,8 +78,8 @@ std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surf
 }
 
 // Shortens edges that are longer than the sum of the two other sides of a face to this sum. Short
-// edges come first, so that an edge shortened later is no shorter. Few edges are shortened more
-// than once.
+// edges come first, so that an edge shortened later is no shorter. Most edges are shortened at most
+// once.
 template <typename Surface>
 void shorten_to_triangles(const Surface& surface)
 {

@@ -24,9 +24,9 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Follows pyramids whose curvatures at the apex are t times the curvatures of equal large radii
-// (Bobenko and Izmestiev 2008). It starts at t = 1 and ends towards t = 0, where they form a
-// convex polyhedron. In between, these curvatures are positive and less than the curvatures of the
-// surface, and determine the radii.
+// (Bobenko and Izmestiev 2008). It starts at t = 1 and ends towards t = 0, where they form a convex
+// polyhedron. On the path, the curvatures at the apex are positive and less than the curvatures of
+// the surface, and they determine the radii.
 class Curvature_path
 {
   typedef Eigen::VectorXd Vector;
@@ -61,7 +61,7 @@ private:
   static constexpr double small_step = 0.01;
   static constexpr std::size_t most_predicting = 5;
   static constexpr int steps_of_Newton = 12;
-  static constexpr std::size_t most_steps = 20000; // in all
+  static constexpr std::size_t most_steps = 20000; // of the whole path
   // Errors of curvatures are relative to the distance of the curvatures from the ends of their
   // range.
   static constexpr double curvature_error = 1e-5, greatest_curvature_error = 0.03;
@@ -167,7 +167,7 @@ private:
       const Vector rest = fraction.t > 0.5 ? Vector(current.excess - target_excess)
                                            : Vector(target - current.curvature);
       const double error = (rest.array().abs() / range.array()).maxCoeff();
-      const bool is_best = !(error < before) && step > 2; // as rounding allows
+      const bool is_best = !(error < before) && step > 2; // rounding prevents progress
       if(error < (is_best && fraction.t < late ? greatest_curvature_error : curvature_error))
         return keep(place, surface, radii);
       if(is_best)

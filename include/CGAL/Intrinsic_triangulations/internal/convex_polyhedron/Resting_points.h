@@ -65,7 +65,7 @@ class Resting_points
 public:
   struct Point
   {
-    std::size_t number; // that its owner has given it
+    std::size_t number; // given by the owner
     std::array<double, 3> coordinates;
   };
 

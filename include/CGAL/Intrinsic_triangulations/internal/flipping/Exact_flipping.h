@@ -148,8 +148,8 @@ public:
     return {diamond(m_tri.length_map(), h, m_mesh), errors_around(h)};
   }
 
-  // Flips the edge of `h`. Returns whether this was possible, as it always is if no length is
-  // unknown.
+  // Flips the edge of `h`. Returns whether this was possible. It always is if all lengths are
+  // known.
   bool flip(Halfedge_index h) { return flip(h, other_diagonal(h)()); }
 
   // Flips the edge of `h`, whose length becomes `flipped` unless its error is too large.
@@ -207,8 +207,8 @@ public:
     return crossings > greatest_number_of_crossings(m_mesh.number_of_edges());
   }
 
-  // Computes the unknown lengths, and returns whether their edges are straight. Nothing changes if
-  // some edge is not.
+  // Computes the unknown lengths, and returns whether their edges are straight. If an edge is not
+  // straight, nothing changes.
   BOOST_NOINLINE bool find_lengths()
   {
     std::vector<std::pair<Edge_index, double>> found;
@@ -252,7 +252,8 @@ public:
   }
 
 private:
-  // Flips the edge of `h` and updates its course before `length()` is called, also if that throws.
+  // Flips the edge of `h`, and updates its course before the call of `length()`. The course is
+  // updated even if `length()` throws.
   template <typename Length>
   void turn(Halfedge_index h, const Length& length)
   {
@@ -342,8 +343,8 @@ private:
   }
 
   // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are
-  // straight in space, are coplanar. Returns 0 otherwise. In a plane its ends have the same
-  // distance in space as on the surface. Products that could underflow are not used.
+  // straight in space, are coplanar. Returns 0 otherwise. In a plane, its ends have the same
+  // distance in space as on the surface. The function avoids products that could underflow.
   double length_in_plane(Halfedge_index h, double flipped_length)
   {
     const auto& points = m_tri.input_metric().points;

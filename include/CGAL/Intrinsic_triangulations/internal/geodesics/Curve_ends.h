@@ -70,7 +70,7 @@ private:
     Halfedge_index along; // the edge of the point; null inside a face
     Vector direction;     // of the segment, in the frame of the face
     std::size_t kind, index;
-    FT x, y; // where it is in the edge or the face
+    FT x, y; // its coordinates in the edge or the face
 
     auto key() const { return std::tie(kind, index, x, y); }
   };

@@ -76,9 +76,9 @@ struct Uncertain_corner
       error(error)
   {}
 
-  // Returns a bound for the error of the angle. A change of the opposite side changes the angle by
-  // this change over the height at that side times its foot. A change of another side changes it by
-  // less. The bound is twice as large, because the area may change, too. It is infinite if the
+  // Returns a bound for the error of the angle. If the opposite side changes by d, the angle
+  // changes by d divided by the height over that side. A change of another side has a smaller
+  // effect. The bound is twice as large, because the area may change, too. It is infinite if the
   // triangle may be flat.
   FT angle_error(const FT& quadrupled_area) const
   {

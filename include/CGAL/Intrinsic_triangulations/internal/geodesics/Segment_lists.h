@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Stores pieces of paths along edges. The order of pieces side by side on an edge is kept: from the
-// left of its first halfedge to the right.
+// Stores pieces of paths along edges. Pieces on one edge have an order, from the left of its first
+// halfedge to the right.
 class Segment_lists
 {
 public:

@@ -251,7 +251,7 @@ public:
         error[component(v)] += sources.moments[v] * (distance[v] - sources.distance[v]);
         weight[component(v)] += sources.moments[v];
       }
-    // Without a source, all distances become infinite.
+    // If a component has no source, all its distances become infinite.
     for(Eigen::Index v = 0; v < distance.size(); ++v)
       if(const std::size_t c = component(v); !(weight[c] > 0))
         distance[v] = infinity();

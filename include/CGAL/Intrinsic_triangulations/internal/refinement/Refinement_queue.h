@@ -22,10 +22,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Stores bad faces in the order of their refinement. Faces of bad shape come first, because the
-// midpoint of an edge is not near to a vertex at large angles. Among them the order is by
-// decreasing circumradius, in classes of 10 %, newest first. So consecutive insertions are near
-// each other in memory. Wider classes would be faster, but take up to 10 % more vertices. Sides are
-// split in the order of arrival, so that none waits forever.
+// midpoint of an edge is not near to a vertex at large angles. They are ordered by decreasing
+// circumradius, in classes of 10 %, newest first. So consecutive insertions are near each other in
+// memory. Wider classes would be faster, but insert more vertices. Sides are split in the order of
+// arrival, so that no side waits forever.
 class Refinement_queue
 {
 public:

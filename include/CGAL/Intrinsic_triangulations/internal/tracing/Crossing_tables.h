@@ -120,7 +120,7 @@ protected:
   Edge_marks m_on_intrinsic; // the indices of crossings: they are ordered along the edges of T2
   std::vector<Record> m_records;
   Edge_courses<Traits> m_courses;
-  std::vector<FT> m_scale; // of the crossings; empty where all are 1
+  std::vector<FT> m_scale; // of the crossings; empty if all are 1
 
 private:
   void note_inserted()

@@ -342,7 +342,7 @@ private:
 
   const Pair* m_pair;
   mutable bool m_is_stored = false;
-  mutable std::size_t m_steps = 0; // in which crossings have been followed
+  mutable std::size_t m_steps = 0; // the steps taken to follow crossings
   mutable double m_most_steps = 0; // after which storing may be faster
   mutable std::size_t m_most_exits = 0;
   mutable std::size_t m_layout = 0;

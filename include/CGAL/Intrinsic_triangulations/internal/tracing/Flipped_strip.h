@@ -27,8 +27,8 @@ public:
   {
     Edge from_a_to_source, from_a_to_target, edge;
     Edge from_b_to_source, from_b_to_target;
-    Edge side;           // of the triangle beyond that is not an inner edge
-    bool is_left_around; // whether the strip goes on around the source
+    Edge side;           // the outer side of the triangle beyond
+    bool is_left_around; // whether the strip continues around the source
   };
 
   // Starts in the triangle aij that is left through ij.

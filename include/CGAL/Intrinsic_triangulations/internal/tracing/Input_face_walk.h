@@ -102,7 +102,7 @@ public:
     return Piece{h, number_of_piece(corner)};
   }
 
-  // Returns a piece as the region on its right sees it.
+  // Returns a piece in the opposite direction, with the other region on its left.
   Piece reversed(const Piece& piece) const
   {
     return {m_mesh.opposite(piece.halfedge),
@@ -198,7 +198,7 @@ public:
     return {id.first, Mapped_region(id, *this).map_from(Side::input)(p.second)};
   }
 
-  // Returns the region that has the point `p` of a face of T1, up to rounding.
+  // Returns the region that contains the point `p` of a face of T1, up to rounding.
   Region_id region_of(const Face_location<FT>& p) const
   {
     Region_id id = region_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));

@@ -45,7 +45,7 @@ public:
   // Returns the relative error that decisions assume for a length.
   static FT error() { return rounding_unit<FT>(); }
   // Returns the least squared area, relative to squared lengths, that determines weights to 9
-  // digits. Returns zero if no other lengths can decide.
+  // digits. Returns zero if no more precise lengths are available.
   static FT least_squared_area()
   {
     return has_exact_decisions<Traits>() && !Is_exact<Traits>::value
@@ -181,8 +181,8 @@ public:
 
   // Adds triangles that hide vertices to `triangles`. If an edge is not weighted Delaunay and its
   // diamond is not convex, the triangle of three corners hides the fourth. Hidden vertices are
-  // moved into their triangles, as lifted points. No vertex finally lies above a triangle found, so
-  // weights are not raised too far. Returns whether a triangle was found.
+  // moved into their triangles, as lifted points. In the end, no vertex lies above a triangle that
+  // was found, so weights are not raised too far. Returns whether a triangle was found.
   bool raise_weights(Supporting_triangles<FT>& triangles)
   {
     std::set<Vertex_index> hidden;
