@@ -322,6 +322,56 @@ TEST(Decorated_maps, name_circles_that_meet)
   EXPECT_NE(error_of(t, radii).find("vertex 4"), std::string::npos);
 }
 
+// Returns the radius one at vertices of the boundary.
+Radii radii_of_boundary(const Triangulation& t)
+{
+  Radii result;
+  for(Vertex_index v : t.mesh().vertices())
+    result.push_back(t.mesh().is_border(v) ? 1 : 0);
+  return result;
+}
+
+// Flattens with the curvature one at inner vertices.
+Planar_conformal_map decorated_with_cones(const Triangulation& t, const Radii& radii)
+{
+  const std::vector<double> length = lengths_of(t);
+  Conditions condition = default_conditions(t.mesh());
+  for(Vertex_index v : t.mesh().vertices())
+    if(!t.mesh().is_border(v))
+      condition[v] = DCM::Vertex_condition::curvature(1);
+  return DCM::flatten(t.mesh(), length_parameter(length)
+                                  .vertex_radius_map(as_radii(radii))
+                                  .vertex_condition_map(as_map(condition)));
+}
+
+// In the plane, a disk does not touch itself, and two disks touch once. Around a cone they can.
+TEST(Decorated_maps, name_circles_that_touch_around_a_disk)
+{
+  const Triangulation once = triangulation(cone(false), {4, 2}),
+                      twice = triangulation(bigon(), {3, 3, 2, 2});
+  const Radii loop = radii_of_boundary(once), pair = radii_of_boundary(twice);
+  EXPECT_NE(error_of(once, loop).find("touches itself"), std::string::npos) << error_of(once, loop);
+  EXPECT_NE(error_of(twice, pair).find("touch twice"), std::string::npos) << error_of(twice, pair);
+  EXPECT_EQ(decorated_with_cones(once, loop).status(), DCM::Map_status::success);
+  EXPECT_EQ(decorated_with_cones(twice, pair).status(), DCM::Map_status::success);
+}
+
+// The lengths of edges in the exact surface decide whether circles meet.
+TEST(Decorated_maps, accept_circles_that_touch_up_to_rounding_of_flips)
+{
+  Mesh mesh = grid(12, 12, [](double x, double y) { return Point(x + y / 3, y / 7, 0); });
+  const Triangulation t(mesh);
+  Radii radii;
+  for(Vertex_index v : t.mesh().vertices()) { // half of the distance to the nearest vertex
+    double least = std::numeric_limits<double>::infinity();
+    for(Vertex_index w : t.mesh().vertices())
+      if(v != w)
+        least = (std::min)(least, std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))));
+    radii.push_back(least / 2);
+  }
+  EXPECT_EQ(error_of(t, radii), "");
+}
+
 TEST(Decorated_maps, name_circles_that_cross_the_boundary)
 {
   const Triangulation t(

@@ -18,6 +18,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Touching_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -70,6 +71,8 @@ public:
     if(is_bounded && !std::exchange(m_has_placed_cones, true))
       m_scale.place_cones(choice);
     m_problem.check();
+    if(!is_bounded) // otherwise cones may be added around which circles touch
+      Touching_circles(m_problem).check();
     m_visitor.start(Flattening_stage::optimize);
     do
       m_scale.minimize(m_scale.ending_beyond(bound, minimizer), tolerance::curvature, m_visitor);

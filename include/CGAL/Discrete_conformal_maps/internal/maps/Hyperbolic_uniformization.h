@@ -17,6 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Touching_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
@@ -322,6 +323,7 @@ uniformized(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
     Doubled_problem problem(std::move(surface), parameters.conditions, Flipping::to_Delaunay,
                             exactness, circles);
     problem.check_hyperbolic();
+    Touching_circles(problem).check();
     problem.set_concurrency(parameters.concurrency);
     problem.share_work(work);
     Hyperbolic_uniformization uniformization(problem, visitor);

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,22 +98,33 @@ public:
   }
 
   // Checks that circles at the ends of each edge do not meet. Two circles of positive radius may
-  // touch, up to rounding of the length, which is `length(e)`.
+  // touch, up to rounding of the length, which is `length(e)`. Flips round lengths several times,
+  // so a length for which they meet is computed again on the exact surface.
   // \throws Invalid_input if they do
   template <typename Length>
   void check(const Triangulation& t, const Originals& original, const Length& length) const
   {
+    std::optional<Intrinsic_triangulations::Precise_lengths<Triangulation::Traits>> precise;
     for(Edge_index e : t.mesh().edges()) {
       const auto [r, s] = radii_at(e, t, original);
-      const bool may_touch = r > 0 && s > 0;
-      const double l = length(e), rounding = Intrinsic_triangulations::rounding_unit<double>() * l,
-                   rest = l - (r + s);
-      if(may_touch ? rest < -rounding : !(rest > 0))
+      if(!do_meet(r, s, length(e)))
+        continue;
+      if(!precise)
+        precise.emplace(t);
+      if(do_meet(r, s, (*precise)(t.mesh().halfedge(e)).high()))
         throw Intrinsic_triangulations::Invalid_input(meeting(e, t, original));
     }
   }
 
 private:
+  // Returns whether circles meet whose centers have the distance `length`, up to its rounding.
+  static bool do_meet(double r, double s, double length)
+  {
+    const double rest = length - (r + s);
+    return r > 0 && s > 0 ? rest < -Intrinsic_triangulations::rounding_unit<double>() * length
+                          : !(rest > 0);
+  }
+
   std::pair<double, double> radii_at(Edge_index e, const Triangulation& t,
                                      const Originals& original) const
   {
