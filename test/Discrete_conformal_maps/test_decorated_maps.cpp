@@ -322,54 +322,70 @@ TEST(Decorated_maps, name_circles_that_meet)
   EXPECT_NE(error_of(t, radii).find("vertex 4"), std::string::npos);
 }
 
-// Returns the radius one at vertices of the boundary.
-Radii radii_of_boundary(const Triangulation& t)
+// Returns the radius one at the ends of an edge of `glue()`.
+Radii radii_at_ends(const Triangulation& t, int side)
 {
-  Radii result;
-  for(Vertex_index v : t.mesh().vertices())
-    result.push_back(t.mesh().is_border(v) ? 1 : 0);
+  Radii result(t.mesh().number_of_vertices(), 0);
+  result[t.mesh().source(halfedge_of(side)).idx()] = 1;
+  result[t.mesh().target(halfedge_of(side)).idx()] = 1;
   return result;
 }
 
-// Flattens with the curvature one at inner vertices.
-Planar_conformal_map decorated_with_cones(const Triangulation& t, const Radii& radii)
+// Flattens with this curvature at the target of side 1 of `glue()`.
+Planar_conformal_map decorated_with_curvature(double curvature, const Triangulation& t,
+                                              const Radii& radii)
 {
   const std::vector<double> length = lengths_of(t);
   Conditions condition = default_conditions(t.mesh());
-  for(Vertex_index v : t.mesh().vertices())
-    if(!t.mesh().is_border(v))
-      condition[v] = DCM::Vertex_condition::curvature(1);
+  condition[t.mesh().target(halfedge_of(1))] = DCM::Vertex_condition::curvature(curvature);
   return DCM::flatten(t.mesh(), length_parameter(length)
                                   .vertex_radius_map(as_radii(radii))
                                   .vertex_condition_map(as_map(condition)));
 }
 
-// In the plane, a disk does not touch itself, and two disks touch once. Around a cone they can.
+// A disk in the plane does not touch itself, and two disks touch once. Around a cone they can.
 TEST(Decorated_maps, name_circles_that_touch_around_a_disk)
 {
-  const Triangulation once = triangulation(cone(false), {4, 2}),
-                      twice = triangulation(bigon(), {3, 3, 2, 2});
-  const Radii loop = radii_of_boundary(once), pair = radii_of_boundary(twice);
-  EXPECT_NE(error_of(once, loop).find("touches itself"), std::string::npos) << error_of(once, loop);
-  EXPECT_NE(error_of(twice, pair).find("touch twice"), std::string::npos) << error_of(twice, pair);
-  EXPECT_EQ(decorated_with_cones(once, loop).status(), DCM::Map_status::success);
-  EXPECT_EQ(decorated_with_cones(twice, pair).status(), DCM::Map_status::success);
+  // The loop 2 bounds a cone, and lies in a disk with three vertices on its boundary.
+  const Triangulation once =
+    triangulation(glue({{1, -1, 2}, {6, -3, -2}, {3, 7, -4}, {4, 8, -5}, {5, 9, -6}}),
+                  {4, 2, 4, 4, 4, 4, 4, 4, 4});
+  // The edges 3 and 4 bound a disk with one vertex inside.
+  const Triangulation twice = triangulation(
+    glue(
+      {{1, 2, 3}, {-1, 4, -2}, {-3, 5, -6}, {-4, 7, -8}, {6, 9, -7}, {8, 10, -11}, {11, 12, -5}}),
+    {3, 3, 2, 2, 4, 4, 4, 4, 4, 4, 4, 4});
+  const Radii loop = radii_at_ends(once, 2), pair = radii_at_ends(twice, 3);
+  EXPECT_THROW(decorated_with_curvature(0, once, loop), IT::Invalid_input);
+  EXPECT_THROW(decorated_with_curvature(0, twice, pair), IT::Invalid_input);
+  EXPECT_EQ(decorated_with_curvature(4, once, loop).status(), DCM::Map_status::success);
+  EXPECT_EQ(decorated_with_curvature(1, twice, pair).status(), DCM::Map_status::success);
 }
 
-// The lengths of edges in the exact surface decide whether circles meet.
+// Flips round the lengths of edges several times. The exact surface decides whether circles meet.
 TEST(Decorated_maps, accept_circles_that_touch_up_to_rounding_of_flips)
 {
-  Mesh mesh = grid(12, 12, [](double x, double y) { return Point(x + y / 3, y / 7, 0); });
-  const Triangulation t(mesh);
-  Radii radii;
-  for(Vertex_index v : t.mesh().vertices()) { // half of the distance to the nearest vertex
+  const int n = 10;
+  std::vector<Point> points;
+  for(int i = 0; i < n; ++i)
+    points.emplace_back(i, -0.001 * i * (n - 1 - i), 0);
+  for(int i = n - 1; i >= 0; --i)
+    points.emplace_back(i + 0.03 * (i % 3), 0.3 + 0.001 * i * (n - 1 - i), 0);
+  Triangles fan;
+  for(std::size_t k = 1; k + 1 < points.size(); ++k)
+    fan.push_back({0, k, k + 1});
+  Radii radii; // half of the distances to the nearest vertices
+  for(const Point& p : points) {
     double least = std::numeric_limits<double>::infinity();
-    for(Vertex_index w : t.mesh().vertices())
-      if(v != w)
-        least = (std::min)(least, std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))));
+    for(const Point& q : points)
+      if(p != q)
+        least = (std::min)(least, std::sqrt(CGAL::squared_distance(p, q)));
     radii.push_back(least / 2);
   }
-  EXPECT_EQ(error_of(t, radii), "");
+  EXPECT_EQ(
+    DCM::flatten(make_mesh(points, fan), DCM::parameters::vertex_radius_map(as_radii(radii)))
+      .status(),
+    DCM::Map_status::success);
 }
 
 TEST(Decorated_maps, name_circles_that_cross_the_boundary)
