@@ -75,6 +75,10 @@ RUNS = [
     Run(f"{DCM}/minimizers", "benchmark_minimizers", CGAL_MESHES),
     Run(f"{DCM}/layouts", "benchmark_layout", CGAL_MESHES),
     Run(f"{DCM}/circles", "benchmark_circles", CGAL_MESHES),
+    Run(f"{DCM}/circle_maps",
+        WORKFLOW + "hard_surfaces.py {build}/circle_surfaces --count 5 --seed 4177 && "
+        "{build}/benchmark/benchmark_circle_maps 5 {build}/circle_surfaces/*.off",
+        "surfaces of benchmark/workflow/hard_surfaces.py", target="benchmark_circle_maps", long=True),
     Run(f"{DCM}/circle_packings", "benchmark_circle_packings 1000 10000", GENERATED),
     Run(f"{DCM}/hard_problems", "benchmark_flatten_robustness", "generated meshes of the tests"),
     Run(f"{DCM}/maps_found",

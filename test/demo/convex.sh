@@ -46,7 +46,7 @@ printf '1 2 3 2 5\n' >wrong.txt
 refuses 'more than four numbers in a line' convex cross.mesh.off --glue wrong.txt -o x.off
 off oblong '0 0 0,2 0 0,2 1 0,0 1 0' '0 1 2 3'
 printf '0 1 2 1\n' >wrong.txt
-refuses 'the two sides have different lengths' convex oblong.mesh.off --glue wrong.txt -o x.off
+refuses 'the two sides have different lengths, ' convex oblong.mesh.off --glue wrong.txt -o x.off
 refuses '--subdivision: a net has no positions in space; leave out --glue' \
   convex cross.mesh.off --glue cross.txt --subdivision x.ply -o x.off
 

@@ -20,9 +20,9 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Finds circles that touch in a way that no map preserves. In the plane and in the hyperbolic
-// plane, a disk does not touch itself, and two disks touch at most once. So the edges between
-// circles that touch must not bound a part of the surface that is a disk without cones: neither a
-// loop, nor two edges with the same ends.
+// plane, a disk does not touch itself, and two disks touch at most once. So edges between touching
+// circles must not bound a disk without cones. The boundary of such a disk would be a loop, or two
+// edges with the same ends.
 class Touching_circles
 {
 public:
