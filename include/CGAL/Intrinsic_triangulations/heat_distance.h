@@ -72,7 +72,7 @@ public:
   /// \cgalNamedParamsEnd
   /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
   ///         matrix without a factorization
-  /// \throws Invalid_input if the factor is not positive and finite
+  /// \throws Invalid_input if the factor is not positive, or is above \f$1.6 \cdot 10^{13}\f$
   template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Heat_distance(const Surface& surface,
                          const NamedParameters& np = CGAL::parameters::default_values())

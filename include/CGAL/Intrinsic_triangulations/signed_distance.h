@@ -89,7 +89,7 @@ signed_distances_by_heat(const Surface& surface, const Surface_curve<Length_of<S
 /// By heat, gaps of a curve are bridged, and distances on the curve are zero on average. If the
 /// curve does not separate the surface, no signed distance exists. Then the result is only smooth.
 ///
-/// `Signed_heat_distance` is for repeated use.
+/// `Signed_heat_distance` is for repeated use. Complexity: as `geodesic_distances()` or this class.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating-point lengths, or an
 ///   `Intrinsic_triangulation`, on which heat flows in the exact metric if lengths do not determine
@@ -116,7 +116,7 @@ signed_distances_by_heat(const Surface& surface, const Surface_curve<Length_of<S
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if exact distances are requested and the curve does not separate a
-///   component, or if the factor is not positive and finite
+///   component, or if the factor is not positive, or greater than \f$1.6 \cdot 10^{13}\f$
 /// \throws Numerical_error, Underflow_error as `Signed_heat_distance` if heat is used, or
 ///   `Numerical_error` as `Shortest_paths::run()` if exact distances are requested
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
