@@ -146,16 +146,14 @@ void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& so
   }
 }
 
-// Returns the distances by heat on a surface. Computes with more digits on a triangulation whose
-// lengths do not determine all areas.
-template <typename Surface, typename NamedParameters>
-std::vector<Length_of<Surface>> heat_values(const Surface& surface,
-                                            const Distance_sources<Surface>& sources,
-                                            const NamedParameters& np)
+// Returns the numbers `values_of(resolved)` at vertices, rounded to the number type of `surface`.
+// `resolved` has more digits on a triangulation whose lengths do not determine all areas.
+template <typename Surface, typename Values_of>
+std::vector<Length_of<Surface>> resolved_values(const Surface& surface, const Values_of& values_of)
 {
   typedef Length_of<Surface> FT;
   return with_resolved_areas(surface, [&](const auto& resolved) {
-    const auto values = heat_distance(resolved, sources, np);
+    const auto values = values_of(resolved);
     if constexpr(std::is_same_v<std::decay_t<decltype(values[0])>, FT>)
       return std::vector<FT>(values.begin(), values.end());
     else {
@@ -165,26 +163,38 @@ std::vector<Length_of<Surface>> heat_values(const Surface& surface,
   });
 }
 
-// Unless a time is given, the time is increased until heat reaches all vertices. If some edges are
-// far shorter than others, the standard time is too short.
-template <typename Surface, typename NamedParameters>
+// Returns the numbers `values_of(resolved, time)` at vertices, where `time` is a named parameter.
+// Unless a time is given, it is increased until heat reaches all vertices. If some edges are far
+// shorter than others, the standard time is too short.
+template <typename Surface, typename NamedParameters, typename Values_of>
 Geodesic_distances<Length_of<Surface>>
-distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sources,
-                  const Positions<Length_of<Surface>>& positions, const NamedParameters& np)
+values_by_heat(const Surface& surface, const NamedParameters& np, const Values_of& values_of)
 {
   typedef Length_of<Surface> FT;
   constexpr bool is_time_given = has_parameter<NamedParameters, internal_np::time_step_factor_t>();
   Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np)};
   for(;; result.time_step_factor *= 16)
     try {
+      const auto time = parameters::time_step_factor(result.time_step_factor);
       result.distance =
-        heat_values(surface, sources, parameters::time_step_factor(result.time_step_factor));
-      raise_to_bounds(surface, sources, positions, result);
+        resolved_values(surface, [&](const auto& resolved) { return values_of(resolved, time); });
       return result;
     } catch(const Underflow_error&) {
-      if(is_time_given || result.time_step_factor > FT(internal::greatest_time_step_factor()))
+      if(is_time_given || result.time_step_factor > FT(greatest_time_step_factor()))
         throw;
     }
+}
+
+template <typename Surface, typename NamedParameters>
+Geodesic_distances<Length_of<Surface>>
+distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sources,
+                  const Positions<Length_of<Surface>>& positions, const NamedParameters& np)
+{
+  auto result = values_by_heat(surface, np, [&](const auto& resolved, const auto& time) {
+    return heat_distance(resolved, sources, time);
+  });
+  raise_to_bounds(surface, sources, positions, result);
+  return result;
 }
 
 // Returns nothing if heat is to be used. `exact` then contains the distances found so far.

@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Default_window_visitor.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
-#include <CGAL/Intrinsic_triangulations/Precise_surface.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -18,7 +17,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Exact_distances.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
-#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -31,50 +29,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// Returns signed distances by heat, rounded to the number type of `surface`. Computes with more
-// digits on a triangulation whose lengths do not determine all areas.
-template <typename Surface>
-std::vector<Length_of<Surface>> signed_heat_values(const Surface& surface,
-                                                   const Surface_curve<Length_of<Surface>>& curve,
-                                                   const Length_of<Surface>& time_step_factor)
-{
-  typedef Length_of<Surface> FT;
-  return with_resolved_areas(surface, [&](const auto& resolved) {
-    typedef Length_of<std::decay_t<decltype(resolved)>> Resolved;
-    const auto values = signed_heat_distance(resolved, converted_curve<Resolved>(curve),
-                                             parameters::time_step_factor(time_step_factor));
-    if constexpr(std::is_same_v<Resolved, FT>)
-      return std::vector<FT>(values.begin(), values.end());
-    else {
-      const auto rounded = rounded_values(values);
-      return std::vector<FT>(rounded.begin(), rounded.end());
-    }
-  });
-}
-
-// Unless a time is given, the time is increased until normals reach all faces.
-template <typename Surface, typename NamedParameters>
-Geodesic_distances<Length_of<Surface>>
-signed_distances_by_heat(const Surface& surface, const Surface_curve<Length_of<Surface>>& curve,
-                         const NamedParameters& np)
-{
-  typedef Length_of<Surface> FT;
-  Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np)};
-  for(;; result.time_step_factor *= 16)
-    try {
-      result.distance = signed_heat_values(surface, curve, result.time_step_factor);
-      return result;
-    } catch(const Underflow_error&) {
-      if(has_parameter<NamedParameters, internal_np::time_step_factor_t>() ||
-         result.time_step_factor > FT(greatest_time_step_factor()))
-        throw;
-    }
-}
-
-} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the signed distance of every vertex to a curve: negative on its left, positive on its
@@ -145,7 +99,10 @@ signed_distance(const Surface& surface, const Surface_curve<Length_of<Surface>>&
       return std::move(*result);
     }
   }
-  auto result = internal::signed_distances_by_heat(surface, curve, np);
+  auto result = internal::values_by_heat(surface, np, [&](const auto& resolved, const auto& time) {
+    typedef Length_of<std::decay_t<decltype(resolved)>> Resolved;
+    return signed_heat_distance(resolved, converted_curve<Resolved>(curve), time);
+  });
   std::vector<FT> lengths = result.distance;
   for(FT& d : lengths)
     d = abs(d);
