@@ -109,6 +109,16 @@ def distance(
     """
     if sources is None:
         raise ArrayError("sources are missing; give vertices, or points as faces and coordinates")
+    return _measured(
+        lambda T, kind, factor: _core.distances(T._core, *_sources(sources, T), kind, factor, progress),
+        (V, F, lengths, mollify), method, time_step_factor, full, progress)
+
+
+def _measured(
+    values_on: Callable[..., Any], mesh: tuple[Any, Any, Any, Any], method: str,
+    time_step_factor: float | None, full: bool, progress: Progress | None,
+) -> Any:
+    """Return distances, described if `full`. `mesh` has the first arguments of `computed_on()`."""
     kind = _method(method)
     factor = _time_step_factor(time_step_factor)
     is_full = flag(full, "full")
@@ -116,11 +126,11 @@ def distance(
         kind = "heat"
 
     def compute(T: Triangulation) -> Distances:
-        values, about = _core.distances(T._core, *_sources(sources, T), kind, factor, progress)
+        values, about = values_on(T, kind, factor)
         return Distances(values[: T._core.number_of_input_vertices()], about["method"],
                          about.get("relative_error"))
 
-    result = computed_on(V, F, lengths, mollify, compute, check_progress(progress))
+    result = computed_on(*mesh, compute, check_progress(progress))
     return result if is_full else result.values
 
 
@@ -504,19 +514,10 @@ def signed_distance(
     >>> intrinsic.signed_distance(V, F, [0, 2, 6, 4, 0]).tolist()
     [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0]
     """
-    kind = _method(method)
-    factor = _time_step_factor(time_step_factor)
-    is_full = flag(full, "full")
-    if factor is not None and kind == "auto":
-        kind = "heat"
-
-    def compute(T: Triangulation) -> Distances:
-        values, about = _core.signed_distances(T._core, *_curve(curve, T), kind, factor, progress)
-        return Distances(values[: T._core.number_of_input_vertices()], about["method"],
-                         about.get("relative_error"))
-
-    result = computed_on(V, F, lengths, mollify, compute, check_progress(progress))
-    return result if is_full else result.values
+    return _measured(
+        lambda T, kind, factor: _core.signed_distances(
+            T._core, *_curve(curve, T), kind, factor, progress),
+        (V, F, lengths, mollify), method, time_step_factor, full, progress)
 
 
 def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
