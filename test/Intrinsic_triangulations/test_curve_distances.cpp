@@ -174,6 +174,46 @@ TEST(Curve_distances, lines_and_polygons_in_the_plane)
   check_in_plane(circle, 20);
 }
 
+// A segment starts so near to a side of its face that positions on this side tell no directions. From
+// the start, a right angle leads to a vertex, between the parallel rays and the rays from the start.
+TEST(Curve_distances, at_right_angles_from_starts_near_sides)
+{
+  CGAL::Random random(1);
+  const Mesh mesh = unit_square(6, 7);
+  const Triangulation t(mesh);
+  const auto position = [&](Vertex_index v) {
+    return Complex(mesh.point(v).x(), mesh.point(v).y());
+  };
+  for(int i = 0; i < 400; ++i) {
+    const Face_index f = random_index<Face_index>(mesh.num_faces(), random);
+    std::array<Complex, 3> corner;
+    for(std::size_t k = 0; k < 3; ++k)
+      corner[k] = position(t.input_mesh().source(IT::sides(f, t.input_mesh())[k]));
+    const double height = std::pow(10, random.get_double(-13, -1)),
+                 along = random.get_double(0.1, 0.8);
+    const auto s = static_cast<std::size_t>(random.get_int(0, 3));
+    Segment segment{f, {}, {}};
+    segment.source[s] = along;
+    segment.source[(s + 1) % 3] = 1 - along - height;
+    segment.source[(s + 2) % 3] = height;
+    const auto at = [&](const std::array<double, 3>& b) {
+      return b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
+    };
+    const Complex start = at(segment.source), side = corner[(s + 1) % 3] - corner[s];
+    const auto v = random_index<Vertex_index>(mesh.num_vertices(), random);
+    Complex d = (position(v) - start) * Complex(0, 1) / std::abs(position(v) - start);
+    if(std::imag(d * std::conj(side)) < 0)
+      d = -d;
+    const Point end(start.real() + 1e-3 * d.real(), start.imag() + 1e-3 * d.imag(), 0);
+    if(const auto [face, place] = locate(end, mesh); face == f) {
+      segment.target = place;
+      const Paths paths = paths_from(t.input(), {segment});
+      for(Vertex_index w : mesh.vertices())
+        EXPECT_NEAR(paths.distance(w), distance_from_segment(position(w), start, at(place)), 1e-13);
+    }
+  }
+}
+
 // The distance of a polygon from the true circle is its sagitta.
 TEST(Curve_distances, fine_circle_in_a_face)
 {

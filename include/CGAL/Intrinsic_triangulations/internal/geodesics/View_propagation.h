@@ -313,7 +313,9 @@ private:
     return -face.to_corner(s, p) * std::conj(face.direction(s));
   }
 
-  // Opens the views through the sides that are visible in some directions.
+  // Opens the views through the sides that are visible in some directions. Near a side, a rounding
+  // error of a position on it is a large error of the direction. The parts are therefore widened,
+  // so that they leave no gap beside parallel rays.
   void open_views(const Sector_in_face<FT>& sector, Index origin)
   {
     const Flat_face<FT> face = flat_face(sector.at.first);
@@ -322,8 +324,12 @@ private:
         if(const auto [from, to] = sector.part_of_side(face, s); from < to) {
           const Index c = Index(3 * sector.at.first.idx() + s);
           const FT l = m_charts.length(c);
-          push({position_from(face, s, sector.at.second), from * l, to * l, FT(0), c, origin, null,
-                false, is_vertex(origin) ? Entry::corner : Entry::inside});
+          View view{position_from(face, s, sector.at.second), from * l, to * l, FT(0), c, origin,
+                    null, false, is_vertex(origin) ? Entry::corner : Entry::inside};
+          const FT error = path_tolerance<FT>() * (l + view.scale());
+          view.begin = (std::max)(FT(0), FT(view.begin - error));
+          view.end = (std::min)(l, FT(view.end + error));
+          push(view);
         }
   }
 
