@@ -132,6 +132,19 @@ Examples:
   intrinsic flatten bunny.obj -o atlas.obj --no-overlap --unit-square
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
+// Checks that bounds of the distortion are for cones that are placed.
+void check_bounds_of_cones(const Flatten_options& options)
+{
+  if(places_cones(options.cones))
+    return;
+  if(options.maximum_log_scale)
+    throw Program_error("--max-log-scale is for --cones greedy or exchanged, not for --cones " +
+                        options.cones);
+  if(options.maximum_area_distortion)
+    throw Program_error(
+      "--max-area-distortion is for --cones greedy or exchanged, not for --cones " + options.cones);
+}
+
 // Sets the default options. Cones are placed greedily, except for shapes that need no cones.
 Flatten_options with_defaults(Flatten_options options, bool is_exact)
 {
@@ -147,13 +160,7 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
       "--exact: --solver cetm makes no triangulation Delaunay; leave out one of them");
   if(options.cones.empty())
     options.cones = is_shape(options.boundary) ? "none" : "greedy";
-  const bool places = places_cones(options.cones);
-  if(options.maximum_log_scale && !places)
-    throw Program_error(
-      "--max-log-scale is for --cones greedy or exchanged; leave out one of them");
-  if(options.maximum_area_distortion && !places)
-    throw Program_error(
-      "--max-area-distortion is for --cones greedy or exchanged; leave out one of them");
+  check_bounds_of_cones(options);
   return options;
 }
 

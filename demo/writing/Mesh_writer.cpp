@@ -178,6 +178,8 @@ void add_obj_lines(Text& text, const Output_mesh& mesh)
 
 void write_obj(Text& text, const Output_mesh& mesh)
 {
+  if(mesh.points.empty()) // an empty file could be the rest of a failure
+    text << "# no vertices\n";
   Obj_writer(text, mesh)();
   if(mesh.polygons.size() == 0)
     add_obj_lines(text, mesh);

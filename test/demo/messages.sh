@@ -211,8 +211,8 @@ calls <<'TABLE'
 2 | nothing.txt: has no points | transfer flat.mesh.off --points nothing.txt -o a.txt
 2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
-2 | --max-log-scale is for --cones greedy or exchanged | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
-2 | --max-area-distortion is for --cones greedy or exchanged | flatten flat.mesh.off -o a.obj --max-area-distortion 4 --boundary disk
+2 | --max-log-scale is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
+2 | --max-area-distortion is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-area-distortion 4 --boundary disk
 2 | --boundary: 'round' is none of free, straight, scale, curvature, rectangle and disk | flatten flat.mesh.off -o a.obj --boundary round
 2 | --boundary scale needs a file of values: add --boundary-values | flatten flat.mesh.off -o a.obj --boundary scale
 2 | needs a file of values: add --boundary-values | flatten --boundary curvature flat.mesh.off -o a.obj

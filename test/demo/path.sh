@@ -135,6 +135,8 @@ for format in obj ply; do
 done
 expect 0 path closed.mesh.off --homology -o a.ply --stats a.json
 claim "s, m = json('a.json'), ply('a.ply')" 's.loops == []' 'm.points == []'
+expect 0 path closed.mesh.off --homology -o a.obj
+[ "$(cat a.obj)" = "# no vertices" ]
 if [ -f "$data/meshes/eight.off" ]; then
   expect 0 path "$data/meshes/eight.off" --homology -o a.ply --stats a.json
   claim "s, m = json('a.json'), ply('a.ply')" 'len(s.loops) == 4' \
