@@ -101,8 +101,9 @@ public:
   // Returns whether the minimization may take no more steps.
   bool is_at_limit(std::size_t iterations) const
   {
-    return iterations == m_limits.iterations || Work_of_energy<Energy>::is_done(m_energy);
+    return iterations == m_limits.iterations || has_worked_enough();
   }
+  bool has_worked_enough() const { return Work_of_energy<Energy>::is_done(m_energy); }
 
   bool is_at_best() const { return m_point == m_best; }
 

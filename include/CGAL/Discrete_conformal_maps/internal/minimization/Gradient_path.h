@@ -80,7 +80,7 @@ private:
                  known = (std::max)(tolerance::known_angle, m_descent.energy().gradient_error());
     bool has_been_finite = false;
     m_step = difference > m_bound ? m_bound / difference : 1;
-    for(int trial = 0; trial < 20; ++trial) {
+    for(int trial = 0; trial < 20 && !m_descent.has_worked_enough(); ++trial) {
       const bool is_finite = m_descent.move_to(base + m_step * m_direction.direction()) &&
                              m_descent.energy().gradient_error() <= known;
       if(m_descent.point() == base)
@@ -97,6 +97,8 @@ private:
       const double beyond = is_finite ? slope() : 0;
       m_step *= beyond > 0 ? std::clamp(base_slope / (base_slope - beyond), 0.1, 0.5) : 0.5;
     }
+    if(m_descent.has_worked_enough())
+      return Status::iteration_limit;
     return has_been_finite ? Status::rounding_limit : Status::not_finite;
   }
 

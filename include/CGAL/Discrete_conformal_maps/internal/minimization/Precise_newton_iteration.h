@@ -227,7 +227,7 @@ private:
                    double position)
   {
     move(base, direction);
-    for(int trial = 0; trial < number_of_trials; ++trial) {
+    for(int trial = 0; trial < number_of_trials && !m_energy.has_worked_enough(); ++trial) {
       const Vector change = change_from(base);
       const double slope = before.dot(change), now = (m_gradient - position * m_start).dot(change);
       if(!(slope < 0) || now <= -slope / 2)
@@ -272,6 +272,8 @@ private:
       wanted += all_wanted[Eigen::Index(v)];
     std::vector<FT> values(group.size());
     const auto error = [&](const FT& x) {
+      if(m_energy.has_worked_enough())
+        return std::numeric_limits<double>::quiet_NaN(); // which ends the search for the root
       for(std::size_t i = 0; i < group.size(); ++i)
         values[i] = u[group[i]] + x;
       return m_energy.derivative_at(group, values) - wanted;
