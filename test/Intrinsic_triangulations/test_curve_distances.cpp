@@ -143,7 +143,7 @@ Curve polyline(const Triangulation& t, const Mesh& mesh, const std::vector<Point
 double distance_from_segment(const Complex& p, const Complex& a, const Complex& b)
 {
   const Complex d = b - a;
-  const double s = std::real((p - a) * std::conj(d)) / std::norm(d);
+  const double s = d == 0. ? 0 : std::real((p - a) * std::conj(d)) / std::norm(d);
   return std::abs(p - a - std::clamp(s, 0., 1.) * d);
 }
 
@@ -174,7 +174,7 @@ TEST(Curve_distances, lines_and_polygons_in_the_plane)
   check_in_plane(circle, 20);
 }
 
-// A segment starts so near to a side of its face that positions on this side tell no directions. From
+// A segment starts so near to sides of its face that positions on them tell no directions. From
 // the start, a right angle leads to a vertex, between the parallel rays and the rays from the start.
 TEST(Curve_distances, at_right_angles_from_starts_near_sides)
 {
@@ -189,8 +189,10 @@ TEST(Curve_distances, at_right_angles_from_starts_near_sides)
     std::array<Complex, 3> corner;
     for(std::size_t k = 0; k < 3; ++k)
       corner[k] = position(t.input_mesh().source(IT::sides(f, t.input_mesh())[k]));
-    const double height = std::pow(10, random.get_double(-13, -1)),
-                 along = random.get_double(0.1, 0.8);
+    const bool is_near_corner = i % 2 == 1;
+    const double small = std::pow(10, random.get_double(-13, -1)),
+                 along = is_near_corner ? 1 - small : random.get_double(0.1, 0.8),
+                 height = is_near_corner ? small * random.get_double() : small;
     const auto s = static_cast<std::size_t>(random.get_int(0, 3));
     Segment segment{f, {}, {}};
     segment.source[s] = along;
@@ -212,6 +214,44 @@ TEST(Curve_distances, at_right_angles_from_starts_near_sides)
         EXPECT_NEAR(paths.distance(w), distance_from_segment(position(w), start, at(place)), 1e-13);
     }
   }
+}
+
+// All rays of a source in a face without area run along its sides. Points count as segments, too.
+TEST(Curve_distances, from_faces_without_area)
+{
+  Mesh mesh = grid(6, 6, [](double x, double y) { return Point(x / 8, y / 8, 0); });
+  Portable_random choice(2);
+  add_flat_faces(mesh, 0.6, choice);
+  const Triangulation t(mesh);
+  CGAL::Random random(3);
+  const auto random_place = [&] {
+    const double a = random.get_double(), b = random.get_double();
+    return std::array<double, 3>{1 - (std::max)(a, b), (std::min)(a, b), std::abs(a - b)};
+  };
+  int checked = 0;
+  for(Face_index f : mesh.faces()) {
+    const auto side = IT::sides(f, t.input_mesh());
+    const auto at = [&](const std::array<double, 3>& b) {
+      Complex result(0);
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Point& p = mesh.point(t.input_mesh().source(side[k]));
+        result += b[k] * Complex(p.x(), p.y());
+      }
+      return result;
+    };
+    if(std::imag((at({0, 1, 0}) - at({1, 0, 0})) * std::conj(at({0, 0, 1}) - at({1, 0, 0}))) != 0)
+      continue;
+    Segment s{f, random_place(), random_place()};
+    if(checked++ % 2 == 0)
+      s.target = s.source;
+    const Paths paths = paths_from(t.input(), {s});
+    for(Vertex_index v : mesh.vertices())
+      EXPECT_NEAR(paths.distance(v),
+                  distance_from_segment(Complex(mesh.point(v).x(), mesh.point(v).y()), at(s.source),
+                                        at(s.target)),
+                  1e-14);
+  }
+  EXPECT_GT(checked, 10);
 }
 
 // The distance of a polygon from the true circle is its sagitta.

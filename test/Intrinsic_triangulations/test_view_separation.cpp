@@ -59,7 +59,7 @@ TEST(View_separation, keeps_least_lengths)
     std::vector<View> all, list;
     for(int k = random.get_int(2, 7); k > 0; --k) {
       all.push_back(random_view(random));
-      IT::internal::append(all.back(), unknown, list);
+      IT::internal::append(all.back(), unknown, 1., list);
     }
     for(int k = 0; k < 200; ++k) {
       const double x = random.get_double(), truth = least(all, x);
@@ -90,8 +90,8 @@ TEST(View_separation, is_the_same_at_all_scales)
       std::vector<View> list, large;
       for(int k = random.get_int(2, 7); k > 0; --k) {
         const View v = random_view(random);
-        IT::internal::append(v, unknown, list);
-        IT::internal::append(scaled(v, factor), unknown, large);
+        IT::internal::append(v, unknown, 1., list);
+        IT::internal::append(scaled(v, factor), unknown, factor, large);
       }
       ASSERT_EQ(large.size(), list.size()) << i;
       for(std::size_t k = 0; k < list.size(); ++k) {
@@ -123,7 +123,7 @@ TEST(View_separation, in_order_leaves_no_overlap)
       continue;
     ++checked;
     View first = a, last = b;
-    IT::internal::separate(first, last, is_left ? -1 : 1);
+    IT::internal::separate(first, last, is_left ? -1 : 1, 1.);
     const bool is_first_seen = first.begin <= first.end, is_last_seen = last.begin <= last.end;
     ASSERT_TRUE(is_first_seen || is_last_seen);
     if(is_first_seen && is_last_seen) {

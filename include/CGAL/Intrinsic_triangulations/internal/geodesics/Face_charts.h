@@ -14,6 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <complex>
@@ -80,6 +82,15 @@ public:
 
   // Returns the rotation by the angle at the source of the side.
   const Vector& turn(Index c) const { return m_chart[c / 3].turn[c % 3]; }
+
+  // Returns whether the corners of the face are on one line, up to rounding.
+  bool is_line(Face_index f) const
+  {
+    const auto& turn = m_chart[f.idx()].turn;
+    return std::all_of(turn.begin(), turn.end(), [](const Vector& t) {
+      return CGAL::abs(t.imag()) <= flat_angle_tolerance<FT>();
+    });
+  }
 
   // Returns the mean of one side length of each face, or one if no face exists.
   FT mean_length() const

@@ -53,18 +53,19 @@ struct Sector_in_face
     end += is_empty ? FT(begin - end) : path_tolerance<FT>();
   }
 
-  // Returns the visible part of side `s`, from 0 to 1. The second number is not greater than the
-  // first if nothing is visible.
+  // Returns the visible part of side `s`, whose length is `l`. The second number is not greater than
+  // the first if nothing is visible. Near a side, a rounding error of a position on it is a large
+  // error of the direction. The part is therefore widened, and leaves no gap beside parallel rays.
   // \pre the point is not on this side
-  std::pair<FT, FT> part_of_side(const Flat_face<FT>& face, std::size_t s) const
+  std::pair<FT, FT> part_of_side(const Flat_face<FT>& face, std::size_t s, const FT& l) const
   {
     const Vector a = face.to_corner(s, at.second), b = face.to_corner((s + 1) % 3, at.second);
-    const FT angle = std::arg(b * std::conj(a));
+    const FT angle = std::arg(b * std::conj(a)), error = path_tolerance<FT>() * (l + norm_of(a));
     for(int turn = 0; turn < 2; ++turn) {
       const FT at_a = first + std::arg(a * std::conj(start)) + 2 * turn * pi<FT>();
-      if(begin < at_a + angle && at_a < end)
-        return {begin > at_a ? hit(a, b, begin) : FT(0),
-                end < at_a + angle ? hit(a, b, end) : FT(1)};
+      if(begin < end && begin < at_a + angle && at_a < end)
+        return {begin > at_a ? (std::max)(FT(0), FT(hit(a, b, begin) * l - error)) : FT(0),
+                end < at_a + angle ? (std::min)(l, FT(hit(a, b, end) * l + error)) : l};
     }
     return {FT(0), FT(0)};
   }

@@ -256,10 +256,14 @@ private:
     m_opened[v] = m_distance[v];
   }
 
-  // Returns the error of the direction in which the path arrives at `v`.
+  // Returns the error of the direction in which the path arrives at `v`. Inside a face without area,
+  // no ray of a source passes beside a corner.
   FT error_of_arrival(Vertex_index v) const
   {
     const Index origin = m_arrival[v.idx()].origin;
+    if(m_arrival[v.idx()].view == null && !is_vertex(origin) &&
+       m_charts.is_line(this->origin(origin).segment.face))
+      return flat_angle_tolerance<FT>();
     const FT before = is_vertex(origin) ? m_distance[origin] : FT(0);
     return direction_error(v, (std::max)(FT(0), FT(m_distance[v.idx()] - before)), m_surface);
   }
@@ -313,24 +317,17 @@ private:
     return -face.to_corner(s, p) * std::conj(face.direction(s));
   }
 
-  // Opens the views through the sides that are visible in some directions. Near a side, a rounding
-  // error of a position on it is a large error of the direction. The parts are therefore widened,
-  // so that they leave no gap beside parallel rays.
+  // Opens the views through the sides that are visible in some directions.
   void open_views(const Sector_in_face<FT>& sector, Index origin)
   {
     const Flat_face<FT> face = flat_face(sector.at.first);
     for(std::size_t s = 0; s < 3; ++s)
-      if(sector.at.second[(s + 2) % 3] != 0)
-        if(const auto [from, to] = sector.part_of_side(face, s); from < to) {
-          const Index c = Index(3 * sector.at.first.idx() + s);
-          const FT l = m_charts.length(c);
-          View view{position_from(face, s, sector.at.second), from * l, to * l, FT(0), c, origin,
-                    null, false, is_vertex(origin) ? Entry::corner : Entry::inside};
-          const FT error = path_tolerance<FT>() * (l + view.scale());
-          view.begin = (std::max)(FT(0), FT(view.begin - error));
-          view.end = (std::min)(l, FT(view.end + error));
-          push(view);
-        }
+      if(sector.at.second[(s + 2) % 3] != 0) {
+        const Index c = Index(3 * sector.at.first.idx() + s);
+        if(const auto [from, to] = sector.part_of_side(face, s, m_charts.length(c)); from < to)
+          push({position_from(face, s, sector.at.second), from, to, FT(0), c, origin, null, false,
+                is_vertex(origin) ? Entry::corner : Entry::inside});
+      }
   }
 
   // Adds a view to the waiting views of its side, unless it is empty.
@@ -357,7 +354,7 @@ private:
     FT least = std::numeric_limits<FT>::infinity();
     for(const View& view : m_handed_on)
       least = (std::min)(least, view.least_length());
-    m_waiting.add(c, m_handed_on);
+    m_waiting.add(c, m_charts.length(c), m_handed_on);
     m_next.push(least, c);
   }
 
@@ -419,7 +416,7 @@ private:
       View next = face.next(m_present[i], is_left);
       next.parent = first + i;
       if(next.begin <= next.end && cut_off(next))
-        append(next, order, m_handed_on);
+        append(next, order, m_charts.length(edge), m_handed_on);
     }
     wait(edge);
   }

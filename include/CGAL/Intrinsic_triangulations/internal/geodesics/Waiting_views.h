@@ -93,8 +93,12 @@ class View_separation
 public:
   typedef internal::View<FT> View;
 
-  View_separation(View& a, View& b)
-    : m_a(a), m_b(b), m_slack(path_tolerance<FT>() * (CGAL::abs(a.before) + a.scale() + a.end))
+  // `length` is the length of the side, to which errors of positions are proportional.
+  View_separation(View& a, View& b, const FT& length)
+    : m_a(a),
+      m_b(b),
+      m_slack(path_tolerance<FT>() * (CGAL::abs(a.before) + a.scale() + length)),
+      m_overlap(a.is_parallel || b.is_parallel ? m_slack : FT(0))
   {}
 
   // Separates views whose rays cross before the edge, if `b` begins before the end of `a`. Suppose
@@ -160,12 +164,17 @@ private:
       v.close();
   }
 
-  static void cut(View& v, const FT& from, const FT& to)
+  // Cuts off a part at an end of the view. Rays from the end of a segment and parallel rays keep an
+  // overlap: if the end is near the edge, an error of a position is a large error of the direction,
+  // and would leave a gap.
+  void cut(View& v, const FT& from, const FT& to) const
   {
-    if(from <= v.begin)
-      cut_begin(v, (std::max)(v.begin, to));
+    if(from <= v.begin && to >= v.end)
+      v.close();
+    else if(from <= v.begin)
+      cut_begin(v, (std::max)(v.begin, FT(to - m_overlap)));
     else if(to >= v.end)
-      cut_end(v, from);
+      cut_end(v, (std::min)(v.end, FT(from + m_overlap)));
   }
 
   // Returns the position at which both lengths are equal up to rounding, by Newton's method
@@ -186,28 +195,29 @@ private:
   }
 
   View &m_a, &m_b;
-  FT m_slack;
+  FT m_slack, m_overlap;
 };
 
-// Separates two views through one side. If `order` is negative, the rays of `a` come from the left
+// Separates two views through one side with this length. If `order` is negative, the rays of `a` come from the left
 // of all rays of `b`. If it is positive, they come from the right. Zero means unknown.
 template <typename FT>
-void separate(View<FT>& a, View<FT>& b, int order)
+void separate(View<FT>& a, View<FT>& b, int order, const FT& length)
 {
   if(order == 0)
-    View_separation<FT>(a, b).by_points();
+    View_separation<FT>(a, b, length).by_points();
   else
-    order < 0 ? View_separation<FT>(a, b).in_order() : View_separation<FT>(b, a).in_order();
+    order < 0 ? View_separation<FT>(a, b, length).in_order()
+              : View_separation<FT>(b, a, length).in_order();
 }
 
 // Adds a view to a list, which is sorted by begins along an edge, and separates it from the last
 // views. The result of `order(a, b)` is the argument `order` of `separate()`.
 template <typename FT, typename Order>
-void append(View<FT> view, const Order& order, std::vector<View<FT>>& list)
+void append(View<FT> view, const Order& order, const FT& length, std::vector<View<FT>>& list)
 {
   while(!list.empty() && list.back().end > view.begin) {
     View<FT> last = list.back();
-    separate(last, view, order(last, view));
+    separate(last, view, order(last, view), length);
     const bool is_left = last.begin <= last.end;
     if(is_left && last.begin <= view.begin) {
       list.back() = last;
@@ -215,8 +225,8 @@ void append(View<FT> view, const Order& order, std::vector<View<FT>>& list)
     }
     list.pop_back();
     if(is_left) {
-      append(view, order, list);
-      return append(last, order, list);
+      append(view, order, length, list);
+      return append(last, order, length, list);
     }
   }
   if(view.begin <= view.end)
@@ -235,15 +245,15 @@ public:
 
   explicit Waiting_views(std::size_t sides) : m_list_at(sides, null) {}
 
-  // Adds views in the order along side `c`. \pre `views` is not empty
-  void add(Index c, const std::vector<View>& views)
+  // Adds views in the order along side `c`, which has this length. \pre `views` is not empty
+  void add(Index c, const FT& length, const std::vector<View>& views)
   {
     Index& number = m_list_at[c];
     if(number == null) {
       number = free_list();
       m_list[number].assign(views.begin(), views.end());
     } else
-      merge(views, m_list[number]);
+      merge(views, length, m_list[number]);
   }
 
   // Moves all views that wait at side `c` into `views`, which loses its content.
@@ -281,17 +291,17 @@ private:
     return a.entry == Entry::inside || b.entry == Entry::inside ? 0 : int(a.entry) - int(b.entry);
   }
 
-  void merge(const std::vector<View>& views, std::vector<View>& list)
+  void merge(const std::vector<View>& views, const FT& length, std::vector<View>& list)
   {
     m_merged.clear();
     auto next = list.begin();
     for(const View& view : views) {
       for(; next != list.end() && !is_before(view, *next); ++next)
-        append(*next, order, m_merged);
-      append(view, order, m_merged);
+        append(*next, order, length, m_merged);
+      append(view, order, length, m_merged);
     }
     for(; next != list.end(); ++next)
-      append(*next, order, m_merged);
+      append(*next, order, length, m_merged);
     list.swap(m_merged);
   }
 
