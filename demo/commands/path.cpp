@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
-#include <CGAL/Intrinsic_triangulations/homology_basis.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
@@ -24,7 +24,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -116,6 +115,11 @@ struct Found_path
 };
 
 std::size_t number_of_crossings(const Path& path) { return path.places.size() - 2; }
+
+const char* name_of(IT::Shortening_status status)
+{
+  return status == IT::Shortening_status::geodesic ? "geodesic" : "blocked";
+}
 
 Found_path found_path(Path path, const std::string& status, const Input_mesh& input)
 {
@@ -251,21 +255,15 @@ private:
     return result;
   }
 
-  // Returns the shortest geodesics of a basis, from loops along edges of a Delaunay triangulation,
-  // which are hardly longer.
+  // Returns the geodesics of a basis, from loops along edges of a Delaunay triangulation.
   std::vector<Found_path> homology_loops(Triangulation& triangulation) const
   {
     IT::make_Delaunay(triangulation);
-    Edge_paths paths(triangulation);
-    const auto geodesic = [&](Halfedges loop) {
-      const Found_path result = shortened(loop, true, triangulation, paths);
-      paths.rewind();
-      return result;
-    };
-    const auto loops = IT::homology_basis(
-      triangulation.intrinsic(), [&](const Halfedges& loop) { return geodesic(loop).path.length; });
     std::vector<Found_path> result;
-    std::transform(loops.begin(), loops.end(), std::back_inserter(result), geodesic);
+    for(auto& loop : IT::geodesic_homology_basis(triangulation)) {
+      result.push_back(found_path(std::move(loop.path), name_of(loop.status), m_run.input()));
+      result.back().description["length_along_edges"] = loop.length_along_edges;
+    }
     return result;
   }
 
@@ -279,12 +277,12 @@ private:
         return sum + triangulation.length(triangulation.mesh().edge(h));
       });
     is_loop ? paths.add_loop(path) : paths.add_path(path);
-    const bool is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
+    const IT::Shortening_status status = paths.shorten();
     path = paths.halfedges(0);
     if(path.empty())
       return {};
-    Found_path result = found_path(IT::path_on_input(triangulation, path),
-                                   is_geodesic ? "geodesic" : "blocked", m_run.input());
+    Found_path result =
+      found_path(IT::path_on_input(triangulation, path), name_of(status), m_run.input());
     result.description["length_along_edges"] = before;
     return result;
   }

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/homology_basis.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_homology_basis.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -28,15 +28,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   IT::Intrinsic_triangulation<> triangulation(mesh);
-  const auto loops = IT::homology_basis(triangulation);
-  std::cout << loops.size() << " loops\n";
-  for(const auto& loop : loops) {
-    triangulation.reset_to_input();
-    IT::Edge_paths paths(triangulation);
-    paths.add_loop(loop);
-    const double before = paths.length(0);
-    const auto status = paths.shorten();
-    std::cout << to_string(status) << ": length " << before << " before, " << paths.length(0)
-              << " after " << paths.number_of_flips() << " flips\n";
-  }
+  IT::make_Delaunay(triangulation); // edges of good triangles lead to short loops
+  for(const auto& loop : IT::geodesic_homology_basis(triangulation))
+    std::cout << to_string(loop.status) << ": length " << loop.length_along_edges << " before, "
+              << loop.path.length << " after " << loop.number_of_flips << " flips\n";
 }

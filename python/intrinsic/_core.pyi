@@ -13,6 +13,7 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Complexes = NDArray[np.complex128]
 Points = tuple[Integers, Floats]
+Sources = tuple[Integers, Integers, Floats, Integers, Floats, Integers]  # with a curve
 Sparse = tuple[Any, Any, Any, tuple[int, int]]
 Progress = Callable[[str, int], Any] | None
 
@@ -67,9 +68,7 @@ class Soup:
 
 class Heat:
     def __init__(self, on: Triangulation, time_step_factor: float) -> None: ...
-    def distances(
-        self, on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats
-    ) -> Floats: ...
+    def distances(self, on: Triangulation, sources: Sources) -> Floats: ...
     def distances_from_each(
         self, on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats,
         is_parallel: bool,
@@ -94,8 +93,8 @@ class Simplification:
 def operator_of(on: Triangulation, name: str) -> Sparse: ...
 def connection_laplacian(on: Triangulation) -> Sparse: ...
 def distances(
-    on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats, method: str,
-    time_step_factor: float | None, progress: Progress,
+    on: Triangulation, sources: Sources, method: str, time_step_factor: float | None,
+    progress: Progress,
 ) -> tuple[Floats, dict[str, Any]]: ...
 def distances_from_each(
     on: Triangulation, vertices: Integers, faces: Integers, coordinates: Floats,
@@ -110,6 +109,10 @@ def geodesic_through(
 def geodesics_between(
     on: Triangulation, pairs: Integers
 ) -> list[tuple[float, Integers, Floats, bool]]: ...
+def homology_loops(on: Triangulation) -> list[tuple[float, Integers, Floats, bool]]: ...
+def level_set(
+    on: Triangulation, values: Floats, level: float
+) -> list[tuple[float, Integers, Floats]]: ...
 def transported(
     on: Triangulation, vertices: Integers, vectors: Complexes, time_step_factor: float
 ) -> Complexes: ...

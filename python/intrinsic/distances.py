@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import (Complexes, Floats, Integers, choice, complexes, count, flag, integers, number,
+from ._arrays import (Complexes, Floats, Integers, choice, complexes, count, flag, floats, integers,
+                      number,
                       points_on, shortened)
 from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, surface
@@ -26,9 +27,12 @@ Result = TypeVar("Result")
 _LEAST_TIME_STEP_FACTOR, _GREATEST_TIME_STEP_FACTOR = 1e-300, 1.6e13  # beyond, rounding decides
 _NO_VERTICES = np.zeros(0, np.int64)
 _NO_POINTS = (np.zeros(0, np.int64), np.zeros((0, 3)))
+_NO_CURVE = (*_NO_POINTS, np.zeros(1, np.int64))
+
+Sources = tuple[Integers, Integers, Floats]
 
 
-def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats]:
+def _sources(sources: Any, T: Triangulation) -> Sources:
     """Return vertices, and faces with coordinates: sources are the one or the other."""
     if isinstance(sources, tuple):
         faces, coordinates = points_on(sources, T._core.number_of_faces(True), "sources")
@@ -38,6 +42,17 @@ def _sources(sources: Any, T: Triangulation) -> tuple[Integers, Integers, Floats
     if len(result[0]) + len(result[1]) == 0:
         raise InputError("there are no sources; give at least one")
     return result
+
+
+def _sources_and_curve(
+    sources: Any, curve: Any, T: Triangulation
+) -> tuple[Integers, Integers, Floats, Integers, Floats, Integers]:
+    """Return the arrays of `_sources()` and of `_curve()`. One of both is enough."""
+    if sources is None and curve is None:
+        raise ArrayError("sources are missing; give vertices, or points as faces and coordinates, "
+                         "or a curve")
+    points = (_NO_VERTICES, *_NO_POINTS) if sources is None else _sources(sources, T)
+    return (*points, *(_NO_CURVE if curve is None else _curve(curve, T)))
 
 
 def _method(method: str) -> str:
@@ -69,6 +84,7 @@ def distance(
     sources: Any = None,
     method: str = "auto",
     *,
+    curve: Any = None,
     time_step_factor: float | None = None,
     lengths: ArrayLike | None = None,
     mollify: float | str = "auto",
@@ -87,6 +103,8 @@ def distance(
         "exact" gives the lengths of shortest paths, up to rounding. "heat" is faster on large
         meshes and has errors of some percent. "auto" is exact if that is expected to take less
         than two seconds.
+    curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
+        One or more polylines, as of `signed_distance()`. All their points are sources, too.
     time_step_factor : float
         The time for which heat flows, in squared mean edge lengths. "auto" is then "heat".
     full : bool
@@ -107,10 +125,9 @@ def distance(
     >>> round(float(d.max() ** 2), 12)  # to the opposite corner of the unit cube
     5.0
     """
-    if sources is None:
-        raise ArrayError("sources are missing; give vertices, or points as faces and coordinates")
     return _measured(
-        lambda T, kind, factor: _core.distances(T._core, *_sources(sources, T), kind, factor, progress),
+        lambda T, kind, factor: _core.distances(
+            T._core, _sources_and_curve(sources, curve, T), kind, factor, progress),
         (V, F, lengths, mollify), method, time_step_factor, full, progress)
 
 
@@ -186,15 +203,15 @@ class DistanceSolver:
         self._on, self._heat = computed_on(V, F, lengths, mollify, prepared,
                                            check_progress(progress))
 
-    def distance(self, sources: Any) -> Floats:
+    def distance(self, sources: Any = None, *, curve: Any = None) -> Floats:
         """Return the distance (n,) of each vertex from the nearest source, as `distance()`."""
         T = self._on
         with T._lock:
-            given = _sources(sources, T)
+            given = _sources_and_curve(sources, curve, T)
             n = T._core.number_of_input_vertices()
             if self._heat is not None:
-                return self._heat.distances(T._core, *given)[:n]
-            return _core.distances(T._core, *given, "exact", None, None)[0][:n]
+                return self._heat.distances(T._core, given)[:n]
+            return _core.distances(T._core, given, "exact", None, None)[0][:n]
 
     def from_each(self, sources: Any, *, parallel: bool = False) -> Floats:
         """Return the distances (k, n) of each vertex from each of k sources.
@@ -471,6 +488,80 @@ def geodesics(
     def compute(T: Triangulation) -> list[Path]:
         ends = integers(pairs, (None, 2), "pairs", T._core.number_of_input_vertices(), "vertices")
         return [_path(T, *found) for found in _core.geodesics_between(T._core, ends)]
+
+    return _on_input(V, F, lengths, mollify, compute)
+
+
+def homology_loops(
+    V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
+    mollify: float | str = "auto", progress: Progress | None = None,
+) -> list[Path]:
+    """Return closed geodesics around all handles and holes, the shortest ones first.
+
+    Every closed curve is homologous to a combination of them with integer coefficients: they are a
+    basis of the first homology group. The loops are short, but need not be the shortest ones.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify, progress
+        As of `laplacian()`.
+
+    Returns
+    -------
+    list of Path
+        2 g loops for each closed component of genus g, and 2 g + b - 1 with b > 0 boundary loops.
+        Complete, unless they touch themselves.
+
+    Examples
+    --------
+    Around the tube of a torus, and around its hole:
+
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.torus(40, 20, radius=2, tube=0.5)
+    >>> [round(loop.length, 1) for loop in intrinsic.homology_loops(V, F)]
+    [3.1, 9.4]
+    """
+    return computed_on(V, F, lengths, mollify,
+                       lambda T: [_path(T, *found) for found in _core.homology_loops(T._core)],
+                       check_progress(progress))
+
+
+def level_set(
+    V: Any, F: ArrayLike | None = None, values: Any = None, level: float = 0.0, *,
+    lengths: ArrayLike | None = None, mollify: float | str = "auto",
+) -> list[Path]:
+    """Return the curves on which a function has a value. It is linear on the faces of F.
+
+    Parameters
+    ----------
+    V, F, lengths, mollify
+        As of `laplacian()`.
+    values : (n,) floats
+        The value at each vertex, such as a distance.
+    level : float
+        The value on the curves. A vertex with this value counts as above it.
+
+    Returns
+    -------
+    list of Path
+        With greater values on their left. Curves from boundary to boundary come first. A closed
+        curve ends where it starts.
+
+    Examples
+    --------
+    A circle of latitude on a sphere:
+
+    >>> import intrinsic
+    >>> V, F = intrinsic.shapes.icosphere(4)
+    >>> circle, = intrinsic.level_set(V, F, V[:, 2], 0.6)
+    >>> bool(abs(circle.length - 1.6 * np.pi) < 0.01)
+    True
+    """
+    at = number(level, "level", -np.inf, np.inf)
+
+    def compute(T: Triangulation) -> list[Path]:
+        given = floats(values, (T._core.number_of_input_vertices(),), "values")
+        return [_path(T, *found) for found in _core.level_set(T._core, given, at)]
 
     return _on_input(V, F, lengths, mollify, compute)
 

@@ -15,7 +15,9 @@
 #include <CGAL/Intrinsic_triangulations/distances_from_each.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/level_set.h>
 #include <CGAL/Intrinsic_triangulations/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
@@ -36,11 +38,14 @@
 
 namespace {
 
-// Stores sources on the input: vertices and points.
+typedef IT::Surface_curve<double> Curve;
+
+// Stores sources: vertices, points of the input, and a curve on T2.
 struct Sources
 {
   std::vector<IT::Vertex_index> vertices;
   std::vector<Location> points;
+  Curve curve;
 };
 
 IT::Vertex_index checked_vertex(std::int64_t number, const Triangulation& triangulation)
@@ -64,8 +69,54 @@ Sources sources_of(const Index_array& vertices, const Index_array& faces,
   return result;
 }
 
-Sources one_source(IT::Vertex_index v) { return {{v}, {}}; }
-Sources one_source(const Location& p) { return {{}, {p}}; }
+Sources one_source(IT::Vertex_index v) { return {{v}, {}, {}}; }
+Sources one_source(const Location& p) { return {{}, {p}, {}}; }
+
+// Returns a curve on T2 along polylines, which are given by points of the input. Polyline i begins at
+// the point `starts[i]` and ends before the point `starts[i + 1]`.
+Curve curve_of_polylines(const Bound_triangulation& self, const Index_array& faces,
+                         const Number_array& coordinates, const Index_array& starts)
+{
+  const std::vector<Location> points =
+    locations_of(faces, coordinates, self.triangulation().input_mesh().number_of_faces());
+  Curve curve;
+  if(points.empty()) // the correspondence is not needed then
+    return curve;
+  for(std::size_t i = 0; i + 1 < std::size_t(starts.size()); ++i) {
+    const Curve part = IT::curve_through(
+      self.triangulation().input(), std::vector<Location>(points.begin() + starts.data()[i],
+                                                          points.begin() + starts.data()[i + 1]));
+    curve.insert(curve.end(), part.begin(), part.end());
+  }
+  return IT::curve_across(self.correspondence(), IT::Side::input, curve);
+}
+
+// Holds the arrays of sources: vertices, then faces and coordinates of points, then polylines as of
+// `curve_of_polylines()`.
+struct Source_arrays
+{
+  Index_array vertices, faces;
+  Number_array coordinates;
+  Index_array curve_faces;
+  Number_array curve_coordinates;
+  Index_array starts;
+
+  explicit Source_arrays(const py::tuple& arrays)
+    : vertices(arrays[0]),
+      faces(arrays[1]),
+      coordinates(arrays[2]),
+      curve_faces(arrays[3]),
+      curve_coordinates(arrays[4]),
+      starts(arrays[5])
+  {}
+
+  Sources on(const Bound_triangulation& self) const
+  {
+    Sources result = sources_of(vertices, faces, coordinates, self.triangulation());
+    result.curve = curve_of_polylines(self, curve_faces, curve_coordinates, starts);
+    return result;
+  }
+};
 
 // Returns `set_of(source)` for each of the sources.
 template <class Make>
@@ -94,6 +145,8 @@ IT::Distance_sources<Triangulation> sources_across(const Bound_triangulation& se
   result.add(sources.vertices);
   for(const Location& p : sources.points)
     result.add(IT::point_across(self.correspondence(), IT::Side::input, p));
+  if(!sources.curve.empty())
+    result.add(sources.curve);
   return result;
 }
 
@@ -150,15 +203,14 @@ py::dict description_of(const IT::Geodesic_distances<double>& distances)
   return result;
 }
 
-py::tuple distances(const Bound_triangulation& self, const Index_array& vertices,
-                    const Index_array& faces, const Number_array& coordinates,
+py::tuple distances(const Bound_triangulation& self, const py::tuple& arrays,
                     const std::string& method, std::optional<double> time_step_factor,
                     const py::object& progress)
 {
+  const Source_arrays given(arrays);
   Watch watch(progress, "windows");
   IT::Geodesic_distances<double> result = released([&] {
-    const auto sources =
-      sources_across(self, sources_of(vertices, faces, coordinates, self.triangulation()));
+    const auto sources = sources_across(self, given.on(self));
     const auto np = IT::parameters::distance_method(method_named(method)).visitor(std::ref(watch));
     const std::vector<Point> points = vertex_positions(self);
     if(points.empty())
@@ -181,12 +233,11 @@ public:
              IT::parameters::time_step_factor(time_step_factor))
   {}
 
-  py::array distances(const Bound_triangulation& on, const Index_array& vertices,
-                      const Index_array& faces, const Number_array& coordinates) const
+  py::array distances(const Bound_triangulation& on, const py::tuple& arrays) const
   {
+    const Source_arrays given(arrays);
     return array_of(released([&] {
-      const auto values = m_heat.distances(
-        sources_across(on, sources_of(vertices, faces, coordinates, on.triangulation())));
+      const auto values = m_heat.distances(sources_across(on, given.on(on)));
       return std::vector<double>(values.begin(), values.end());
     }));
   }
@@ -312,28 +363,30 @@ py::list geodesics_between(const Bound_triangulation& self, const Index_array& p
   return result;
 }
 
+// Returns the loops of a homology basis, which flips have shortened.
+py::list homology_loops(const Bound_triangulation& self)
+{
+  const auto loops = released([&] { return IT::geodesic_homology_basis(self.triangulation()); });
+  py::list result;
+  for(const auto& loop : loops)
+    result.append(path_arrays(loop.path, self.triangulation().input_mesh()) +
+                  py::make_tuple(loop.status == IT::Shortening_status::geodesic));
+  return result;
+}
+
+// Returns the curves on which a function of the vertices has a value.
+py::list level_set(const Bound_triangulation& self, const Number_array& values, double level)
+{
+  const std::vector<double> of_vertices = vector_of(values);
+  const auto curves =
+    released([&] { return IT::level_set(self.triangulation().input(), of_vertices, level); });
+  py::list result;
+  for(const auto& curve : curves)
+    result.append(path_arrays(curve, self.triangulation().input_mesh()));
+  return result;
+}
+
 // ---- Signed distances ----
-
-// Returns a curve through points of the input, at which segments meet.
-IT::Surface_curve<double> curve_through(const Bound_triangulation& self,
-                                        const std::vector<Location>& points)
-{
-  return IT::curve_through(self.triangulation().input(), points);
-}
-
-// Returns polylines on T2, which begin and end at these numbers of points.
-IT::Surface_curve<double> curve_of_polylines(const Bound_triangulation& self,
-                                             const std::vector<Location>& points,
-                                             const Index_array& starts)
-{
-  IT::Surface_curve<double> curve;
-  for(std::size_t i = 0; i + 1 < std::size_t(starts.size()); ++i) {
-    const auto part = curve_through(
-      self, {points.begin() + starts.data()[i], points.begin() + starts.data()[i + 1]});
-    curve.insert(curve.end(), part.begin(), part.end());
-  }
-  return IT::curve_across(self.correspondence(), IT::Side::input, curve);
-}
 
 py::tuple signed_distances(const Bound_triangulation& self, const Index_array& faces,
                            const Number_array& coordinates, const Index_array& starts,
@@ -342,9 +395,7 @@ py::tuple signed_distances(const Bound_triangulation& self, const Index_array& f
 {
   Watch watch(progress, "windows");
   IT::Geodesic_distances<double> result = released([&] {
-    const auto curve = curve_of_polylines(
-      self, locations_of(faces, coordinates, self.triangulation().input_mesh().number_of_faces()),
-      starts);
+    const Curve curve = curve_of_polylines(self, faces, coordinates, starts);
     const auto np = IT::parameters::distance_method(method_named(method)).visitor(std::ref(watch));
     return time_step_factor ? IT::signed_distance(self.triangulation(), curve,
                                                   np.time_step_factor(*time_step_factor))
@@ -437,6 +488,8 @@ void bind_distances(py::module_& module)
   module.def("shortest_path", &shortest_path);
   module.def("geodesic_through", &geodesic_through);
   module.def("geodesics_between", &geodesics_between);
+  module.def("homology_loops", &homology_loops);
+  module.def("level_set", &level_set);
   module.def("signed_distances", &signed_distances);
   module.def("transported", &transported);
   module.def("logarithms", &logarithms);

@@ -203,6 +203,57 @@ class Geodesics(unittest.TestCase):
                          meridian.length)
 
 
+class Curves(unittest.TestCase):
+    def test_homology(self):
+        around, tube, radius = 40, 20, 3
+        V, F = intrinsic.shapes.torus(around, tube, radius=radius, tube=0.5)
+        loops = intrinsic.homology_loops(V, F)
+        # A polygon around the tube, and the inner equator: both consist of edges.
+        lengths = 2 * tube * 0.5 * np.sin(np.pi / tube), 2 * around * (radius - 0.5) * np.sin(np.pi / around)
+        self.assertEqual(len(loops), 2)
+        for loop, length in zip(loops, lengths):
+            self.assertTrue(loop.is_complete)
+            self.assertLessEqual(loop.length, length + 1e-12)
+            self.assertGreater(loop.length, 0.98 * length)
+            np.testing.assert_allclose(loop.points[0], loop.points[-1], atol=1e-12)
+            steps = np.linalg.norm(np.diff(loop.points, axis=0), axis=1)
+            self.assertAlmostEqual(steps.sum(), loop.length, 11)
+        self.assertEqual(intrinsic.homology_loops(*intrinsic.shapes.icosphere(1)), [])
+        self.assertEqual(intrinsic.homology_loops(*intrinsic.shapes.grid(3, 3)), [])
+
+    def test_level_set(self):
+        V, F = support.turned(*intrinsic.shapes.grid(9, 7))
+        slope = V @ [1, 2, 0]
+        line, = intrinsic.level_set(V, F, slope, 1.3)
+        np.testing.assert_allclose(line.points @ [1, 2, 0], 1.3, atol=1e-14)
+        self.assertAlmostEqual(line.length, np.hypot(1, 0.5), 12)
+        self.assertEqual(intrinsic.level_set(V, F, slope, 3.5), [])
+        V, F = intrinsic.shapes.icosphere(3)
+        d = intrinsic.distance(V, F, 0)
+        circle, = intrinsic.level_set(V, F, d, 1)
+        np.testing.assert_array_equal(circle.points[0], circle.points[-1])
+        between = np.einsum("pc,pc->p", d[F[circle.faces]], circle.barycentric)
+        np.testing.assert_allclose(between, 1, atol=1e-12)
+        for values in (d[1:], np.full(len(V), np.nan), None):
+            with self.assertRaises(intrinsic.IntrinsicError):
+                intrinsic.level_set(V, F, values, 1)
+
+    def test_distances(self):
+        V, F = support.turned(*intrinsic.shapes.grid(10, 10))
+        line, = intrinsic.level_set(V, F, V[:, 0], 0.37)
+        d = intrinsic.distance(V, F, curve=(line.faces, line.barycentric), method="exact")
+        np.testing.assert_allclose(d, abs(V[:, 0] - 0.37), atol=1e-14)
+        corner = int(np.argmin(V.sum(axis=1)))
+        both = intrinsic.distance(V, F, corner, "exact", curve=(line.faces, line.barycentric))
+        np.testing.assert_allclose(both, np.minimum(d, np.linalg.norm(V - V[corner], axis=1)), atol=1e-14)
+        for method, error in (("exact", 1e-14), ("heat", 0.03)):
+            solver = intrinsic.DistanceSolver(V, F, method)
+            found = solver.distance(curve=(line.faces, line.barycentric))
+            np.testing.assert_allclose(found, d, atol=error)
+        with self.assertRaises(intrinsic.ArrayError):
+            solver.distance()
+
+
 class Transport(unittest.TestCase):
     def test_plane(self):
         flat, faces = intrinsic.shapes.grid(8, 8)

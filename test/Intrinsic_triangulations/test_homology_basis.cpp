@@ -7,7 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
@@ -482,6 +484,26 @@ TEST(Homology_basis, all_loops_become_geodesics)
       EXPECT_EQ(paths.shorten(), IT::Shortening_status::geodesic);
       EXPECT_LE(paths.length(0), before * (1 + 1e-12));
       EXPECT_FALSE(paths.halfedges(0).empty()); // not contractible
+    }
+  }
+}
+
+// Each loop is shortened from a loop along edges, and its pieces on faces add up to its length.
+TEST(Homology_basis, of_geodesics)
+{
+  for(const Named_complex& c : traced(complexes())) {
+    auto t = triangulation(c.mesh, random_lengths(c.mesh, 2));
+    IT::make_Delaunay(t);
+    const auto loops = IT::geodesic_homology_basis(t);
+    EXPECT_EQ(loops.size(), rank(c.mesh));
+    double last = 0;
+    for(const auto& loop : loops) {
+      EXPECT_GE(loop.path.length, last);
+      last = loop.path.length;
+      EXPECT_LE(loop.path.length, loop.length_along_edges * (1 + 1e-12));
+      ASSERT_GE(loop.path.places.size(), 2u);
+      const auto curve = IT::curve_through(t.input(), loop.path.places);
+      EXPECT_NEAR(IT::curve_length(t.input(), curve), loop.path.length, 1e-11 * loop.path.length);
     }
   }
 }

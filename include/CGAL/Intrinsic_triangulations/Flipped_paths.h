@@ -34,6 +34,7 @@ struct Flipped_path
   Shortening_status status;    ///< how shortening has ended
   std::size_t number_of_flips; ///< how many edges have been flipped
   Surface_path<FT> path;       ///< the path on \f$T_1\f$
+  FT length_along_edges;       ///< its length before it was shortened
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
@@ -70,11 +71,20 @@ public:
   {
     const std::vector<Halfedge_index> start = m_search.path(source, target);
     if(start.empty())
-      return {Shortening_status::geodesic, 0, no_path(source == target)};
-    const Rewinding rewinding{m_paths};
-    m_paths.add_path(start);
-    const Shortening_status status = m_paths.shorten();
-    return {status, m_paths.number_of_flips(), path_on_input(m_tri, m_paths.halfedges(0))};
+      return without_points(source == target ? FT(0) : std::numeric_limits<FT>::infinity());
+    return shortened(start, [&] { m_paths.add_path(start); });
+  }
+
+  /// returns the closed geodesic to which a loop along edges of \f$T_2\f$ is shortened. It has no
+  /// points if the loop contracts.
+  /// \param loop halfedges of \f$T_2\f$; each begins where the one before it ends, and the first
+  ///   one where the last one ends
+  /// \throws Numerical_error, Overflow_error as `path()`
+  ///
+  /// Complexity: `Edge_paths::shorten()` and `path_on_input()`.
+  Flipped_path<FT> loop(const std::vector<Halfedge_index>& loop)
+  {
+    return shortened(loop, [&] { m_paths.add_loop(loop); });
   }
 
 private:
@@ -84,9 +94,24 @@ private:
     Edge_paths<Traits>& paths;
   };
 
-  static Surface_path<FT> no_path(bool is_point)
+  static Flipped_path<FT> without_points(const FT& length)
   {
-    return {is_point ? FT(0) : std::numeric_limits<FT>::infinity(), {}};
+    return {Shortening_status::geodesic, 0, {length, {}}, length};
+  }
+
+  // Shortens the path that `add()` adds, and takes its flips back.
+  template <typename Add>
+  Flipped_path<FT> shortened(const std::vector<Halfedge_index>& start, const Add& add)
+  {
+    const Rewinding rewinding{m_paths};
+    FT before(0);
+    for(Halfedge_index h : start)
+      before += m_tri.length(Edge_index(h));
+    add();
+    const Shortening_status status = m_paths.shorten();
+    const std::vector<Halfedge_index> path = m_paths.halfedges(0);
+    return {status, m_paths.number_of_flips(),
+            path.empty() ? Surface_path<FT>{FT(0), {}} : path_on_input(m_tri, path), before};
   }
 
   typedef Surface_view<typename Triangulation::Edge_length_map> Surface;
