@@ -22,7 +22,8 @@ Complexes = NDArray[np.complex128]
 _GREATEST_INDEX = 2**32 - 2  # of the compiled part
 
 
-def _array(values: ArrayLike | None, name: str) -> NDArray[Any]:
+def array_of(values: ArrayLike | None, name: str) -> NDArray[Any]:
+    """Return an array of any type and shape."""
     if values is None:
         raise ArrayError(f"{name} is None; give an array")
     if getattr(values, "format", None) is not None and hasattr(values, "todense"):
@@ -31,10 +32,10 @@ def _array(values: ArrayLike | None, name: str) -> NDArray[Any]:
         raise ArrayError(f"{name} is a masked array; give a plain one")
     try:
         array = np.asarray(values)
-    except (ValueError, TypeError) as error:
+    except Exception as error:  # of any type: other packages have their own reasons
         if "inhomogeneous" in str(error):
             raise ArrayError(f"{name} has rows of different lengths") from None
-        raise ArrayError(f"{name} is not an array of numbers: {error}") from None
+        raise ArrayError(f"{name} is not an array of numbers: {error}") from error
     return array
 
 
@@ -54,7 +55,7 @@ def _first_row(is_bad: NDArray[np.bool_]) -> int:
 
 def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
     """Return finite numbers of type float64, stored by rows; a copy only if it is needed."""
-    array = _array(values, name)
+    array = array_of(values, name)
     if array.dtype.kind not in "fiu" and not (array.size == 0 and array.dtype == object):
         raise ArrayError(f"{name} has the type {array.dtype}; it must be real numbers")
     _check_shape(array, shape, name)
@@ -72,11 +73,11 @@ def integers(
     values: ArrayLike | None, shape: tuple[int | None, ...], name: str, size: int | None, what: str
 ) -> Integers:
     """Return indices of type int64, stored by rows, from 0 to `size` - 1."""
-    array = _array(values, name)
+    array = array_of(values, name)
     if array.size == 0 and array.dtype.kind == "f":  # from an empty list
         array = array.astype(np.int64)
     if array.dtype.kind == "O" and all(isinstance(i, int) for i in array.flat):
-        array = np.clip(array, -1, _GREATEST_INDEX + 1).astype(np.int64)  # of huge numbers
+        array = np.asarray(np.clip(array, -1, _GREATEST_INDEX + 1), np.int64)  # of huge numbers
     if array.dtype.kind not in "iu":
         hint = {"f": "; convert it by .astype(int)",
                 "b": "; np.flatnonzero() returns the indices of a mask"}.get(array.dtype.kind, "")
@@ -98,7 +99,7 @@ def vertices(values: Any, size: int, name: str, wanted: int | None = None) -> In
     """Return indices of vertices, as many as are wanted; one may be a number."""
     if values is None:
         raise ArrayError(f"{name} must be given")
-    return integers(np.atleast_1d(_array(values, name)), (wanted,), name, size, "vertices")
+    return integers(np.atleast_1d(array_of(values, name)), (wanted,), name, size, "vertices")
 
 
 def _scalar(value: Any, name: str, kind: str) -> Any:
@@ -158,7 +159,7 @@ def choice(value: Any, name: str, names: Sequence[str]) -> str:
 
 def complexes(values: Any, shape: tuple[int | None, ...], name: str) -> Complexes:
     """Return finite complex numbers, stored by rows."""
-    array = _array(values, name)
+    array = array_of(values, name)
     if array.dtype.kind not in "fiuc" and array.size > 0:
         raise ArrayError(f"{name} has the type {array.dtype}; it must be complex numbers")
     _check_shape(array, shape, name)
@@ -166,8 +167,11 @@ def complexes(values: Any, shape: tuple[int | None, ...], name: str) -> Complexe
     with np.errstate(over="ignore"):
         is_bad = ~np.isfinite(np.abs(result))
     if is_bad.any():
-        what = f"row {_first_row(is_bad)} of {name}" if array.ndim > 0 else name
-        raise InputError(f"the length of {what} is not finite")
+        row = _first_row(is_bad) if array.ndim > 0 else None
+        what = name if row is None else f"row {row} of {name}"
+        error = InputError(f"the length of {what} is not finite")
+        error.row = row
+        raise error
     return result
 
 
@@ -179,9 +183,9 @@ def points_on(
         faces, coordinates = points
     except (TypeError, ValueError):
         raise ArrayError(f"{name} must be a pair of faces and barycentric coordinates") from None
-    rows = integers(np.atleast_1d(_array(faces, name)), (None,), f"the faces of {name}",
+    rows = integers(np.atleast_1d(array_of(faces, name)), (None,), f"the faces of {name}",
                     number_of_faces, "faces")
-    weights = floats(np.atleast_2d(_array(coordinates, name)), (len(rows), 3),
+    weights = floats(np.atleast_2d(array_of(coordinates, name)), (len(rows), 3),
                      f"the barycentric coordinates of {name}")
     is_bad = (weights < 0).any(axis=1) | (np.abs(weights.sum(axis=1) - 1) > 1e-6)
     if is_bad.any():

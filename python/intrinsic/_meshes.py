@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Integers, floats, integers, number, shortened
+from ._arrays import Floats, Integers, array_of, floats, integers, number, shortened
 from .errors import (ArrayError, InputError, MapError, MollificationWarning, NumericalError,
                      UnderflowError)
 
@@ -26,7 +26,7 @@ SLACKS = (1e-8, 1e-6)
 
 def _packed_faces(faces: Any) -> Any:
     """Return rows of corners, also of pyvista's list 3, i, j, k, 3, ..."""
-    array = np.asarray(faces)
+    array = array_of(faces, "F")
     if array.ndim != 1 or array.size % 4 != 0 or array.dtype.kind not in "iu":
         return faces
     rows = array.reshape(-1, 4)
@@ -44,7 +44,8 @@ def _cells(cells: Any) -> Any:
     if others:
         raise ArrayError(f"the mesh has cells of type {', '.join(sorted(others))}; only triangles "
                          "are accepted")
-    return np.concatenate(triangles) if triangles else np.zeros((0, 3), int)
+    return np.concatenate([integers(t, (None, 3), "F", None, "vertices") for t in triangles] or
+                          [np.zeros((0, 3), int)])
 
 
 def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
@@ -93,12 +94,24 @@ def surface(
         raise ArrayError("give either V or lengths, and None for the other")
     faces = _faces(F, None)
     _check_not_empty(faces)
+    _check_numbering(faces)
     return _core.Surface.of_lengths(floats(lengths, (len(faces), 3), "lengths"), faces)
 
 
 def _check_not_empty(faces: Integers) -> None:
     if len(faces) == 0:
         raise InputError("F has no rows; give at least one face")
+
+
+def _check_numbering(faces: Integers) -> None:
+    """Without positions, the greatest index is the number of vertices: a wrong one would take any
+    amount of memory."""
+    bad = np.flatnonzero((faces >= faces.size).any(axis=1))
+    if len(bad) > 0:
+        error = InputError(f"row {bad[0]} of F is {faces[bad[0]]}; without V, indices must be less "
+                           f"than {faces.size}, three times the number of faces")
+        error.row = error.face = int(bad[0])
+        raise error
 
 
 def mollification(mollify: float | str) -> float | None:

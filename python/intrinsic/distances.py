@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import (Complexes, Floats, Integers, choice, complexes, count, flag, floats, integers,
-                      number,
-                      points_on, shortened)
+from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, count, flag, floats,
+                      integers, number, points_on, shortened)
 from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError
@@ -616,16 +615,20 @@ def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
         raise ArrayError("curve is missing; give vertices, or points as faces and coordinates")
     parts = curve if _is_list_of_curves(curve) else [curve]
     found = [_polyline(part, T) for part in parts]
-    starts = np.cumsum([0] + [len(faces) for faces, _ in found])
-    if len(found) == 0 or starts[-1] < 2:
-        raise InputError("a curve has two points or more")
+    sizes = [len(faces) for faces, _ in found]
+    if min(sizes) < 2:
+        which = "curve" if len(parts) == 1 else f"part {np.argmin(sizes)} of curve"
+        raise InputError(f"{which} has fewer than two points")
+    starts = np.cumsum([0] + sizes)
     return (np.concatenate([f for f, _ in found]), np.concatenate([b for _, b in found]),
             starts.astype(np.int64))
 
 
 def _is_list_of_curves(curve: Any) -> bool:
-    return isinstance(curve, list) and len(curve) > 0 and not np.isscalar(curve[0]) and (
-        np.ndim(curve[0] if not isinstance(curve[0], tuple) else curve[0][0]) > 0)
+    if not isinstance(curve, list) or len(curve) == 0:
+        return False
+    is_pair = isinstance(curve[0], tuple) and len(curve[0]) > 0
+    return array_of(curve[0][0] if is_pair else curve[0], "curve").ndim > 0
 
 
 def _polyline(part: Any, T: Triangulation) -> SurfacePoints:
@@ -723,7 +726,7 @@ def exp_map(
     >>> bool(abs(line.points[-1] - V[50]).max() < 1e-9)
     True
     """
-    if np.ndim(vector) != 0:
+    if array_of(vector, "vector").ndim != 0:
         raise ArrayError(f"vector is {shortened(vector)}; it must be one complex number")
     direction = complex(complexes(vector, (), "vector"))
     return _on_input(V, F, lengths, mollify, lambda T: _path(
@@ -773,11 +776,10 @@ def transport(
 
 
 def _vectors_at(sources: Integers, vectors: Any) -> Complexes:
-    given = np.asarray(vectors)
-    result = complexes(given[None] if given.ndim == 0 else given, sources.shape, "vectors")
-    if len(result) == 0:
+    if len(sources) == 0:
         raise InputError("vertices are missing; give at least one, with its vector")
-    return result
+    given = array_of(vectors, "vectors")
+    return complexes(given[None] if given.ndim == 0 else given, sources.shape, "vectors")
 
 
 def _vertex(vertex: Any, T: Triangulation) -> int:

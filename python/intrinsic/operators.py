@@ -35,7 +35,7 @@ def laplacian(
         The corners of each face, from 0.
     lengths : (m, 3) array of floats
         Instead of V: the length of the side opposite to each corner. Both faces of an edge give
-        exactly the same length.
+        exactly the same length. Indices in F are then less than 3 m.
     mollify : float or "auto"
         As of `Triangulation`; "auto" lengthens edges only if there is no result otherwise.
     progress : callable

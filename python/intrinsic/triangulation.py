@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import (Floats, Integers, choice, count, flag, floats, integers, number, points_on,
-                      sparse)
+from ._arrays import (Floats, Integers, array_of, choice, count, flag, floats, integers, number,
+                      points_on, sparse)
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError
 
@@ -210,7 +210,7 @@ class Triangulation:
         Whether `delaunay()` and `refine()` decide exactly which edges are Delaunay.
     lengths : (m, 3) array of floats
         Instead of V: the length of the side opposite to each corner. Both faces of an edge give
-        exactly the same length.
+        exactly the same length. Indices in F are then less than 3 m.
     mollify : float or "auto"
         Lengthens all edges until triangle inequalities have this slack, relative to the mean edge
         length. "auto" does that only if the triangulation cannot be made otherwise.
@@ -479,7 +479,7 @@ class Triangulation:
         """
         is_input = _is_input(of, "of")
         n = len(self._core.edges(is_input))
-        chosen: Any = np.arange(n) if edges is None else np.asarray(edges)
+        chosen: Any = np.arange(n) if edges is None else array_of(edges, "edges")
         if chosen.dtype == bool:
             if chosen.shape != (n,):
                 raise ArrayError(f"edges has the shape {chosen.shape}; a mask must be ({n},)")
@@ -497,7 +497,7 @@ class Triangulation:
         self._positions()
         n, n2 = self._core.number_of_input_vertices(), self._core.number_of_vertices()
         return _core.page_of_triangulation(self._core, [
-            (name, floats(f, (n2 if np.shape(f) == (n2,) else n,), name))
+            (name, floats(f, (n2 if array_of(f, name).shape == (n2,) else n,), name))
             for name, f in functions.items()], direct)
 
     @_locked
@@ -528,10 +528,10 @@ class Triangulation:
         """
         from_input = not _is_input(to, "to")
         if isinstance(what, tuple):
-            faces, coordinates = points_on(what, self._core.number_of_faces(from_input), "points")
+            faces, coordinates = points_on(what, self._core.number_of_faces(from_input), "what")
             return self._core.points_across(from_input, faces, coordinates)
         size = self._core.number_of_input_vertices() if from_input else self.n_vertices
-        return self._core.function_across(from_input, floats(what, (size,), "the function"))
+        return self._core.function_across(from_input, floats(what, (size,), "what"))
 
     @_locked
     def certify(self) -> Certificate:

@@ -6,6 +6,7 @@
 
 import unittest
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -434,7 +435,72 @@ class Malformed(unittest.TestCase):
             with self.assertRaisesRegex(ArrayError, f"{name} (must be given|is None)"):
                 call()
 
+    def test_arrays_of_other_packages_that_raise(self):
+        """As tensors do that record gradients."""
+        class Tensor:
+            def __array__(self, *arguments, **keywords):
+                raise RuntimeError("no numbers here")
+
+        for name, call in {
+            "V": lambda t: intrinsic.laplacian(t, F),
+            "F": lambda t: intrinsic.laplacian(SimpleNamespace(points=V, faces=t)),
+            "curve": lambda t: intrinsic.signed_distance(V, F, [t]),
+            "edges": lambda t: intrinsic.Triangulation(V, F).trace(t),
+            "vector": lambda t: intrinsic.exp_map(V, F, 0, t),
+            "vectors": lambda t: intrinsic.transport(V, F, [0], t),
+            "what": lambda t: intrinsic.Triangulation(V, F).transfer(t),
+            "heat": lambda t: intrinsic.show(intrinsic.Triangulation(V, F), open=False, heat=t),
+        }.items():
+            if name == "heat" and not intrinsic._core.has_pages:
+                continue
+            with self.assertRaisesRegex(ArrayError, f"^{name} is not an array.*no numbers here"):
+                call(Tensor())
+
+    def test_rows_of_different_lengths(self):
+        rows = [[1, 2], [3]]
+        for name, call in {
+            "F": lambda: intrinsic.laplacian(SimpleNamespace(points=V, cells=[("triangle", rows)])),
+            "edges": lambda: intrinsic.Triangulation(V, F).trace(rows),
+            "vectors": lambda: intrinsic.transport(V, F, [0, 1], rows),
+            "curve": lambda: intrinsic.signed_distance(V, F, [rows]),
+        }.items():
+            with self.assertRaisesRegex(ArrayError, f"^{name} has rows of different lengths"):
+                call()
+
+    def test_names_and_rows(self):
+        T = intrinsic.Triangulation(V, F)
+        values = np.zeros(len(V))
+        values[7] = np.nan
+        with self.assertRaisesRegex(InputError, "row 7 of what"):
+            T.transfer(values)
+        with self.assertRaisesRegex(InputError, "faces of what"):
+            T.transfer(([80], [[1, 0, 0]]))
+        with self.assertRaisesRegex(InputError, "row 1 of vectors") as caught:
+            intrinsic.transport(V, F, [0, 1], [1, np.inf])
+        self.assertEqual(caught.exception.row, 1)
+
+    def test_every_part_of_a_curve_has_two_points(self):
+        path = [*F[0], F[0, 0]]
+        for curve, message in [([path, []], "part 1 of curve"), ([[3], path], "part 0 of curve"),
+                               ([[0], [5]], "part 0 of curve"), ([3], "curve has fewer")]:
+            with self.assertRaisesRegex(InputError, message):
+                intrinsic.signed_distance(V, F, curve)
+
+    def test_indices_without_positions(self):
+        """Memory is proportional to the arrays, not to an index."""
+        lengths = intrinsic.Triangulation(V, F).face_lengths
+        for index in (F.size, 10**6, 2**32 - 2):
+            bad = np.where(np.arange(len(F))[:, None] == [[5, -1, -1]], index, F)
+            for call in (lambda: intrinsic.Triangulation(None, bad, lengths=lengths),
+                         lambda: intrinsic.pack_circles(None, bad)):
+                with self.assertRaisesRegex(InputError, "row 5 of F") as caught:
+                    call()
+                self.assertEqual(caught.exception.face, 5)
+
     def test_numbers_beyond_the_range(self):
+        for F2 in (10**30, -(10**30), [[10**30, 1, 2]]):
+            with self.assertRaisesRegex(InputError, "F has the shape|row 0 of F"):
+                intrinsic.Triangulation(V, F2)
         with self.assertRaisesRegex(InputError, "from 1 to 4294967294"):
             intrinsic.simplify(V, F, 10**30)
 
