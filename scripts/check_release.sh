@@ -5,21 +5,29 @@
 
 # check_release.sh RELEASE [COMMAND [FILE...]]: runs COMMAND, ./test.sh by default, on what is committed,
 # as a user of a bare Debian system of that release would. FILEs are copied beside the sources. Needs root
-# and debootstrap. The system is made anew unless build/systems/RELEASE is there.
+# and debootstrap. The bare system is kept in build/systems/RELEASE; COMMAND runs in a copy of it,
+# build/systems/RELEASE.used, which is left there.
 #
-# The packages of `cmake --build build --target package` are tried in a bare system by
+# The packages of `cmake --build build --target package`, the installation by pip and the demonstration
+# are tried by
 #   scripts/check_release.sh bookworm test/packages/install.sh build/packages/*.deb
+#   scripts/check_release.sh bookworm test/packages/pip.sh
+#   scripts/check_release.sh bookworm ./demo.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 release=${1:?usage: check_release.sh RELEASE [COMMAND [FILE...]]}
 command=${2:-./test.sh}
-system=$PWD/build/systems/$release
+bare=$PWD/build/systems/$release
+system=$bare.used
 
-if [[ ! -d $system ]]; then
-  mkdir -p "$(dirname "$system")"
-  debootstrap --variant=minbase "$release" "$system.unfinished"
-  mv "$system.unfinished" "$system"
+if [[ ! -d $bare ]]; then
+  mkdir -p "$(dirname "$bare")"
+  rm -rf "$bare.unfinished"
+  debootstrap --variant=minbase "$release" "$bare.unfinished"
+  mv "$bare.unfinished" "$bare"
 fi
+rm -rf --one-file-system "$system" # not beyond what an interrupted run has left mounted
+cp -a "$bare" "$system"
 cp /etc/resolv.conf "$system/etc"
 mkdir -p "$system/root/source"
 git archive HEAD | tar -x -C "$system/root/source"
