@@ -5,12 +5,12 @@
 
 # check_sanitizers.sh [python | CTEST_ARGUMENT...]: builds the program, the unit tests and the package
 # for Python with the sanitizers for addresses and undefined behaviour, and runs the tests; arguments are
-# passed to ctest (-R Refine). Then the program reads FUZZ_RUNS damaged files, 100,000 if that is not set;
-# those on which it fails are left in build/sanitizers/fuzz. With `python`, only the package for Python is
-# built and tested, also on malformed arrays. Tests of Python run without other arguments only; memory that
-# Python never frees does not count. Slow. Dynamic types are not checked, since CGAL's arrangements, which
-# tests compare with, cast faces to another class; nor are shifts of negative numbers, with which CGAL's
-# MP_Float computes.
+# passed to ctest (-R Refine). Then the program reads FUZZ_RUNS damaged files, 100,000 if that is not
+# set, from number FUZZ_FIRST on; those on which it fails are left in build/sanitizers/fuzz. With
+# `python`, only the package for Python is built and tested, also on malformed arrays. Tests of Python
+# run without other arguments only; memory that Python never frees does not count. Slow. Dynamic types
+# are not checked, since CGAL's arrangements, which tests compare with, cast faces to another class; nor
+# are shifts of negative numbers, with which CGAL's MP_Float computes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 [[ ${1:-} == python ]] && targets=(intrinsic_python) || targets=(intrinsic unit_tests intrinsic_python)
@@ -35,9 +35,10 @@ if [[ ${1:-} == python ]]; then
   test_python -E '[.](program|running|docstrings|tutorials)$'
   exit
 fi
-# The other tests build or check text.
+# The other tests use other programs and packages, build or check text.
 ctest --test-dir build/sanitizers --output-on-failure -j2 \
-  -E '^(clang.*|consumer[.].*|doc|python[.].*)$' "$@"
+  -E '^((clang|compiled|consumer|doc|example|packages|prose|python|without_GMP)([._].*)?|demo[.]fuzz)$' "$@"
 [[ $# -gt 0 ]] || test_python
+# Not fuzz_server, which ends without the search for leaks.
 python3 test/demo/fuzz.py build/sanitizers/intrinsic build/cgal_data --runs "${FUZZ_RUNS:-100000}" \
-  --keep build/sanitizers/fuzz
+  --first "${FUZZ_FIRST:-0}" --keep build/sanitizers/fuzz
