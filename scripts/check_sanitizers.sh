@@ -13,7 +13,8 @@
 # are shifts of negative numbers, with which CGAL's MP_Float computes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[[ ${1:-} == python ]] && targets=(intrinsic_python) || targets=(intrinsic unit_tests intrinsic_python)
+targets=(intrinsic_python)
+[[ ${1:-} == python ]] || targets+=(intrinsic fuzz_server unit_tests)
 
 test_python()
 {
@@ -39,6 +40,5 @@ fi
 ctest --test-dir build/sanitizers --output-on-failure -j2 \
   -E '^((clang|compiled|consumer|doc|example|packages|prose|python|without_GMP)([._].*)?|demo[.]fuzz)$' "$@"
 [[ $# -gt 0 ]] || test_python
-# Not fuzz_server, which ends without the search for leaks.
-python3 test/demo/fuzz.py build/sanitizers/intrinsic build/cgal_data --runs "${FUZZ_RUNS:-100000}" \
-  --first "${FUZZ_FIRST:-0}" --keep build/sanitizers/fuzz
+python3 test/demo/fuzz.py build/sanitizers/demo/fuzz_server build/cgal_data --server \
+  --runs "${FUZZ_RUNS:-100000}" --first "${FUZZ_FIRST:-0}" --keep build/sanitizers/fuzz
