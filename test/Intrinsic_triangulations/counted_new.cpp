@@ -37,6 +37,16 @@ void* operator new(std::size_t size)
   return static_cast<char*>(p) + header;
 }
 
+// std::stable_sort() calls it. That of the address sanitizer does not fit to the delete below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try {
+    return operator new(size);
+  } catch(const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 void operator delete(void* p) noexcept
 {
   if(!p)
@@ -47,3 +57,4 @@ void operator delete(void* p) noexcept
 }
 
 void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { operator delete(p); }
