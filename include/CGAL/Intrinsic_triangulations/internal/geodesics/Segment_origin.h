@@ -14,6 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <complex>
@@ -60,7 +62,9 @@ struct Sector_in_face
   std::pair<FT, FT> part_of_side(const Flat_face<FT>& face, std::size_t s, const FT& l) const
   {
     const Vector a = face.to_corner(s, at.second), b = face.to_corner((s + 1) % 3, at.second);
-    const FT angle = std::arg(b * std::conj(a)), error = path_tolerance<FT>() * (l + norm_of(a));
+    // The angle is -pi if rounding moves the point across the side.
+    const FT angle = CGAL::abs(std::arg(b * std::conj(a)));
+    const FT error = path_tolerance<FT>() * (l + norm_of(a));
     for(int turn = 0; turn < 2; ++turn) {
       const FT at_a = first + std::arg(a * std::conj(start)) + 2 * turn * pi<FT>();
       if(begin < end && begin < at_a + angle && at_a < end)
