@@ -254,6 +254,35 @@ TEST(Curve_distances, from_faces_without_area)
   EXPECT_GT(checked, 10);
 }
 
+// Paths cross an edge between their ends, also if both ends are on the edge up to rounding.
+TEST(Curve_distances, paths_along_edges_within_rounding)
+{
+  CGAL::Random random(4);
+  const Mesh mesh = unit_square(6, 7);
+  const Triangulation t(mesh);
+  const Delta_complex& faces = t.input_mesh();
+  const auto near = [&](Halfedge_index h, double along) {
+    const double height = std::pow(10, random.get_double(-20, -14));
+    const std::size_t s = IT::side_number(h, faces);
+    Location result{faces.face(h), {}};
+    result.second[s] = 1 - along;
+    result.second[(s + 1) % 3] = along - height;
+    result.second[(s + 2) % 3] = height;
+    return result;
+  };
+  for(Edge_index e : faces.edges()) {
+    const Halfedge_index h = faces.halfedge(e), o = faces.opposite(h);
+    if(faces.is_border(h) || faces.is_border(o))
+      continue;
+    const double a = random.get_double(0.1, 0.9), b = random.get_double(0.1, 0.9);
+    const double truth = std::abs(a - b) * get(t.input().length_map(), e);
+    const Path path = IT::shortest_path(t.input(), near(h, a), near(o, 1 - b));
+    EXPECT_NEAR(path.length, truth, 1e-13);
+    EXPECT_NEAR(IT::curve_length(t.input(), IT::curve_through(t.input(), path.places)), truth,
+                1e-13);
+  }
+}
+
 // The distance of a polygon from the true circle is its sagitta.
 TEST(Curve_distances, fine_circle_in_a_face)
 {

@@ -569,6 +569,27 @@ TEST(Signed_heat_distance, errors)
   EXPECT_THROW(IT::signed_heat_distance(strip.input(), across), IT::Numerical_error);
 }
 
+// Normals that do not flow over the surface give no distances, neither rounded nor wrong ones.
+TEST(Signed_heat_distance, short_times_are_right_or_refused)
+{
+  CGAL::Random random(8);
+  int right = 0, refused = 0;
+  for(const Known_curve& known : {circle_in_square(12, random), line_in_square(20, random)})
+    for(double factor = 4; factor > 1e-300; factor *= factor > 1e-3 ? 0.8 : 1e-10)
+      try {
+        const IT::Signed_heat_distance distance(known.t.intrinsic(),
+                                                IT::parameters::time_step_factor(factor));
+        const Values d = distance.distances(known.curve());
+        for(Vertex_index v : known.t.mesh().vertices())
+          EXPECT_NEAR(d[v.idx()], known.distance[v.idx()], 2 * known.edge) << factor;
+        ++right;
+      } catch(const IT::Underflow_error&) {
+        ++refused;
+      }
+  EXPECT_GT(right, 10);
+  EXPECT_GT(refused, 10);
+}
+
 } // namespace Test_signed_distance
 
 #endif // CGAL_EIGEN3_ENABLED

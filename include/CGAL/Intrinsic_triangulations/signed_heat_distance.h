@@ -103,6 +103,7 @@ public:
   typedef Length_of<Surface> FT;
   typedef std::complex<FT> Complex;
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+  typedef Eigen::Matrix<Complex, Eigen::Dynamic, 1> Field;
 
   // `factor` is the shorter time in squared mean edge lengths.
   Vertex_vector_heat(const Surface& surface, const Mesh_components& components, const FT& factor)
@@ -117,17 +118,30 @@ public:
   const Elimination_order& order() const { return m_short.order(); }
 
   // Returns the heat from the unit normals on the right of the segments of a curve, after the
-  // shorter time and after the longer one. It is the mean on each face, with components as in
-  // gradient_matrix(), times a common factor.
-  std::array<Vector, 2> spread(const Surface_curve<FT>& curve) const
+  // shorter time and after the longer one, times a common factor.
+  std::array<Field, 2> spread(const Surface_curve<FT>& curve) const
   {
     const Field sources = normalized(moments(curve));
-    return {means_on_faces(m_short.solve(sources)), means_on_faces(m_long.solve(sources))};
+    return {m_short.solve(sources), m_long.solve(sources)};
+  }
+
+  // Returns the mean on each face, with components as in gradient_matrix().
+  Vector means_on_faces(const Field& heat) const
+  {
+    Vector result = Vector::Zero(2 * Eigen::Index(mesh().num_faces()));
+    for(Face_index f : mesh().faces()) {
+      const auto h = sides(f, mesh());
+      const auto to_face = m_frames.to_face(f);
+      Complex mean(0);
+      for(std::size_t k = 0; k < 3; ++k)
+        mean += heat[mesh().source(h[k]).idx()] / FT(3) * to_face[k];
+      result[2 * Eigen::Index(f.idx())] = mean.real();
+      result[2 * Eigen::Index(f.idx()) + 1] = mean.imag();
+    }
+    return result;
   }
 
 private:
-  typedef Eigen::Matrix<Complex, Eigen::Dynamic, 1> Field;
-
   const Delta_complex& mesh() const { return m_surface.mesh(); }
 
   Eigen::SparseMatrix<Complex> matrix(const Mesh_components& components, const FT& factor) const
@@ -152,21 +166,6 @@ private:
     }
     for(FT& w : result)
       w = (std::max)(w, FT(0));
-    return result;
-  }
-
-  Vector means_on_faces(const Field& heat) const
-  {
-    Vector result = Vector::Zero(2 * Eigen::Index(mesh().num_faces()));
-    for(Face_index f : mesh().faces()) {
-      const auto h = sides(f, mesh());
-      const auto to_face = m_frames.to_face(f);
-      Complex mean(0);
-      for(std::size_t k = 0; k < 3; ++k)
-        mean += heat[mesh().source(h[k]).idx()] / FT(3) * to_face[k];
-      result[2 * Eigen::Index(f.idx())] = mean.real();
-      result[2 * Eigen::Index(f.idx()) + 1] = mean.imag();
-    }
     return result;
   }
 
@@ -275,9 +274,8 @@ public:
   Vector distances(const Surface_curve<FT>& curve) const
   {
     const std::vector<FT> length = length_on_components(curve);
-    auto [normals, rounded] = m_flow.spread(curve);
-    normalize(normals, length);
-    normalize(rounded, length);
+    const auto [heat, later_heat] = m_flow.spread(curve);
+    const Vector normals = directions(heat, length), rounded = directions(later_heat, length);
     Vector result = m_poisson.solve(m_divergence * (rounded - FT(2) * normals));
     internal::Part_means(m_surface, m_components, m_poisson, curve).equalize(result);
     subtract_mean(result, curve, length);
@@ -285,6 +283,9 @@ public:
   }
 
 private:
+  typedef internal::Vertex_vector_heat<Surface_view<Length_map_of<Surface>>> Flow;
+  typedef typename Flow::Field Field;
+
   std::size_t component(Face_index f) const
   {
     return m_components[m_surface.mesh().source(m_surface.mesh().halfedge(f)).idx()];
@@ -298,10 +299,11 @@ private:
     return result;
   }
 
-  // Scales normals on faces to unit length. Normals that cancel exactly are zero.
-  void normalize(Vector& field, const std::vector<FT>& length) const
+  // Returns the unit normals on faces. Normals that cancel exactly are zero.
+  Vector directions(const Field& heat, const std::vector<FT>& length) const
   {
     using std::hypot;
+    Vector field = m_flow.means_on_faces(heat);
     std::vector<char> is_zero(m_components.size(), 1);
     for(Face_index f : m_surface.mesh().faces()) {
       auto vector = field.template segment<2>(2 * Eigen::Index(f.idx()));
@@ -309,14 +311,35 @@ private:
       if(!(norm > 0))
         continue;
       if(norm < least_norm())
-        throw Underflow_error("the normals of the curve do not reach face " +
-                              std::to_string(f.idx()) + "; a greater time step factor is needed");
+        throw no_reach(f);
       vector /= norm;
       is_zero[component(f)] = 0;
     }
     for(std::size_t c = 0; c < length.size(); ++c)
       if(is_zero[c] && length[c] > 0)
         throw Numerical_error("the normals of the curve cancel everywhere");
+    check_reach(heat, length);
+    return field;
+  }
+
+  // Checks that heat reaches a corner of each face. No heat flows along edges whose weights have
+  // been dropped, as all edges if the time is too short for the mass matrix.
+  void check_reach(const Field& heat, const std::vector<FT>& length) const
+  {
+    const Delta_complex& mesh = m_surface.mesh();
+    for(Face_index f : mesh.faces()) {
+      const auto h = sides(f, mesh);
+      if(length[component(f)] > 0 && std::all_of(h.begin(), h.end(), [&](Halfedge_index side) {
+           return heat[mesh.source(side).idx()] == FT(0);
+         }))
+        throw no_reach(f);
+    }
+  }
+
+  static Underflow_error no_reach(Face_index f)
+  {
+    return Underflow_error("the normals of the curve do not reach face " + std::to_string(f.idx()) +
+                           "; a greater time step factor is needed");
   }
 
   // Returns the least norm that has lost no digits.
@@ -343,7 +366,7 @@ private:
 
   Surface_view<Length_map_of<Surface>> m_surface;
   Mesh_components m_components;
-  internal::Vertex_vector_heat<Surface_view<Length_map_of<Surface>>> m_flow;
+  Flow m_flow;
   Eigen::SparseMatrix<FT> m_divergence;
   Poisson_solver<FT> m_poisson;
 };

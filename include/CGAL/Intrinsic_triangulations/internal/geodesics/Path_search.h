@@ -390,11 +390,13 @@ protected:
   }
 
   // Returns the position at which the line crosses the edge of a view. Vertices within rounding of
-  // the path count as hit.
+  // the path count as hit. The end of a line along the edge must not come before it by rounding:
+  // the position would not be between the ends of the line.
   Place crossing(const View& view, const Vector& end) const
   {
     const Index o = m_views.charts().across(view.edge);
-    const FT x = view.crossing(end), l = m_views.charts().length(view.edge);
+    const FT x = view.crossing({end.real(), (std::min)(end.imag(), FT(0))});
+    const FT l = m_views.charts().length(view.edge);
     const FT rounding = tolerance(view);
     if(x <= rounding || l - x <= rounding)
       return Vertex_location{Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh)};
