@@ -198,6 +198,7 @@ void expect_same(const IT::Flipped_path<double>& a, const IT::Flipped_path<doubl
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.number_of_flips, b.number_of_flips);
   EXPECT_EQ(a.path.length, b.path.length);
+  EXPECT_EQ(a.length_along_edges, b.length_along_edges);
   ASSERT_EQ(a.path.places.size(), b.path.places.size());
   for(std::size_t i = 0; i < a.path.places.size(); ++i) {
     const auto &p = a.path.places[i], &q = b.path.places[i];
@@ -210,8 +211,9 @@ IT::Flipped_path<double> path_alone(Triangulation t, Vertex_index v, Vertex_inde
 {
   IT::Edge_paths paths(t);
   paths.add_path(IT::shortest_edge_path(t.intrinsic(), v, w));
+  const double before = paths.length(0);
   const auto status = paths.shorten();
-  return {status, paths.number_of_flips(), IT::path_on_input(t, paths.halfedges(0))};
+  return {status, paths.number_of_flips(), IT::path_on_input(t, paths.halfedges(0)), before};
 }
 
 void check_pairs(const Triangulation& t)

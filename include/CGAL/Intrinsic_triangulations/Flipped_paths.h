@@ -72,7 +72,7 @@ public:
     const std::vector<Halfedge_index> start = m_search.path(source, target);
     if(start.empty())
       return without_points(source == target ? FT(0) : std::numeric_limits<FT>::infinity());
-    return shortened(start, [&] { m_paths.add_path(start); });
+    return shortened([&] { m_paths.add_path(start); });
   }
 
   /// returns the closed geodesic to which a loop along edges of \f$T_2\f$ is shortened. It has no
@@ -84,7 +84,7 @@ public:
   /// Complexity: `Edge_paths::shorten()` and `path_on_input()`.
   Flipped_path<FT> loop(const std::vector<Halfedge_index>& loop)
   {
-    return shortened(loop, [&] { m_paths.add_loop(loop); });
+    return shortened([&] { m_paths.add_loop(loop); });
   }
 
 private:
@@ -101,13 +101,11 @@ private:
 
   // Shortens the path that `add()` adds, and takes its flips back.
   template <typename Add>
-  Flipped_path<FT> shortened(const std::vector<Halfedge_index>& start, const Add& add)
+  Flipped_path<FT> shortened(const Add& add)
   {
     const Rewinding rewinding{m_paths};
-    FT before(0);
-    for(Halfedge_index h : start)
-      before += m_tri.length(Edge_index(h));
     add();
+    const FT before = m_paths.length(0);
     const Shortening_status status = m_paths.shorten();
     const std::vector<Halfedge_index> path = m_paths.halfedges(0);
     return {status, m_paths.number_of_flips(),

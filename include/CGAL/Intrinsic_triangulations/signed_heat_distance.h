@@ -268,7 +268,7 @@ public:
   /// iteration that makes the means over several parts equal. The number of iterations grows like
   /// the square root of the number of parts.
   /// \param curve segments, with the negative side on their left
-  /// \throws Underflow_error if normals underflow somewhere, at distances as in `Heat_distance`
+  /// \throws Underflow_error if normals do not reach a face, or underflow, since the time is short
   /// \throws Numerical_error if normals cancel on a whole component, or means over parts of the
   ///         curve differ by more than 2^-20 of the greatest distance
   Vector distances(const Surface_curve<FT>& curve) const
