@@ -72,8 +72,8 @@ Sources sources_of(const Index_array& vertices, const Index_array& faces,
 Sources one_source(IT::Vertex_index v) { return {{v}, {}, {}}; }
 Sources one_source(const Location& p) { return {{}, {p}, {}}; }
 
-// Returns a curve on T2 along polylines, which are given by points of the input. Polyline i begins at
-// the point `starts[i]` and ends before the point `starts[i + 1]`.
+// Returns a curve on T2 along polylines through points of the input. Polyline i begins at the point
+// `starts[i]` and ends before the point `starts[i + 1]`.
 Curve curve_of_polylines(const Bound_triangulation& self, const Index_array& faces,
                          const Number_array& coordinates, const Index_array& starts)
 {

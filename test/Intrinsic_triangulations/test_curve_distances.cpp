@@ -174,8 +174,8 @@ TEST(Curve_distances, lines_and_polygons_in_the_plane)
   check_in_plane(circle, 20);
 }
 
-// A segment starts so near to sides of its face that positions on them tell no directions. From
-// the start, a right angle leads to a vertex, between the parallel rays and the rays from the start.
+// A segment starts so near to sides of its face that positions on them tell no directions. From the
+// start, a right angle leads to a vertex, between the parallel rays and the rays from the start.
 TEST(Curve_distances, at_right_angles_from_starts_near_sides)
 {
   CGAL::Random random(1);

@@ -15,12 +15,12 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// returns closed geodesics around all handles and holes, the shortest ones first. Every closed curve
-/// is homologous to a combination of them with integer coefficients.
+/// returns closed geodesics around all handles and holes, the shortest ones first. Every closed
+/// curve is homologous to a combination of them with integer coefficients.
 ///
 /// Loops along edges of \f$T_2\f$ are shortened by flips, and a basis is chosen by their lengths
-/// (`homology_basis()`). Call `make_Delaunay()` before, since edges of a Delaunay triangulation lead
-/// to short loops.
+/// (`homology_basis()`). Call `make_Delaunay()` before, since edges of a Delaunay triangulation
+/// lead to short loops.
 ///
 /// \param tri the triangulation; it is not changed
 /// \returns \f$2g\f$ loops for each closed component of genus \f$g\f$, and

@@ -117,8 +117,8 @@ public:
   // too.
   const Elimination_order& order() const { return m_short.order(); }
 
-  // Returns the heat from the unit normals on the right of the segments of a curve, after the
-  // shorter time and after the longer one, times a common factor.
+  // Returns the heat from the unit normals on the right of the segments of a curve, times a common
+  // factor. The first field is after the shorter time, the second one after the longer time.
   std::array<Field, 2> spread(const Surface_curve<FT>& curve) const
   {
     const Field sources = normalized(moments(curve));

@@ -390,8 +390,8 @@ protected:
   }
 
   // Returns the position at which the line crosses the edge of a view. Vertices within rounding of
-  // the path count as hit. The end of a line along the edge must not come before it by rounding:
-  // the position would not be between the ends of the line.
+  // the path count as hit. An end that rounding moves across the edge is moved back. Otherwise, the
+  // position would not be between the ends of a line along the edge.
   Place crossing(const View& view, const Vector& end) const
   {
     const Index o = m_views.charts().across(view.edge);

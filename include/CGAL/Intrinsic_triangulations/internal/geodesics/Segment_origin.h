@@ -55,7 +55,7 @@ struct Sector_in_face
     end += is_empty ? FT(begin - end) : path_tolerance<FT>();
   }
 
-  // Returns the visible part of side `s`, whose length is `l`. The second number is not greater than
+  // Returns the visible part of side `s` with the length `l`. The second number is not greater than
   // the first if nothing is visible. Near a side, a rounding error of a position on it is a large
   // error of the direction. The part is therefore widened, and leaves no gap beside parallel rays.
   // \pre the point is not on this side

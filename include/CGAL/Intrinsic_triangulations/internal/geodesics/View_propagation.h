@@ -256,8 +256,8 @@ private:
     m_opened[v] = m_distance[v];
   }
 
-  // Returns the error of the direction in which the path arrives at `v`. Inside a face without area,
-  // no ray of a source passes beside a corner.
+  // Returns the error of the direction in which the path arrives at `v`. In a face without area, no
+  // ray of a source passes beside a corner.
   FT error_of_arrival(Vertex_index v) const
   {
     const Index origin = m_arrival[v.idx()].origin;

@@ -165,8 +165,8 @@ private:
   }
 
   // Cuts off a part at an end of the view. Rays from the end of a segment and parallel rays keep an
-  // overlap: if the end is near the edge, an error of a position is a large error of the direction,
-  // and would leave a gap.
+  // overlap, since errors of positions could leave a gap. If the end is near the edge, they are
+  // large errors of directions.
   void cut(View& v, const FT& from, const FT& to) const
   {
     if(from <= v.begin && to >= v.end)
@@ -198,8 +198,8 @@ private:
   FT m_slack, m_overlap;
 };
 
-// Separates two views through one side with this length. If `order` is negative, the rays of `a` come from the left
-// of all rays of `b`. If it is positive, they come from the right. Zero means unknown.
+// Separates two views through one side of this length. If `order` is negative, rays of `a` come
+// from the left of all rays of `b`. If it is positive, they come from the right. Zero is unknown.
 template <typename FT>
 void separate(View<FT>& a, View<FT>& b, int order, const FT& length)
 {
