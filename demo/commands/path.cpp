@@ -24,7 +24,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -242,7 +241,7 @@ private:
   {
     Halfedges path = path_along_edges(triangulation);
     Edge_paths paths(triangulation);
-    Found_path result = shortened(path, m_options.is_loop, triangulation, paths);
+    Found_path result = shortened(path, triangulation, paths);
     if(path.empty())
       throw Program_error(
         "the path contracts to a point; lead it around a handle, a hole or a vertex of "
@@ -269,14 +268,10 @@ private:
 
   // Shortens a path along edges, whose halfedges become halfedges after flips. It is empty if it
   // contracts.
-  Found_path shortened(Halfedges& path, bool is_loop, const Triangulation& triangulation,
-                       Edge_paths& paths) const
+  Found_path shortened(Halfedges& path, const Triangulation& triangulation, Edge_paths& paths) const
   {
-    const double before =
-      std::accumulate(path.begin(), path.end(), 0., [&](double sum, Halfedge h) {
-        return sum + triangulation.length(triangulation.mesh().edge(h));
-      });
-    is_loop ? paths.add_loop(path) : paths.add_path(path);
+    m_options.is_loop ? paths.add_loop(path) : paths.add_path(path);
+    const double before = paths.length(0);
     const IT::Shortening_status status = paths.shorten();
     path = paths.halfedges(0);
     if(path.empty())
