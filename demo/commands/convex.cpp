@@ -116,12 +116,12 @@ IT::Glued_surface glued(Command_run& run, const std::string& path)
 {
   const Mesh& mesh = run.input().mesh;
   const Edge_length_map length = edge_lengths(run);
-  const Glued_sides sides = read_glued_sides(path, mesh);
+  const auto sides = read_glued_sides(path, mesh, length);
   double difference = 0;
-  for(const auto& [h, o] : sides.pairs)
+  for(const auto& [h, o] : sides)
     difference = (std::max)(difference, std::abs(length[mesh.edge(h)] - length[mesh.edge(o)]));
   run.statistics()["max_side_difference"] = difference;
-  IT::Glued_surface result = IT::glue_boundary(mesh, length, sides.pairs);
+  IT::Glued_surface result = IT::glue_boundary(mesh, length, sides);
   std::vector<std::int64_t> numbers;
   for(const IT::Vertex_index v : result.vertices)
     numbers.push_back(number_of(v));

@@ -6,15 +6,15 @@
 
 #include "reading/Scanner.h"
 
-#include <cmath>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/glue_boundary.h>
+
+#include <array>
 #include <cstddef>
-#include <set>
+
+namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
-
-// The lengths of two sides may differ by this value, relative to their mean, because coordinates in
-// files of nets often have few digits.
-constexpr double side_tolerance = 1e-5;
 
 // Reads the number of a vertex.
 Mesh::Vertex_index vertex(Scanner& in, const Mesh& mesh)
@@ -26,52 +26,33 @@ Mesh::Vertex_index vertex(Scanner& in, const Mesh& mesh)
   return Mesh::Vertex_index(static_cast<Mesh::size_type>(i));
 }
 
-std::string name(Mesh::Vertex_index v, Mesh::Vertex_index w)
-{
-  return "the side from " + std::to_string(v.idx()) + " to " + std::to_string(w.idx());
-}
-
-// Reads two vertices, and returns the halfedge from the first to the second.
-Mesh::Halfedge_index side(Scanner& in, const Mesh& mesh)
-{
-  const Mesh::Vertex_index v = vertex(in, mesh), w = vertex(in, mesh);
-  const Mesh::Halfedge_index h = mesh.halfedge(v, w);
-  if(!h.is_valid() || !mesh.is_border(mesh.edge(h)))
-    in.fail(name(v, w) + " is not on the boundary of the mesh");
-  return h;
-}
-
-double length(Mesh::Halfedge_index h, const Mesh& mesh)
-{
-  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-}
-
 } // namespace
 
-Glued_sides read_glued_sides(const std::string& path, const Mesh& mesh)
+std::vector<std::pair<Mesh::Halfedge_index, Mesh::Halfedge_index>>
+read_glued_sides(const std::string& path, const Mesh& mesh,
+                 const Mesh::Property_map<Mesh::Edge_index, double>& length)
 {
   Scanner in(path);
-  Glued_sides result;
-  std::set<Mesh::Edge_index> glued;
+  IT::Paired_sides sides(mesh, length);
+  bool has_lines = false;
   for(in.skip_comments('#'); !in.at_end(); in.skip_comments('#')) {
-    Mesh::Halfedge_index h = side(in, mesh), o = side(in, mesh);
-    for(const auto x : {h, o})
-      if(!glued.insert(mesh.edge(x)).second)
-        in.fail(name(mesh.source(x), mesh.target(x)) + " is glued twice");
-    const double a = length(h, mesh), b = length(o, mesh);
-    if(!(std::abs(a - b) <= side_tolerance * (a + b) / 2))
-      in.fail("the two sides have different lengths, " + std::to_string(a) + " and " +
-              std::to_string(b));
-    if(mesh.is_border(h) == mesh.is_border(o))
-      in.fail("the surface would not be oriented; the sides must run in opposite directions "
-              "around the net");
+    std::array<Mesh::Vertex_index, 4> v;
+    for(Mesh::Vertex_index& corner : v)
+      corner = vertex(in, mesh);
+    try {
+      sides.add(v[0], v[1], v[2], v[3]);
+    } catch(const IT::Invalid_input& error) {
+      in.fail(error.what());
+    }
     if(!in.at_line_end('#'))
       in.fail("more than four numbers in a line");
-    result.pairs.emplace_back(mesh.is_border(h) ? mesh.opposite(h) : h,
-                              mesh.is_border(o) ? mesh.opposite(o) : o);
+    has_lines = true;
   }
-  for(const auto h : mesh.halfedges())
-    if(mesh.is_border(h) && glued.count(mesh.edge(h)) == 0 && !result.pairs.empty())
-      in.fail_as_a_whole(name(mesh.target(h), mesh.source(h)) + " is not glued");
-  return result;
+  if(!has_lines)
+    return {};
+  try {
+    return sides.complete_pairs();
+  } catch(const IT::Invalid_input& error) {
+    in.fail_as_a_whole(error.what());
+  }
 }

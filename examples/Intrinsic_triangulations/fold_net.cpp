@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <iostream>
-#include <utility>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -39,12 +38,12 @@ int main()
   Mesh net = make_net();
   const auto length = net.add_property_map<IT::Edge_index, double>("e:length").first;
   IT::compute_edge_lengths(net, length);
-  std::vector<std::pair<IT::Halfedge_index, IT::Halfedge_index>> pairs;
+  IT::Paired_sides sides(net, length);
   for(unsigned corner : {0, 2, 4}) {
     const IT::Vertex_index from(corner), midpoint(corner + 1), to((corner + 2) % 6);
-    pairs.emplace_back(net.halfedge(from, midpoint), net.halfedge(midpoint, to));
+    sides.add(from, midpoint, to, midpoint);
   }
-  IT::Glued_surface glued = IT::glue_boundary(net, length, pairs);
+  IT::Glued_surface glued = IT::glue_boundary(net, length, sides.complete_pairs());
 
   const IT::Convex_polyhedron polyhedron = IT::convex_polyhedron(
     glued.mesh, IT::parameters::edge_length_map(IT::stored_length_map<double>(glued.mesh)));

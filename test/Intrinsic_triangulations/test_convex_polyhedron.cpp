@@ -669,6 +669,26 @@ TEST(Convex_polyhedron, solids_fold_from_nets)
   }
 }
 
+TEST(Paired_sides, of_a_square)
+{
+  Mesh net = square();
+  const auto length = net.add_property_map<Edge_index, double>("e:length", 1).first;
+  const auto v = [](unsigned i) { return Vertex_index(i); };
+  IT::Paired_sides torus(net, length), disk(net, length), wrong(net, length);
+  EXPECT_THROW(wrong.add(v(0), v(2), v(0), v(3)), IT::Invalid_input); // not on the boundary
+  EXPECT_THROW(wrong.add(v(0), v(1), v(2), v(3)), IT::Invalid_input); // not oriented
+  torus.add(v(0), v(1), v(3), v(2));
+  EXPECT_THROW(torus.complete_pairs(), IT::Invalid_input);
+  torus.add(v(1), v(2), v(0), v(3));
+  EXPECT_THROW(torus.add(v(0), v(1), v(0), v(3)), IT::Invalid_input); // twice
+  EXPECT_EQ(IT::glue_boundary(net, length, torus.complete_pairs()).mesh.number_of_vertices(), 1);
+  disk.add(v(0), v(1), v(0), v(3));
+  disk.add(v(2), v(1), v(2), v(3));
+  EXPECT_EQ(IT::glue_boundary(net, length, disk.complete_pairs()).mesh.number_of_vertices(), 3);
+  length[net.edge(net.halfedge(v(0), v(1)))] = 1.1;
+  EXPECT_THROW(IT::Paired_sides(net, length).add(v(0), v(1), v(0), v(3)), IT::Invalid_input);
+}
+
 TEST(Glue_boundary, refuses_sides_that_are_missing_or_glued_twice)
 {
   Mesh net = square();

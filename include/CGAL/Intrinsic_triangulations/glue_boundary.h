@@ -16,6 +16,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,6 +83,85 @@ void join_targets(Halfedge_index h, Vertex_index v, const Surface_mesh<P>& parts
 }
 
 } // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsPolyhedra
+/// pairs of sides on the boundary of a mesh, given by their vertices, that are to be glued by
+/// `glue_boundary()`.
+template <typename P, typename LengthMap>
+class Paired_sides
+{
+public:
+  /// two halfedges that become opposite, each with a face on its left.
+  typedef std::pair<Halfedge_index, Halfedge_index> Pair;
+
+  /// starts without pairs. The mesh must outlive this object. Complexity: linear.
+  /// \param mesh the parts, triangulated, without removed elements
+  /// \param length a readable property map from the edges of `mesh` to numbers of type `double`
+  Paired_sides(const Surface_mesh<P>& mesh, LengthMap length)
+    : m_mesh(mesh), m_length(std::move(length)), m_is_paired(mesh.num_edges(), false)
+  {}
+
+  /// glues the side from `a` to `b` to the side from `c` to `d`, `a` to `c` and `b` to `d`. The
+  /// lengths of both may differ by a hundred-thousandth of their mean, because coordinates of nets
+  /// often have few digits. Complexity: linear in the degrees of the vertices.
+  /// \throws Invalid_input if a side is not on the boundary or has been paired before, both have
+  ///   different lengths, or the surface would not be oriented
+  void add(Vertex_index a, Vertex_index b, Vertex_index c, Vertex_index d)
+  {
+    const Halfedge_index h = side(a, b), o = side(c, d);
+    for(Halfedge_index x : {h, o}) {
+      if(m_is_paired[m_mesh.edge(x)])
+        throw Invalid_input(name(x) + " is glued twice");
+      m_is_paired[m_mesh.edge(x)] = true;
+    }
+    const double x = get(m_length, m_mesh.edge(h)), y = get(m_length, m_mesh.edge(o));
+    if(!(std::abs(x - y) <= tolerance * (x + y) / 2))
+      throw Invalid_input("the two sides have different lengths, " + std::to_string(x) + " and " +
+                          std::to_string(y));
+    if(m_mesh.is_border(h) == m_mesh.is_border(o))
+      throw Invalid_input("the surface would not be oriented; the sides must run in opposite "
+                          "directions around the net");
+    m_pairs.emplace_back(inner(h), inner(o));
+  }
+
+  /// returns the pairs. Complexity: linear.
+  /// \throws Invalid_input if a side of the boundary is in no pair
+  const std::vector<Pair>& complete_pairs() const
+  {
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.is_border(h) && !m_is_paired[m_mesh.edge(h)])
+        throw Invalid_input(name(m_mesh.opposite(h)) + " is not glued");
+    return m_pairs;
+  }
+
+private:
+  static constexpr double tolerance = 1e-5; // of lengths, relative to their mean
+
+  std::string name(Vertex_index v, Vertex_index w) const
+  {
+    return "the side from " + std::to_string(v.idx()) + " to " + std::to_string(w.idx());
+  }
+
+  std::string name(Halfedge_index h) const { return name(m_mesh.source(h), m_mesh.target(h)); }
+
+  Halfedge_index side(Vertex_index v, Vertex_index w) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(v, w);
+    if(!h.is_valid() || !m_mesh.is_border(m_mesh.edge(h)))
+      throw Invalid_input(name(v, w) + " is not on the boundary of the mesh");
+    return h;
+  }
+
+  Halfedge_index inner(Halfedge_index h) const
+  {
+    return m_mesh.is_border(h) ? m_mesh.opposite(h) : h;
+  }
+
+  const Surface_mesh<P>& m_mesh;
+  LengthMap m_length;
+  std::vector<bool> m_is_paired; // for each edge
+  std::vector<Pair> m_pairs;
+};
 
 /// \ingroup PkgIntrinsicTriangulationsPolyhedra
 /// glues sides of surfaces, for example the sides of a polygon in the plane, until no boundary is
