@@ -8,15 +8,11 @@
 #include "reading/Scanner.h"
 #include "reading/text_encoding.h"
 
-#include <CGAL/Intrinsic_simplification/simplify.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
-
-namespace IS = CGAL::Intrinsic_simplification;
 
 namespace {
 
@@ -27,16 +23,6 @@ double weight_value(const std::string& text, const std::string& value)
   if(result < 0)
     throw Program_error("--weight " + text + ": a weight must be a number that is not negative");
   return result;
-}
-
-bool is_of_change(const std::string& name)
-{
-  return name == "area_change" || name == "boundary_change";
-}
-
-bool is_of_function(const std::string& name)
-{
-  return name != "curvature" && name != "area" && !is_of_change(name);
 }
 
 typedef std::vector<std::vector<double>> Components;
@@ -106,10 +92,7 @@ Components vertex_function(const std::string& path, const Input_mesh& input,
 Cost_weights::Cost_weights(const std::vector<std::string>& texts)
 {
   if(texts.empty())
-    m_weights = {{"area", IS::default_area_weight},
-                 {"area_change", IS::default_area_change_weight},
-                 {"boundary_change", IS::default_boundary_change_weight},
-                 {"curvature", 1}};
+    m_weights = default_weights();
   for(const std::string& text : texts) {
     const std::size_t length = text.rfind('=');
     if(length == std::string::npos || length == 0)
@@ -119,7 +102,7 @@ Cost_weights::Cost_weights(const std::vector<std::string>& texts)
   for(auto w = m_weights.begin(); w != m_weights.end();)
     w = w->second > 0 ? std::next(w) : m_weights.erase(w);
   if(std::all_of(m_weights.begin(), m_weights.end(),
-                 [](const auto& weight) { return is_of_change(weight.first); }))
+                 [](const auto& weight) { return is_part_of_change(weight.first); }))
     throw Program_error("--weight: weights that are not given are zero, and changes of area alone "
                         "are not a cost; give another weight that is positive, as curvature=1");
 }
@@ -128,29 +111,12 @@ void Cost_weights::set_functions(const std::string& path, const Input_mesh& inpu
 {
   m_functions.clear();
   for(const auto& weight : m_weights)
-    if(is_of_function(weight.first))
+    if(is_name_of_function(weight.first))
       m_functions[weight.first] = vertex_function(path, input, weight.first);
 }
 
 bool Cost_weights::has_functions() const
 {
   return std::any_of(m_weights.begin(), m_weights.end(),
-                     [](const auto& weight) { return is_of_function(weight.first); });
-}
-
-IS::Transport_cost Cost_weights::cost(const IS::Evolving_surface& surface) const
-{
-  IS::Transport_cost result(surface);
-  const auto add = [&](const char* name, const auto& member) {
-    if(const auto weight = m_weights.find(name); weight != m_weights.end())
-      (result.*member)(surface, weight->second);
-  };
-  add("curvature", &IS::Transport_cost::add_curvature);
-  add("area", &IS::Transport_cost::add_area);
-  add("area_change", &IS::Transport_cost::add_area_change);
-  add("boundary_change", &IS::Transport_cost::add_boundary_change);
-  for(const auto& [name, components] : m_functions)
-    for(const std::vector<double>& values : components)
-      result.add_function(surface, values, m_weights.at(name) / double(components.size()));
-  return result;
+                     [](const auto& weight) { return is_name_of_function(weight.first); });
 }

@@ -5,11 +5,9 @@
 #ifndef INTRINSIC_REMOVAL_COST_H
 #define INTRINSIC_REMOVAL_COST_H
 
+#include "commands/weighted_cost.h"
 #include "reading/Input_mesh.h"
 
-#include <CGAL/Intrinsic_simplification/Transport_cost.h>
-
-#include <map>
 #include <string>
 #include <vector>
 
@@ -25,7 +23,7 @@ public:
   explicit Cost_weights(const std::vector<std::string>& texts);
 
   // Returns the positive weights, by their names.
-  const std::map<std::string, double>& values() const { return m_weights; }
+  const Named_weights& values() const { return m_weights; }
 
   // Reads the functions that have weights from the mesh, whose file is `path`.
   // Throws Program_error if it has no such function, or a value is not finite.
@@ -46,11 +44,14 @@ public:
   // Returns the cost of removals from the surface.
   // Precondition: the functions have been set, and have values at all vertices.
   CGAL::Intrinsic_simplification::Transport_cost
-  cost(const CGAL::Intrinsic_simplification::Evolving_surface& surface) const;
+  cost(const CGAL::Intrinsic_simplification::Evolving_surface& surface) const
+  {
+    return weighted_cost(surface, m_weights, m_functions);
+  }
 
 private:
-  std::map<std::string, double> m_weights;
-  std::map<std::string, std::vector<std::vector<double>>> m_functions; // components
+  Named_weights m_weights;
+  Named_functions m_functions;
 };
 
 #endif // INTRINSIC_REMOVAL_COST_H

@@ -7,6 +7,7 @@
 
 #include "commands/triangulation_stages.h"
 #include "reading/Input_mesh.h"
+#include "writing/Fine_vertices.h"
 #include "writing/Output_mesh.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
@@ -24,9 +25,15 @@ public:
   explicit Fine_level(const Mesh& input, const Triangulation* split = nullptr);
 
   // Adds the vertices of disks and cuts of the current level.
-  void add_vertices(const CGAL::Intrinsic_simplification::Surface_surgery& surgery);
+  void add_vertices(const CGAL::Intrinsic_simplification::Surface_surgery& surgery)
+  {
+    m_vertices.add(surgery);
+  }
 
-  bool is_input() const { return m_split == nullptr && m_sources.empty(); }
+  bool is_input() const
+  {
+    return m_split == nullptr && m_vertices.size() == m_vertices.number_before_surgery();
+  }
   std::size_t number_of_input_vertices() const { return m_input->number_of_vertices(); }
 
   // Returns the face of the input, or null if `f` is in a disk.
@@ -40,41 +47,20 @@ public:
   template <class Value>
   void extend(std::vector<Value>& values, const Value& zero) const
   {
-    for(std::size_t i = values.size(); i < m_vertices; ++i)
-      values.push_back(sum(weights(i), values, zero));
-    for(std::size_t i = values.size() - m_vertices; i < m_sources.size(); ++i) {
-      Value sum = zero;
-      for(const Mesh::Vertex_index v : m_sources[i])
-        sum = sum + values[v];
-      values.push_back(sum / static_cast<double>(m_sources[i].size()));
-    }
+    m_vertices.extend(values, zero);
   }
 
   // Returns the positions of the vertices.
-  std::vector<Point> points() const;
+  std::vector<Point> points() const { return m_vertices.positions(m_input->points()); }
 
   // Returns the data of the input on the level, whose faces are `triangles`.
   Triangle_data data(const Input_mesh& input, const Polygons& triangles) const;
 
 private:
-  // Returns the weights. For a vertex in the middle of others, returns the weights of the first of
-  // them.
-  Placement::Weights weights(std::size_t i) const;
-
-  template <class Value>
-  static Value sum(const Placement::Weights& w, const std::vector<Value>& values, Value result)
-  {
-    for(std::size_t c = 0; c < w.size; ++c)
-      result = result + w.weight[c] * values[w.vertex[c]];
-    return result;
-  }
-
   const Mesh* m_input;
   const Triangulation* m_split;
-  std::size_t m_vertices, m_edges, m_faces; // without disks and cuts
-  // Stores the vertices that determine the position of each vertex added by disks and cuts. They
-  // are the vertex that it copies, or the vertices around its disk.
-  std::vector<std::vector<Mesh::Vertex_index>> m_sources;
+  Fine_vertices m_vertices;
+  std::size_t m_edges, m_faces; // without disks and cuts
 };
 
 #endif // INTRINSIC_FINE_LEVEL_H
