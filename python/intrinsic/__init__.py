@@ -25,6 +25,7 @@ from .distances import (
     log_map,
     path,
     signed_distance,
+    soup_distance,
     transport,
     vertex_point,
 )
@@ -130,6 +131,7 @@ __all__ = [
     "show",
     "signed_distance",
     "simplify",
+    "soup_distance",
     "soup_operators",
     "to_hyperbolic",
     "to_sphere",

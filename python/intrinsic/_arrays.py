@@ -53,26 +53,34 @@ def _first_row(is_bad: NDArray[np.bool_]) -> int:
     return int(np.argwhere(is_bad)[0][0])
 
 
-def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
-    """Return finite numbers of type float64, stored by rows; a copy only if it is needed."""
+def unchecked_floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
+    """Return numbers of type float64, stored by rows; a copy only if it is needed."""
     array = array_of(values, name)
     if array.dtype.kind not in "fiu" and not (array.size == 0 and array.dtype == object):
         raise ArrayError(f"{name} has the type {array.dtype}; it must be real numbers")
     _check_shape(array, shape, name)
+    if array.dtype == np.float64:
+        return np.require(array, None, ["C", "A"])
     with np.errstate(over="ignore"):
-        result = np.require(array, np.float64, ["C", "A"])
+        return np.require(array, np.float64, ["C", "A"])
+
+
+def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
+    """Return finite numbers of type float64, stored by rows; a copy only if it is needed."""
+    result = unchecked_floats(values, shape, name)
     if not np.isfinite(result).all():
         row = _first_row(~np.isfinite(result))
-        error = InputError(f"row {row} of {name} is not finite: {array[row]}")
+        error = InputError(f"row {row} of {name} is not finite: {array_of(values, name)[row]}")
         error.row = row
         raise error
     return result
 
 
-def integers(
-    values: ArrayLike | None, shape: tuple[int | None, ...], name: str, size: int | None, what: str
-) -> Integers:
-    """Return indices of type int64, stored by rows, from 0 to `size` - 1."""
+def unchecked_integers(
+    values: ArrayLike | None, shape: tuple[int | None, ...], name: str
+) -> tuple[NDArray[Any], Integers]:
+    """Return an array, and its numbers of type int64, stored by rows. They may be wrong if they are
+    out of range."""
     array = array_of(values, name)
     if array.size == 0 and array.dtype.kind == "f":  # from an empty list
         array = array.astype(np.int64)
@@ -83,8 +91,15 @@ def integers(
                 "b": "; np.flatnonzero() returns the indices of a mask"}.get(array.dtype.kind, "")
         raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
     _check_shape(array, shape, name)
+    return array, np.require(array, np.int64, ["C", "A"])
+
+
+def integers(
+    values: ArrayLike | None, shape: tuple[int | None, ...], name: str, size: int | None, what: str
+) -> Integers:
+    """Return indices of type int64, stored by rows, from 0 to `size` - 1."""
+    array, result = unchecked_integers(values, shape, name)
     limit = _GREATEST_INDEX + 1 if size is None else size
-    result = np.require(array, np.int64, ["C", "A"])
     unsigned = result.view(np.uint64)  # in which negative numbers are huge
     if array.size > 0 and unsigned.max() >= limit:
         row = _first_row(unsigned >= limit)

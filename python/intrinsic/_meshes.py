@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Integers, array_of, floats, integers, number, shortened
+from ._arrays import (Floats, Integers, array_of, floats, integers, number, shortened,
+                      unchecked_floats, unchecked_integers)
 from .errors import (ArrayError, InputError, MapError, MollificationWarning, NumericalError,
                      UnderflowError)
 
@@ -71,11 +72,18 @@ def arrays(V: Any, F: ArrayLike | None) -> tuple[Floats, Integers]:
     return points, _faces(F, len(points))
 
 
+def _unchecked_arrays(V: Any, F: Any) -> tuple[Floats, Integers]:
+    """Return arrays (n, 3) and (m, 3), whose values the compiled part checks."""
+    return (unchecked_floats(V, (None, 3), "V"), unchecked_integers(_rows(F), (None, 3), "F")[1])
+
+
+def _rows(F: Any) -> Any:
+    return np.zeros((0, 3), np.int64) if isinstance(F, (list, tuple)) and len(F) == 0 else F
+
+
 def _faces(F: Any, size: int | None) -> Integers:
-    if isinstance(F, (list, tuple)) and len(F) == 0:
-        F = np.zeros((0, 3), np.int64)
     try:
-        return integers(F, (None, 3), "F", size, "vertices")
+        return integers(_rows(F), (None, 3), "F", size, "vertices")
     except InputError as error:
         if error.row is not None:
             error.face = error.row
@@ -87,9 +95,15 @@ def surface(
 ) -> _core.Surface:
     """Return the surface of arrays, or of lengths alone if V is None."""
     if lengths is None:
-        points, faces = arrays(V, F)
+        if F is None:
+            V, F = vertices_and_faces(V)
+        points, faces = _unchecked_arrays(V, F)
         _check_not_empty(faces)
-        return _core.Surface.of_points(points, faces, bool(mollification(mollify)))
+        try:
+            return _core.Surface.of_points(points, faces, bool(mollification(mollify)))
+        except InputError:
+            arrays(V, F)  # names a row that is wrong
+            raise
     if V is not None:
         raise ArrayError("give either V or lengths, and None for the other")
     faces = _faces(F, None)

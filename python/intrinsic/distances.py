@@ -18,6 +18,7 @@ from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, 
 from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, surface
 from .errors import ArrayError, InputError
+from .operators import soup_of
 from .simplification import simplify
 from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
 
@@ -128,6 +129,46 @@ def distance(
         lambda T, kind, factor: _core.distances(
             T._core, _sources_and_curve(sources, curve, T), kind, factor, progress),
         (V, F, lengths, mollify), method, time_step_factor, full, progress)
+
+
+def soup_distance(
+    V: Any, F: ArrayLike | None = None, sources: Any = None, *, neighbors: int = 30,
+    time_step_factor: float | None = None, mollify: float | str = "auto",
+    progress: Progress | None = None,
+) -> Floats:
+    """Return distances by heat on triangles that do not form a surface, or on points alone.
+
+    Parameters
+    ----------
+    V, F, neighbors, mollify, progress
+        As of `soup_operators()`.
+    sources : int or (k,) integers
+        Vertices.
+    time_step_factor : float
+        The time for which heat flows, in squared mean edge lengths.
+
+    Returns
+    -------
+    (n,) float array
+        In the unit of V; infinite where no source can reach a vertex.
+
+    Examples
+    --------
+    Points of a circle, without faces:
+
+    >>> import intrinsic, numpy as np
+    >>> r, a = np.meshgrid(np.linspace(0, 1, 20)[1:], np.linspace(0, 2 * np.pi, 40)[:-1])
+    >>> V = np.stack([r * np.cos(a), r * np.sin(a), 0 * a], axis=-1).reshape(-1, 3)
+    >>> d = intrinsic.soup_distance(V, sources=0)
+    >>> bool(abs(d - np.linalg.norm(V - V[0], axis=1)).mean() < 0.05)
+    True
+    """
+    factor = _time_step_factor(time_step_factor)
+    size, soup = soup_of(V, F, neighbors, mollify, progress)
+    given = vertices_of(sources, size, "sources")
+    if len(given) == 0:
+        raise InputError("there are no sources; give at least one")
+    return soup.distances(given, factor)
 
 
 def _measured(

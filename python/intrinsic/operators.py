@@ -193,6 +193,15 @@ def soup_operators(
     >>> float(operators.mass.sum())
     1.5
     """
+    _, soup = soup_of(V, F, neighbors, mollify, progress)
+    return SoupOperators(sparse(soup.operator_of("laplacian")),
+                         sparse(soup.operator_of("lumped_mass")))
+
+
+def soup_of(
+    V: Any, F: ArrayLike | None, neighbors: int, mollify: float | str, progress: Progress | None,
+) -> tuple[int, _core.Soup]:
+    """Return the number of points, and the triangles with their tufted cover."""
     is_cloud = F is None and isinstance(V, (np.ndarray, list, tuple))
     points, faces = arrays(V, np.zeros((0, 3), np.int64) if is_cloud else F)
     number = min(count(neighbors, "neighbors", 3), max(len(points) - 1, 3))
@@ -203,6 +212,4 @@ def soup_operators(
         raise error
     mollification(mollify)
     check_progress(progress)
-    soup = attempt(mollify, lambda slack: _core.Soup(points, faces, number, slack, progress))
-    return SoupOperators(sparse(soup.operator_of("laplacian")),
-                         sparse(soup.operator_of("lumped_mass")))
+    return len(points), attempt(mollify, lambda slack: _core.Soup(points, faces, number, slack, progress))

@@ -12,7 +12,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Integers, number
+from ._arrays import Floats, Integers, integers, number
 from ._meshes import surface
 from .triangulation import Triangulation
 
@@ -24,7 +24,8 @@ class ConvexPolyhedron:
     Attributes
     ----------
     V : (n, 3) float array
-        The positions of the vertices, in the order and the unit of the input.
+        The positions of the vertices, in the order and the unit of the input. Glued vertices are
+        one vertex, see `vertex_map`.
     F : (m, 3) int array
         The triangles of the polyhedron.
     flat_vertices : (k,) int array
@@ -37,6 +38,8 @@ class ConvexPolyhedron:
         it.
     triangulation : Triangulation
         The intrinsic triangulation of the input whose faces are faces of the polyhedron.
+    vertex_map : (k,) int array or None
+        The vertex that each vertex of a net has become, or -1 without faces; None without `glue`.
     """
 
     V: Floats
@@ -45,6 +48,7 @@ class ConvexPolyhedron:
     kind: str
     max_edge_error: float
     triangulation: Triangulation
+    vertex_map: Integers | None = None
 
     @property
     def is_flat(self) -> bool:
@@ -64,7 +68,7 @@ class ConvexPolyhedron:
 
 def convex_polyhedron(
     V: Any, F: ArrayLike | None = None, *, lengths: ArrayLike | None = None,
-    flatness: float | None = None,
+    flatness: float | None = None, glue: ArrayLike | None = None,
 ) -> ConvexPolyhedron:
     """Return the convex polyhedron that has the surface of a mesh, which need not be convex.
 
@@ -78,6 +82,9 @@ def convex_polyhedron(
     flatness : float
         The curvature, in radians, up to which a vertex counts as flat; by default the rounding
         error.
+    glue : (k, 4) int array
+        If V and F are a net, the sides that are glued. A row a, b, c, d glues two sides: a to b is
+        one, c to d is the other, and a meets c.
 
     Returns
     -------
@@ -100,9 +107,21 @@ def convex_polyhedron(
     >>> p = intrinsic.convex_polyhedron(V, F)
     >>> p.F.shape, p.is_flat
     ((4, 3), False)
+
+    A triangle is the net of a tetrahedron:
+
+    >>> V = [[0, 0, 0], [2, 0, 0], [1, 3**0.5, 0], [1, 0, 0], [1.5, 0.75**0.5, 0], [0.5, 0.75**0.5, 0]]
+    >>> F = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]]
+    >>> p = intrinsic.convex_polyhedron(V, F, glue=[[0, 3, 1, 3], [1, 4, 2, 4], [2, 5, 0, 5]])
+    >>> p.V.shape, p.vertex_map
+    ((4, 3), array([0, 0, 0, 1, 2, 3]))
     """
     tolerance = None if flatness is None else number(flatness, "flatness", 0, 1)
-    on = surface(V, F, lengths)
+    on, vertex_map = surface(V, F, lengths), None
+    if glue is not None:
+        sides = integers(glue, (None, 4), "glue", on.number_of_vertices(), "vertices")
+        on, vertex_map = _core.glued_surface(on, sides)
     d = _core.convex_polyhedron(on, tolerance)
     return ConvexPolyhedron(d["points"], d["faces"], d["flat_vertices"], d["kind"],
-                            d["max_edge_error"], Triangulation._of_core(on, d["triangulation"]))
+                            d["max_edge_error"], Triangulation._of_core(on, d["triangulation"]),
+                            vertex_map)

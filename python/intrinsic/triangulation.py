@@ -14,7 +14,7 @@ from numbers import Real
 from typing import Any, Callable, Iterator, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import (Floats, Integers, array_of, choice, count, flag, floats, integers, number,
@@ -363,6 +363,39 @@ class Triangulation:
     # ---- Elements ----
 
     @_locked
+    def constrain(self, edges: ArrayLike, constrained: bool = True) -> None:
+        """Forbid flips of some edges, or allow them again.
+
+        A triangulation with constraints is Delaunay beside them. If a vertex is inserted on a
+        constrained edge, both parts stay constrained.
+
+        Parameters
+        ----------
+        edges : (k,) array of integers, or (e,) array of booleans
+            Rows of `E`.
+        constrained : bool
+            Whether flips are forbidden.
+
+        Examples
+        --------
+        >>> import intrinsic
+        >>> V = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]]
+        >>> T = intrinsic.Triangulation(V, [[0, 1, 2], [1, 0, 3]])
+        >>> T.constrain((T.E == [0, 1]).all(axis=1) | (T.E == [1, 0]).all(axis=1))
+        >>> T.delaunay(), T.constrained.sum()
+        (0, 1)
+        """
+        rows = _chosen_edges(edges, len(self._core.edges(False)))
+        is_constrained = flag(constrained, "constrained")
+        self._change(lambda: self._core.constrain(rows, is_constrained))
+
+    @property
+    @_locked
+    def constrained(self) -> NDArray[np.bool_]:
+        """Which edges are not flipped, (e,)."""
+        return self._core.constraints().astype(bool)
+
+    @_locked
     def is_delaunay(self) -> bool:
         """Return whether all edges are Delaunay, up to rounding."""
         return self._core.is_delaunay()
@@ -479,12 +512,7 @@ class Triangulation:
         """
         is_input = _is_input(of, "of")
         n = len(self._core.edges(is_input))
-        chosen: Any = np.arange(n) if edges is None else array_of(edges, "edges")
-        if chosen.dtype == bool:
-            if chosen.shape != (n,):
-                raise ArrayError(f"edges has the shape {chosen.shape}; a mask must be ({n},)")
-            chosen = np.flatnonzero(chosen)
-        rows = integers(chosen, (None,), "edges", n, "edges")
+        rows = np.arange(n) if edges is None else _chosen_edges(edges, n)
         starts, faces, coordinates, along = self._core.trace(is_input, rows)
         has_points = not is_input and self._surface is not None and self._surface.has_positions()
         points = self.positions((faces, coordinates)) if has_points else None
@@ -593,6 +621,16 @@ def _unpickled(points: tuple[Floats, Integers] | None, text: str, exact: bool) -
     result = Triangulation._of_core(on, _core.Triangulation.from_text(text, on))
     result._exact = exact
     return result
+
+
+def _chosen_edges(edges: ArrayLike, n: int) -> Integers:
+    """Return the indices of edges, which may be chosen by a mask."""
+    chosen = array_of(edges, "edges")
+    if chosen.dtype == bool:
+        if chosen.shape != (n,):
+            raise ArrayError(f"edges has the shape {chosen.shape}; a mask must be ({n},)")
+        chosen = np.flatnonzero(chosen)
+    return integers(chosen, (None,), "edges", n, "edges")
 
 
 def _is_input(side: str, name: str) -> bool:

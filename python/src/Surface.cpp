@@ -70,6 +70,21 @@ bool is_of_lengths(Defect_kind kind)
          kind == Defect_kind::TRIANGLE_INEQUALITY_VIOLATED;
 }
 
+// Throws if a position is not finite, also of a vertex without edges.
+void check_finite(const Number_array& points)
+{
+  const double* const x = points.data();
+  double sum = 0; // of zeros, unless a number is not finite
+  for(py::ssize_t i = 0; i < points.size(); ++i)
+    sum += x[i] - x[i];
+  for(py::ssize_t i = 0; i < points.size() && sum != 0; ++i)
+    if(!std::isfinite(x[i])) {
+      const auto row = std::size_t(i / 3);
+      throw Element_error("InputError", "row " + std::to_string(row) + " of V is not finite",
+                          {{"row", {row}}});
+    }
+}
+
 Polygons triangles_of(const Index_array& faces)
 {
   return Polygons::of_triangles(faces.data(), faces.data() + faces.size());
@@ -146,6 +161,7 @@ Surface surface_of_points(const Number_array& points, const Index_array& faces,
                           bool are_zero_lengths_allowed)
 {
   return released([&] {
+    check_finite(points);
     Polygon_soup soup = soup_of(points, faces);
     std::optional<IT::Delta_complex> mesh = complex_of(soup.points.size(), soup.polygons);
     if(!mesh || !has_good_lengths(*mesh, soup.points))

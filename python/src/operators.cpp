@@ -6,16 +6,23 @@
 #include "Watch.h"
 #include "bindings.h"
 
+#include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Precise_surface.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/local_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <pybind11/stl.h>
+
 #include <functional>
+#include <optional>
 #include <type_traits>
 
 namespace {
@@ -65,6 +72,7 @@ public:
              double mollification, Watch& watch)
   {
     Polygon_soup soup = soup_of(points, faces);
+    m_points = soup.points;
     m_share = faces.size() == 0 ? 1. / 6 : 1. / 2;
     if(faces.size() == 0)
       for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
@@ -84,7 +92,30 @@ public:
     });
   }
 
+  // Returns the distances of all points from the nearest of some vertices, by heat.
+  std::vector<double> distances(const std::vector<std::int64_t>& vertices,
+                                std::optional<double> time_step_factor) const
+  {
+    const auto point = boost::make_function_property_map<IT::Vertex_index>(
+      [&](IT::Vertex_index v) { return m_points[v.idx()]; });
+    const auto np = IT::parameters::vertex_point_map(point);
+    return with_surface([&](const auto& surface) {
+      IT::Distance_sources<std::decay_t<decltype(surface)>> sources(surface);
+      for(const std::int64_t v : vertices)
+        sources.add(IT::Vertex_index(static_cast<Mesh::size_type>(v)));
+      const auto found =
+        time_step_factor
+          ? IT::geodesic_distances(surface, sources, np.time_step_factor(*time_step_factor))
+          : IT::geodesic_distances(surface, sources, np);
+      std::vector<double> result;
+      for(const auto& d : found.distance)
+        result.push_back(CGAL::to_double(d));
+      return result;
+    });
+  }
+
 private:
+  std::vector<Point> m_points;
   std::optional<IT::Tufted_cover<Point>> m_cover;
   Triangulation m_triangulation;
   double m_share;
@@ -104,9 +135,16 @@ void bind_operators(py::module_& module)
         return std::make_unique<Bound_soup>(points, faces, neighbors, mollification, watch);
       });
     }))
-    .def("operator_of", [](const Bound_soup& self, const std::string& name) {
-      return sparse_arrays(released([&] {
-        return self.with_surface([&](const auto& surface) { return matrix_of(name, surface); });
-      }));
+    .def("operator_of",
+         [](const Bound_soup& self, const std::string& name) {
+           return sparse_arrays(released([&] {
+             return self.with_surface(
+               [&](const auto& surface) { return matrix_of(name, surface); });
+           }));
+         })
+    .def("distances", [](const Bound_soup& self, const Index_array& vertices,
+                         std::optional<double> time_step_factor) {
+      return array_of(
+        released([&] { return self.distances(vector_of(vertices), time_step_factor); }));
     });
 }

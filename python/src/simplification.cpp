@@ -5,19 +5,34 @@
 #include "Bound_triangulation.h"
 #include "Watch.h"
 #include "bindings.h"
+#include "commands/weighted_cost.h"
+#include "writing/Fine_vertices.h"
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <pybind11/stl.h>
+
+#include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
 
 namespace IS = CGAL::Intrinsic_simplification;
 
@@ -25,60 +40,218 @@ namespace {
 
 typedef std::shared_ptr<Surface> Shared_surface;
 
-// Stores a coarse surface with the map to the input, which refers to the other members.
+// Stores the parameters of a simplification. Angles are in degrees; zero is no bound.
+struct Simplification_options
+{
+  std::vector<std::size_t> sizes; // numbers of vertices of the levels
+  double maximum_cost;
+  std::optional<Named_weights> weights; // of `default_cost()` unless given
+  Named_functions functions;
+  double fine_angle;
+  double coarse_angle;
+  std::optional<std::size_t> maximum_number_of_insertions;
+  double closed_length;
+  double pinched_length;
+  bool is_exact;
+};
+
+// Stores levels of a surface with the map to the input, which refers to the other members. The fine
+// level is the input, or the input split by inserted vertices. Disks and cuts may have changed it.
 class Bound_simplification
 {
 public:
-  Bound_simplification(Shared_surface surface, double mollification)
-    : m_surface(std::move(surface)),
-      m_evolving(triangulation_of(*m_surface, mollification)),
-      m_fine(m_evolving)
-  {}
+  Bound_simplification(Shared_surface surface, const Simplification_options& options,
+                       double mollification, Watch& watch)
+    : m_surface(std::move(surface)), m_options(options)
+  {
+    Triangulation start = triangulation_of(*m_surface, mollification);
+    if(m_options.fine_angle > 0)
+      split(start, watch);
+    m_vertices.emplace(m_surface->mesh.number_of_vertices(), m_split ? &*m_split : nullptr);
+    if(m_options.closed_length > 0 || m_options.pinched_length > 0)
+      simplify_topology(start);
+    m_evolving.emplace(start);
+    m_levels.emplace_back(*m_evolving);
+    if(m_options.is_exact)
+      m_evolving->make_exactly_Delaunay(start);
+    else if(m_split || !m_options.functions.empty()) // thin faces are no measure
+      m_evolving->make_Delaunay();
+    watch.start_stage("simplify");
+    simplify(watch);
+    if(m_options.coarse_angle > 0)
+      refine_coarse(watch);
+    m_map.emplace(*m_evolving, fine(), coarse());
+  }
 
   Bound_simplification(const Bound_simplification&) = delete;
   Bound_simplification& operator=(const Bound_simplification&) = delete;
 
-  void run(std::size_t number_of_vertices, double maximum_cost, Watch& watch)
-  {
-    IS::Transport_cost cost = IS::default_cost(m_evolving);
-    m_result = IS::simplify(m_evolving, cost,
-                            IS::parameters::number_of_vertices(number_of_vertices)
-                              .maximum_cost(maximum_cost)
-                              .visitor(std::ref(watch)));
-    m_coarse.emplace(m_evolving);
-    m_map.emplace(m_evolving, m_fine, *m_coarse);
-  }
+  std::size_t removed() const { return m_removed; }
+  double greatest_cost() const { return m_greatest_cost; }
+  std::size_t closed_loops() const { return m_closed_loops; }
+  std::size_t pinched_handles() const { return m_pinched_handles; }
 
-  const Surface& surface() const { return *m_surface; }
-  const IS::Evolving_surface& evolving() const { return m_evolving; }
-  const IS::Simplification_result& result() const { return m_result; }
-  const IS::Surface_level& fine() const { return m_fine; }
-  const IS::Surface_level& coarse() const { return *m_coarse; }
+  const IS::Evolving_surface& evolving() const { return *m_evolving; }
+  const std::vector<IS::Surface_level>& levels() const { return m_levels; }
+  const IS::Surface_level& fine() const { return m_levels.front(); }
+  const IS::Surface_level& coarse() const { return m_levels.back(); }
   const IS::Surface_map& map() const { return *m_map; }
 
+  std::size_t number_of_input_vertices() const { return m_surface->mesh.number_of_vertices(); }
+  std::size_t number_of_input_faces() const { return m_surface->mesh.number_of_faces(); }
+
+  // Returns the positions of the vertices of the fine level.
+  std::vector<Point> points() const { return m_vertices->positions(m_surface->points); }
+
+  Location on_fine(const Location& p) const
+  {
+    if(!m_split)
+      return p;
+    if(!m_correspondence)
+      m_correspondence.emplace(*m_split);
+    return IT::point_across(*m_correspondence, IT::Side::input, p);
+  }
+
+  // Returns the point of the input, or no face for a point in a disk.
+  Location on_input(const Location& p) const
+  {
+    const std::size_t faces = m_split ? m_split->mesh().number_of_faces() : number_of_input_faces();
+    if(!p.first.is_valid() || p.first.idx() >= faces)
+      return Location();
+    return m_split ? IT::point_across(*m_split, IT::Side::intrinsic, p) : p;
+  }
+
+  // Returns the index of a vertex of the input, or -1 for another vertex of the surface.
+  std::int64_t input_vertex(IS::Vertex_index v) const
+  {
+    return v.is_valid() && v.idx() < number_of_input_vertices() ? std::int64_t(v.idx()) : -1;
+  }
+
 private:
+  // Refines the input, and splits its faces at the inserted vertices.
+  void split(Triangulation& start, Watch& watch)
+  {
+    watch.start_stage("refine");
+    const auto np = IT::parameters::exact_decisions(m_options.is_exact).visitor(std::ref(watch));
+    IT::make_Delaunay(start, np);
+    const std::size_t limit = m_options.maximum_number_of_insertions.value_or(
+      IT::default_maximum_number_of_insertions(start, m_options.fine_angle, no_radius));
+    IT::refine(start, np.minimum_angle(m_options.fine_angle).maximum_number_of_insertions(limit));
+    start.collect_garbage();
+    start = IT::input_with_inserted_vertices(start);
+    m_split = start;
+  }
+
+  void simplify_topology(Triangulation& start)
+  {
+    IS::Surface_surgery surgery(start);
+    if(m_options.closed_length > 0)
+      m_closed_loops = IS::close_boundary_loops(surgery, m_options.closed_length);
+    if(m_options.pinched_length > 0)
+      m_pinched_handles = IS::pinch_handles(surgery, m_options.pinched_length);
+    m_vertices->add(surgery);
+    start = surgery.triangulation();
+  }
+
+  IS::Transport_cost cost()
+  {
+    if(!m_options.weights)
+      return IS::default_cost(*m_evolving);
+    for(auto& [name, components] : m_options.functions)
+      for(std::vector<double>& values : components)
+        m_vertices->extend(values, 0.);
+    return weighted_cost(*m_evolving, *m_options.weights, m_options.functions);
+  }
+
+  void simplify(Watch& watch)
+  {
+    IS::Transport_cost transport_cost = cost();
+    for(const std::size_t size : m_options.sizes) {
+      const IS::Simplification_result result = IS::simplify(*m_evolving, transport_cost,
+                                                            IS::parameters::number_of_vertices(size)
+                                                              .maximum_cost(m_options.maximum_cost)
+                                                              .visitor(std::ref(watch)));
+      m_removed += result.removed;
+      m_greatest_cost = (std::max)(m_greatest_cost, result.greatest_cost);
+      m_levels.emplace_back(*m_evolving);
+    }
+  }
+
+  void refine_coarse(Watch& watch)
+  {
+    watch.start_stage("refine");
+    const std::size_t limit =
+      m_options.maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
+        m_evolving->mesh().number_of_faces(), m_options.coarse_angle, no_radius));
+    IS::refine(*m_evolving, IS::parameters::minimum_angle(m_options.coarse_angle)
+                              .maximum_number_of_insertions(limit)
+                              .visitor(std::ref(watch)));
+    m_levels.back() = IS::Surface_level(*m_evolving);
+  }
+
+  static constexpr double no_radius = std::numeric_limits<double>::infinity();
+
   Shared_surface m_surface;
-  IS::Evolving_surface m_evolving;
-  IS::Surface_level m_fine;
-  IS::Simplification_result m_result;
-  std::optional<IS::Surface_level> m_coarse;
-  std::optional<IS::Surface_map> m_map;
+  Simplification_options m_options;
+  std::optional<Triangulation> m_split; // the input, and its faces split by inserted vertices
+  std::optional<Fine_vertices> m_vertices;
+  std::optional<IS::Evolving_surface> m_evolving;
+  std::vector<IS::Surface_level> m_levels; // the fine one first
+  std::optional<IS::Surface_map> m_map;    // from the first to the last level
+  std::size_t m_removed = 0, m_closed_loops = 0, m_pinched_handles = 0;
+  double m_greatest_cost = 0;
+  mutable std::optional<IT::Correspondence<>> m_correspondence; // of `m_split`
 };
 
-py::array coarse_vertices(const Bound_simplification& self)
+// Returns the vertices of the input on each level, from the first coarse one on; -1 for others.
+py::list level_vertices(const Bound_simplification& self)
 {
-  return array_over(self.coarse().mesh().vertices(), [&](IT::Vertex_index v) {
-    return std::int64_t(self.coarse().surface_vertex(v).idx());
-  });
+  py::list result;
+  for(std::size_t n = 1; n < self.levels().size(); ++n) {
+    const IS::Surface_level& level = self.levels()[n];
+    result.append(array_over(level.mesh().vertices(), [&](IT::Vertex_index v) {
+      return self.input_vertex(level.surface_vertex(v));
+    }));
+  }
+  return result;
+}
+
+// Returns the matrix of a map. Its rows are vertices of the input, or of a coarse level.
+py::tuple prolongation(const Bound_simplification& self, const IS::Surface_map& map,
+                       bool is_from_input)
+{
+  Eigen::SparseMatrix<double> matrix = IS::prolongation_matrix(map);
+  if(is_from_input)
+    matrix.conservativeResize(Eigen::Index(self.number_of_input_vertices()), matrix.cols());
+  return sparse_arrays(std::move(matrix));
+}
+
+// Returns the matrix from each level to the level before.
+py::list prolongations(const Bound_simplification& self)
+{
+  py::list result;
+  for(std::size_t n = 1; n < self.levels().size(); ++n)
+    result.append(prolongation(
+      self, IS::Surface_map(self.evolving(), self.levels()[n - 1], self.levels()[n]), n == 1));
+  return result;
 }
 
 py::tuple points_mapped(const Bound_simplification& self, bool to_coarse, const Index_array& faces,
                         const Number_array& coordinates)
 {
   return arrays_of(released([&] {
-    const IS::Surface_level& from = to_coarse ? self.fine() : self.coarse();
-    const auto points = locations_of(faces, coordinates, from.mesh().number_of_faces());
-    return to_coarse ? self.map().to_coarse(points) : self.map().to_fine(points);
+    auto points = locations_of(faces, coordinates,
+                               to_coarse ? self.number_of_input_faces()
+                                         : self.coarse().mesh().number_of_faces());
+    if(to_coarse) {
+      for(Location& p : points)
+        p = self.on_fine(p);
+      return self.map().to_coarse(points);
+    }
+    points = self.map().to_fine(points);
+    for(Location& p : points)
+      p = self.on_input(p);
+    return points;
   }));
 }
 
@@ -103,14 +276,18 @@ py::tuple mesh_in_space(const Bound_simplification& self)
       mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
     const auto location =
       mesh.add_property_map<Mesh::Vertex_index, IS::Surface_map::Location>("v:location").first;
+    const std::vector<Point> points = self.points();
+    const auto point_map = boost::make_iterator_property_map(
+      points.data(), boost::typed_identity_property_map<IT::Vertex_index>());
     const auto result = IS::coarse_mesh(self.evolving(), self.fine(), mesh,
-                                        IS::parameters::input_point_map(self.surface().point_map())
+                                        IS::parameters::input_point_map(point_map)
                                           .parent_vertex_map(fine_vertex)
                                           .location_map(location));
     for(const Mesh::Vertex_index v : mesh.vertices()) {
       const IS::Vertex_index parent = fine_vertex[v];
-      parents.push_back(parent.is_valid() ? std::int64_t(parent.idx()) : -1);
-      places.push_back(parent.is_valid() ? place_of(parent, self.fine().mesh()) : location[v]);
+      parents.push_back(self.input_vertex(parent));
+      places.push_back(
+        self.on_input(parent.is_valid() ? place_of(parent, self.fine().mesh()) : location[v]));
     }
     return result;
   });
@@ -127,17 +304,42 @@ py::tuple mesh_in_space(const Bound_simplification& self)
                                  py::arg("self_intersections") = quality.self_intersections));
 }
 
-std::unique_ptr<Bound_simplification> simplified(const Shared_surface& surface,
-                                                 std::size_t number_of_vertices,
-                                                 double maximum_cost, double mollification,
-                                                 const py::object& progress)
+// Returns the columns of each function, an array of rows.
+Named_functions components_of(const std::map<std::string, Number_array>& functions)
+{
+  Named_functions result;
+  for(const auto& [name, rows] : functions) {
+    const auto number = static_cast<std::size_t>(rows.shape(1));
+    std::vector<std::vector<double>>& components = result[name];
+    components.resize(number);
+    for(const double* x = rows.data(); x != rows.data() + rows.size();)
+      for(std::vector<double>& values : components)
+        values.push_back(*x++);
+  }
+  return result;
+}
+
+std::unique_ptr<Bound_simplification>
+simplified(const Shared_surface& surface, const std::vector<std::size_t>& sizes,
+           double maximum_cost, const std::optional<Named_weights>& weights,
+           const std::map<std::string, Number_array>& functions, double fine_angle,
+           double coarse_angle, std::optional<std::size_t> maximum_number_of_insertions,
+           double closed_length, double pinched_length, bool is_exact, double mollification,
+           const py::object& progress)
 {
   Watch watch(progress, "simplify");
-  return released([&] {
-    auto result = std::make_unique<Bound_simplification>(surface, mollification);
-    result->run(number_of_vertices, maximum_cost, watch);
-    return result;
-  });
+  const Simplification_options options{sizes,
+                                       maximum_cost,
+                                       weights,
+                                       components_of(functions),
+                                       fine_angle,
+                                       coarse_angle,
+                                       maximum_number_of_insertions,
+                                       closed_length,
+                                       pinched_length,
+                                       is_exact};
+  return released(
+    [&] { return std::make_unique<Bound_simplification>(surface, options, mollification, watch); });
 }
 
 } // namespace
@@ -147,17 +349,17 @@ void bind_simplification(py::module_& module)
   typedef Bound_simplification Bound;
   py::class_<Bound>(module, "Simplification")
     .def(py::init(&simplified))
-    .def("removed", [](const Bound& self) { return self.result().removed; })
-    .def("greatest_cost", [](const Bound& self) { return self.result().greatest_cost; })
+    .def("removed", &Bound::removed)
+    .def("greatest_cost", &Bound::greatest_cost)
+    .def("closed_loops", &Bound::closed_loops)
+    .def("pinched_handles", &Bound::pinched_handles)
     .def("faces", [](const Bound& self) { return array_of(corners_of(self.coarse().mesh())); })
     .def("face_edges", [](const Bound& self) { return face_edges_of(self.coarse().mesh()); })
     .def("lengths", [](const Bound& self) { return lengths_of(self.coarse()); })
-    .def("vertices", &coarse_vertices)
+    .def("level_vertices", &level_vertices)
     .def("mapped", &points_mapped)
-    .def("prolongation",
-         [](const Bound& self) {
-           return sparse_arrays(released([&] { return IS::prolongation_matrix(self.map()); }));
-         })
+    .def("prolongation", [](const Bound& self) { return prolongation(self, self.map(), true); })
+    .def("prolongations", &prolongations)
     .def("triangulation",
          [](const Bound& self) {
            return released([&] {

@@ -81,6 +81,16 @@ py::dict refine(Bound_triangulation& self, double minimum_angle, double maximum_
   }));
 }
 
+// Forbids or allows flips of some edges.
+void constrain(Bound_triangulation& self, const Index_array& edges, bool is_constrained)
+{
+  self.changed([&](Triangulation& triangulation) {
+    for(const std::int64_t number : vector_of(edges))
+      triangulation.set_constrained(IT::Edge_index(static_cast<Mesh::size_type>(number)),
+                                    is_constrained);
+  });
+}
+
 // ---- Elements ----
 
 const IT::Delta_complex& mesh_of(const Bound_triangulation& self, bool is_input)
@@ -140,6 +150,14 @@ py::array normal_coordinates(const Bound_triangulation& self)
   const Triangulation& triangulation = self.triangulation();
   return array_over(triangulation.mesh().edges(), [&](IT::Edge_index e) {
     return std::int64_t(triangulation.coordinates().normal_coordinate(e));
+  });
+}
+
+py::array constraints(const Bound_triangulation& self)
+{
+  const Triangulation& triangulation = self.triangulation();
+  return array_over(triangulation.mesh().edges(), [&](IT::Edge_index e) {
+    return std::uint8_t(triangulation.is_constrained(e));
   });
 }
 
@@ -373,6 +391,8 @@ void bind_triangulation(py::module_& module)
          })
     .def("make_delaunay", &make_Delaunay)
     .def("refine", &refine)
+    .def("constrain", &constrain)
+    .def("constraints", &constraints)
     .def("is_delaunay",
          [](const Bound_triangulation& self) {
            return released([&] { return IT::is_Delaunay(self.triangulation()); });

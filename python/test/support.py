@@ -98,7 +98,13 @@ def stretched(V, F, number):
 
 
 def write_mesh(path, V, F):
-    lines = [f"OFF\n{len(V)} {len(F)} 0"]
+    """Write a mesh as .off, or as .ply if the path ends so."""
+    if path.suffix == ".ply":
+        names = "\n".join(f"property double {name}" for name in "xyz")
+        lines = [f"ply\nformat ascii 1.0\nelement vertex {len(V)}\n{names}\nelement face {len(F)}\n"
+                 "property list uchar int vertex_indices\nend_header"]
+    else:
+        lines = [f"OFF\n{len(V)} {len(F)} 0"]
     lines += [" ".join(map(repr, map(float, p))) for p in V]
     lines += [f"{len(f)} " + " ".join(map(str, f)) for f in F]
     path.write_text("\n".join(lines) + "\n")
@@ -118,11 +124,11 @@ def run_info(V, F):
     return json.loads(printed_by_program(V, F, "info", "--json"))
 
 
-def run_program(command, V, F, *options, output=None):
+def run_program(command, V, F, *options, output=None, mesh="mesh.off"):
     """Run the program on a mesh. Return its statistics, and what it has written."""
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
-        mesh, stats = folder / "mesh.off", folder / "stats.json"
+        mesh, stats = folder / mesh, folder / "stats.json"
         write_mesh(mesh, V, F)
         call = [PROGRAM, command, str(mesh), "--stats", str(stats), "--quiet"]
         options = [o.replace("FOLDER", str(folder)) for o in options]

@@ -36,6 +36,7 @@ CALLS = {
     "Triangulation.delaunay": lambda **k: intrinsic.Triangulation(V, F).delaunay(**k),
     "Triangulation.refine": lambda **k: intrinsic.Triangulation(VG, FG).refine(
         **{"min_angle": 20, "max_insertions": 100} | k),
+    "Triangulation.constrain": lambda **k: triangulation().constrain([0], **k),
     "Triangulation.trace": lambda **k: triangulation().trace(**k),
     "Triangulation.transfer": lambda **k: triangulation().transfer(V[:, 0], **k),
     "DistanceSolver": lambda **k: intrinsic.DistanceSolver(V, F, **k).distance(0),
@@ -61,7 +62,9 @@ CALLS = {
     "show": lambda **k: intrinsic.show(V, F, **{"open": False} | k).html and None,
     "signed_distance": lambda **k: intrinsic.signed_distance(V, F, [*F[0], F[0, 0]], **k),
     "simplify": lambda **k: intrinsic.simplify(
-        V, F, **({} if {"ratio", "max_cost"} & k.keys() else {"n": 20}) | k).prolongation,
+        V, F, **{"max_insertions": 100} | ({} if {"ratio", "max_cost"} & k.keys() else {"n": 20}) | k
+    ).prolongation,
+    "soup_distance": lambda **k: intrinsic.soup_distance(V, **{"sources": 0} | k),
     "soup_operators": lambda **k: intrinsic.soup_operators(V, **k),
     "to_hyperbolic": lambda **k: intrinsic.to_hyperbolic(VH, FH, **k).subdivision,
     "to_sphere": lambda **k: intrinsic.to_sphere(V, F, **k).subdivision,
@@ -74,6 +77,8 @@ CALLS = {
     "shapes.grid": lambda **k: intrinsic.shapes.grid(**{"rows": 3} | k),
     "shapes.folded_sphere": lambda **k: intrinsic.shapes.folded_sphere(**{"level": 1} | k),
 }
+
+SEQUENCES = {("simplify", "n")}  # take lists of numbers, too
 
 TYPES = {
     "float": [True, np.True_, "1", b"1", 1j, [1.0], {}, object(), np.ones(1), np.array("1"), None],
@@ -167,6 +172,7 @@ class Arguments(unittest.TestCase):
         for name, parameter, found, may_be_none in parameters():
             for value in TYPES[found[0]]:
                 is_taken = (value is None and may_be_none) or (
+                    (name, parameter) in SEQUENCES and np.ndim(value) == 1) or (
                     value is not None and isinstance(value, str) and "str" in found and value == "auto")
                 if is_taken:
                     continue

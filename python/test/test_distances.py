@@ -106,6 +106,37 @@ class Heat(unittest.TestCase):
             solver.from_each([len(V)])
 
 
+class Soups(unittest.TestCase):
+    def test_book(self):
+        """Five squares at one edge: distances through it are distances in a plane."""
+        V, F = intrinsic.shapes.grid(24, 24)
+        x = V[:, 0] - V[:, 0].min()
+        rows, faces = [], []
+        spine = np.flatnonzero(x == 0)
+        for k in range(5):
+            a = 2 * np.pi * k / 5
+            rows.append(np.stack([x * np.cos(a), x * np.sin(a), V[:, 1]], axis=1))
+            index = np.arange(len(V)) + k * len(V)
+            index[spine] = spine
+            faces.append(index[F] if k % 2 == 0 else index[F[:, ::-1]])
+        P, faces = np.concatenate(rows), np.concatenate(faces)
+        used = np.unique(faces)
+        faces = np.searchsorted(used, faces)
+        P = P[used]
+        source = int(np.flatnonzero(used == np.argmin(abs(V - V.mean(axis=0)).sum(axis=1)))[0])
+        d = intrinsic.soup_distance(P, faces, source)
+        r = np.hypot(P[:, 0], P[:, 1])
+        page = np.where(np.isclose(P[:, 1], 0) & (P[:, 0] >= 0), r, -r)  # unfolded
+        flat = np.hypot(page - page[source], P[:, 2] - P[source, 2])
+        self.assertLess(abs(d - flat).mean() / flat.max(), 0.02)
+
+    def test_bad_sources(self):
+        V, F = intrinsic.shapes.icosphere(1)
+        for bad in ([], None, [len(V)], [-1], 0.5, "0", ([0], [[1, 0, 0]])):
+            with self.assertRaisesRegex(intrinsic.IntrinsicError, "sources"):
+                intrinsic.soup_distance(V, F, bad)
+
+
 class AllPairs(unittest.TestCase):
     def test_exact_and_coarse(self):
         V, F = support.meshes()["bumpy_grid"]

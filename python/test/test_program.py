@@ -289,6 +289,66 @@ class Program(unittest.TestCase):
             assert_faces_equal(mesh.F, written.faces)
             assert_array_equal(mesh.input_vertex, written.vertex["input_vertex"])
 
+    def test_simplify_options(self):
+        """Each option of the program has a parameter."""
+        for V, F in self.each("cube", instead=intrinsic.shapes.icosphere(2)):
+            n, size = len(V) // 3, float(np.ptp(V))
+            for options, given in [
+                (["--weight", "curvature=1", "--weight", "x=0.5"],
+                 {"weights": {"curvature": 1, "x": 0.5}, "functions": {"x": V[:, 0]}}),
+                (["--refine", "20"], {"refine": 20}),
+                (["--min-angle", "20"], {"min_angle": 20}),
+                (["--refine", "25", "--min-angle", "25", "--max-insertions", "30"],
+                 {"refine": 25, "min_angle": 25, "max_insertions": 30}),
+                (["--close-loops", f"{9 * size}", "--pinch-handles", f"{9 * size}"],
+                 {"close_loops": 9 * size, "pinch_handles": 9 * size}),
+                (["--refine", "20", "--close-loops", f"{9 * size}", "--exact"],
+                 {"refine": 20, "close_loops": 9 * size, "exact": True}),
+            ]:
+                self.compare_simplified(V, F, ["--vertices", str(n), *options], n, given)
+
+    def compare_simplified(self, V, F, options, n, given):
+        stats, files, _ = run_program("simplify", V, F, *options, "--prolongation", "FOLDER/P.mtx",
+                                      "--coarse", "FOLDER/coarse.ply", output="out.ply",
+                                      mesh="mesh.ply")
+        coarse = intrinsic.simplify(V, F, n, **given)
+        self.assertEqual(coarse.removed, stats["removed"])
+        self.assertEqual(coarse.greatest_cost, stats["greatest_cost"])
+        self.assertEqual(coarse.closed_loops, stats.get("closed_loops", 0))
+        self.assertEqual(coarse.pinched_handles, stats.get("pinched_handles", 0))
+        assert_sparse_equal(coarse.prolongation, files["P.mtx"].tocsc())
+        mesh, written = coarse.coarse_mesh(), files["coarse.ply"]
+        assert_array_equal(mesh.V, written.points)
+        assert_faces_equal(mesh.F, written.faces)
+        assert_array_equal(mesh.input_vertex, written.vertex["input_vertex"])
+
+    def test_levels(self):
+        for V, F in self.each("cube", instead=intrinsic.shapes.icosphere(2)):
+            stats, files, _ = run_program(
+                "simplify", V, F, "--vertices", str(len(V) // 4), "--levels", "3", "--prolongation",
+                "FOLDER/P.mtx", output="out.ply")
+            levels = intrinsic.simplify(V, F, stats["level_vertices"])
+            self.assertEqual([len(v) for v in levels.level_vertices], stats["level_vertices"])
+            for k, P in enumerate(levels.prolongations):
+                assert_sparse_equal(P, files[f"P_{k + 1}.mtx"].tocsc())
+
+    def test_net(self):
+        """Triangles with halved sides are folded to tetrahedra."""
+        random = np.random.default_rng(12)
+        F = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]]
+        glue = [[0, 3, 1, 3], [1, 4, 2, 4], [2, 5, 0, 5]]
+        for _ in range(10):
+            corners = np.array([[0, 0, 0], [2, 0, 0], [1, 1.7, 0]]) + random.uniform(-0.2, 0.2, (3, 3))
+            V = np.vstack([corners, (corners + np.roll(corners, -1, axis=0)) / 2])
+            with tempfile.NamedTemporaryFile("w", suffix=".txt") as sides:
+                sides.writelines(" ".join(map(str, row)) + "\n" for row in glue)
+                sides.flush()
+                stats, files, _ = run_program("convex", V, F, "--glue", sides.name, output="out.off")
+            p = intrinsic.convex_polyhedron(V, F, glue=glue)
+            assert_array_equal(p.V, files["out.off"].points)
+            assert_faces_equal(p.F, files["out.off"].faces)
+            assert_array_equal(p.vertex_map, stats["vertex_map"])
+
     def test_convex(self):
         for V, F in self.each("folded_sphere", "noisy_sphere", "torus", "flat_torus", "bumpy_grid",
                               "strip", "two_handles", instead=intrinsic.shapes.icosphere(1)):
@@ -317,6 +377,9 @@ class Program(unittest.TestCase):
         soup = intrinsic.soup_operators(V, F)
         assert_sparse_equal(soup.laplacian, files["P_laplacian.mtx"].tocsc())
         assert_sparse_equal(soup.mass, files["P_lumped_mass.mtx"].tocsc())
+        _, files, _ = run_program("distance", V, F, "--source", "3", "--source", "1",
+                                  output="out.ply")
+        assert_array_equal(intrinsic.soup_distance(V, F, [3, 1]), files["out.ply"].vertex["distance"])
 
     def test_page(self):
         V, F = support.meshes()["cube"]

@@ -97,6 +97,82 @@ class Simplify(unittest.TestCase):
         extra = np.vstack([V, [[9, 9, 9], [8, 8, 8]]])  # without faces
         self.assertEqual(len(intrinsic.simplify(extra, F, 100).vertices), 102)
 
+    def test_levels(self):
+        """Linear functions on a flat surface are prolonged from each level exactly."""
+        V, F = intrinsic.shapes.grid(20, 20)
+        levels = intrinsic.simplify(V, F, [200, 60, 9])
+        fine = V
+        for vertices, P in zip(levels.level_vertices, levels.prolongations, strict=True):
+            self.assertEqual(P.shape, (len(fine), len(vertices)))
+            np.testing.assert_allclose(P @ V[vertices], fine, atol=1e-9)
+            fine = V[vertices]
+        np.testing.assert_allclose(levels.prolongation @ fine, V, atol=1e-9)
+        np.testing.assert_array_equal(levels.vertices, levels.level_vertices[-1])
+
+    def test_functions_with_weights(self):
+        """Vertices gather where the gradient of a function changes."""
+        V, F = intrinsic.shapes.grid(24, 24)
+        x = V[:, 0] / np.ptp(V[:, 0])
+        f = np.maximum(0, x - 0.7)
+        even = intrinsic.simplify(V, F, 60).vertices
+        bent = intrinsic.simplify(V, F, 60, weights={"area": 0.1, "f": 1},
+                                  functions={"f": np.stack([f, 2 * f], axis=1)}).vertices
+        near = abs(x - 0.7) < 0.1
+        self.assertGreater(near[bent].sum(), 1.5 * near[even].sum())
+
+    def test_refined(self):
+        """Points are mapped through inserted vertices. On a flat surface they keep their positions."""
+        V, F = intrinsic.shapes.grid(12, 12)
+        random = np.random.default_rng(5)
+        V = (V + random.uniform(-0.3, 0.3, V.shape) / 12) * [5, 1, 0]
+        points = random.integers(0, len(F), 200), random.dirichlet([1, 1, 1], 200)
+        at = np.einsum("kc,kcx->kx", points[1], V[F[points[0]]])
+        coarse = intrinsic.simplify(V, F, 30, refine=25, min_angle=25)
+        self.assertIn(-1, coarse.vertices)
+        self.assertEqual(coarse.prolongation.shape, (len(V), len(coarse.vertices)))
+        back = coarse.to_fine(coarse.to_coarse(points))
+        np.testing.assert_allclose(np.einsum("kc,kcx->kx", back[1], V[F[back[0]]]), at, atol=1e-7)
+        mesh = coarse.coarse_mesh()
+        faces, barycentric = mesh.input_points
+        np.testing.assert_allclose(np.einsum("kc,kcx->kx", barycentric, V[F[faces]]), mesh.V,
+                                   atol=1e-9)
+
+    def test_topology(self):
+        V, F = support.meshes()["two_handles"]
+        closed = intrinsic.simplify(V, F, len(V), pinch_handles=1e3)
+        self.assertEqual(closed.pinched_handles, 2)
+        n, m = len(closed.vertices), len(closed.F)
+        self.assertEqual(n - 3 * m / 2 + m, 2)
+        V, F = intrinsic.shapes.grid(9, 9)
+        disk = intrinsic.simplify(V, F, 40, close_loops=1e3)
+        self.assertEqual((disk.closed_loops, disk.pinched_handles), (1, 0))
+        self.assertEqual(40 - 3 * len(disk.F) / 2 + len(disk.F), 2)
+        faces, _ = disk.to_fine((np.arange(len(disk.F)), np.full((len(disk.F), 3), 1 / 3)))
+        self.assertTrue((faces < 0).any() and (faces >= 0).any())
+        self.assertEqual(intrinsic.simplify(V, F, 40, close_loops=1e-3).closed_loops, 0)
+
+    def test_bad_parameters(self):
+        V, F = intrinsic.shapes.icosphere(1)
+        x = V[:, 0]
+        for given, named in [
+            ({"n": []}, "n is empty"), ({"n": [9, 9]}, "n.1. is 9"), ({"n": [20, "9"]}, "n.1."),
+            ({"n": [[9]]}, "n.0."), ({"n": "9"}, "n is '9'"), ({"n": np.array([20, 9.5])}, "n.1."),
+            ({"weights": 1}, "weights is 1"), ({"weights": {1: 1}}, "weights is"),
+            ({"weights": {}}, "not a cost"), ({"weights": {"area_change": 1}}, "not a cost"),
+            ({"weights": {"curvature": -1}}, "weights.'curvature'. is -1"),
+            ({"weights": {"curvature": np.nan}}, "weights.'curvature'. is nan"),
+            ({"weights": {"curvatur": 1}}, "has 'curvatur', which is not in functions"),
+            ({"functions": {"x": x}}, "functions has 'x', which has no weight"),
+            ({"functions": {"area": x}, "weights": {"area": 1}}, "functions has 'area'"),
+            ({"functions": [x], "weights": {"area": 1}}, "functions is"),
+            ({"functions": {"x": x[:-1]}, "weights": {"x": 1}}, "functions.'x'. has the shape"),
+            ({"functions": {"x": x[:, None][:, :0]}, "weights": {"x": 1}}, "no columns"),
+            ({"functions": {"x": x * np.nan}, "weights": {"x": 1}}, "row 0 of functions.'x'."),
+            ({"functions": {"x": x.astype(str)}, "weights": {"x": 1}}, "functions.'x'. has the type"),
+        ]:
+            with self.subTest(given=given), self.assertRaisesRegex(intrinsic.IntrinsicError, named):
+                intrinsic.simplify(V, F, **{"n": 9, **given})
+
     def test_refined_coarse_points_are_complete(self):
         with self.assertRaises(intrinsic.InputError):
             lengths = intrinsic.Triangulation(*intrinsic.shapes.icosphere(2)).face_lengths
@@ -114,6 +190,32 @@ class Polyhedron(unittest.TestCase):
                                    np.linalg.norm(V[ends[:, 0]] - V[ends[:, 1]], axis=1), rtol=1e-9)
         self.assertEqual(p.triangulation.n_vertices, 8)
         self.assertEqual(p.kind, "convex")
+
+    def test_net_of_lengths(self):
+        """A regular tetrahedron from the lengths of its net."""
+        F = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])
+        glue = np.array([[0, 3, 1, 3], [1, 4, 2, 4], [2, 5, 0, 5]], np.uint8)
+        p = intrinsic.convex_polyhedron(None, F, lengths=np.ones((4, 3)), glue=glue)
+        self.assertEqual(p.vertex_map.tolist(), [0, 0, 0, 1, 2, 3])
+        distances = np.linalg.norm(p.V[:, None] - p.V[None], axis=2)
+        np.testing.assert_allclose(distances, 1 - np.eye(4), atol=1e-12)
+
+    def test_bad_nets(self):
+        V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+        F = [[0, 1, 2], [0, 2, 3]]
+        for glue, named in [
+            ([[0, 1, 0, 3]], "side from 2 to 1 is not glued|side from 1 to 2 is not glued"),
+            ([[0, 2, 0, 3]], "row 0 of glue: the side from 0 to 2 is not on the boundary"),
+            ([[0, 1, 0, 3], [1, 0, 2, 3]], "row 1 of glue: the side from .* is glued twice"),
+            ([[0, 1, 1, 0]], "row 0 of glue: .*glued twice"),
+            ([[0, 1, 2, 3]], "row 0 of glue: the surface would not be oriented"),
+            ([[0, 1, 2, 9]], "row 0 of glue is"), ([[0, 1, 2]], "glue has the shape"), ([], "glue"),
+            ("0 1 2 3", "glue"), ([[0.5, 1, 2, 3]], "glue has the type"),
+        ]:
+            with self.subTest(glue=glue), self.assertRaisesRegex(intrinsic.IntrinsicError, named):
+                intrinsic.convex_polyhedron(V, F, glue=glue)
+        with self.assertRaisesRegex(intrinsic.InputError, "different lengths"):
+            intrinsic.convex_polyhedron(V * [2, 1, 1], F, glue=[[0, 1, 0, 3], [2, 1, 2, 3]])
 
     def test_flat(self):
         V = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]

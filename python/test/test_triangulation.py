@@ -77,6 +77,48 @@ class Delaunay(unittest.TestCase):
             intrinsic.Triangulation(None, [[0, 0, 0]], lengths=[[1, 1, 1]])
 
 
+class Constraints(unittest.TestCase):
+    def test_constrained_edges_stay(self):
+        """Flips keep constrained edges, and each other edge is Delaunay or cannot be flipped."""
+        V, F = support.meshes()["noisy_sphere"]
+        T = intrinsic.Triangulation(V * [1, 1, 9], F)
+        kept = np.arange(0, len(T.E), 5)
+        before, lengths = T.E[kept], T.lengths[kept]
+        T.constrain(kept)
+        self.assertGreater(T.delaunay(), 0)
+        np.testing.assert_array_equal(np.sort(T.E[kept]), np.sort(before))
+        np.testing.assert_array_equal(T.lengths[kept], lengths)
+        np.testing.assert_array_equal(np.flatnonzero(T.constrained), kept)
+        opposite = np.zeros(len(T.lengths))
+        for k in range(3):
+            np.add.at(opposite, T.face_edges[:, k], angles(T.face_lengths)[:, (k + 2) % 3])
+        self.assertLess(opposite[~T.constrained].max(), np.pi + 1e-9)
+        self.assertGreater(opposite[T.constrained].max(), np.pi)
+        T.constrain(T.constrained, False)
+        self.assertFalse(T.constrained.any() or T.is_delaunay())
+        T.delaunay()
+        free = intrinsic.Triangulation(V * [1, 1, 9], F)
+        free.delaunay()
+        self.assertAlmostEqual(T.lengths.sum() / free.lengths.sum(), 1, 12)
+
+    def test_parts_of_constrained_edges(self):
+        V, F = [[0, 0, 0], [9, 0, 0], [4, 3, 0], [5, -3, 0]], [[0, 1, 2], [1, 0, 3]]
+        T = intrinsic.Triangulation(V, F)
+        T.constrain((np.sort(T.E) == [0, 1]).all(axis=1))
+        T.delaunay()
+        T.refine(25, 1)
+        self.assertAlmostEqual(T.lengths[T.constrained].sum(), 9, 12)
+        self.assertGreater(T.constrained.sum(), 1)
+        copied = pickle.loads(pickle.dumps(T))
+        np.testing.assert_array_equal(copied.constrained, T.constrained)
+
+    def test_bad_edges(self):
+        T = intrinsic.Triangulation(*support.meshes()["cube"])
+        for bad in ([-1], [len(T.E)], [0.5], "0", np.ones(3, bool), [[0]], None):
+            with self.assertRaisesRegex(intrinsic.IntrinsicError, "edges"):
+                T.constrain(bad)
+
+
 class Refine(unittest.TestCase):
     def test_bounds(self):
         V, F = support.meshes()["strip"]
