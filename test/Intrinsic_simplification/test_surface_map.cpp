@@ -131,6 +131,48 @@ TEST(Surface_map, of_a_flat_polygon_is_the_identity)
   });
 }
 
+// Four points on a line: the crossing of both diagonals has one position on the line, which depends
+// on lengths only.
+TEST(Flip_geometry, of_points_on_a_line)
+{
+  CGAL::Random random(5);
+  for(int n = 0; n < 1000; ++n) {
+    std::array<double, 4> x; // of i, j, k and l
+    for(double& position : x)
+      position = n % 2 ? random.get_int(0, 64) : random.get_double(0, 64);
+    const auto [low, high] = std::minmax({x[2], x[3]});
+    if(x[0] == x[1] || low > (std::max)(x[0], x[1]) || high < (std::min)(x[0], x[1]))
+      continue; // the diagonals do not meet
+    const auto d = [&](int a, int b) { return std::abs(x[std::size_t(a)] - x[std::size_t(b)]); };
+    const auto [length, s, t] =
+      IS::internal::flip_geometry({d(0, 1), d(1, 2), d(2, 0), d(0, 3), d(3, 1)});
+    EXPECT_NEAR(x[0] + s * (x[1] - x[0]), x[3] + t * (x[2] - x[3]), 1e-6) << n;
+  }
+}
+
+// A point on the line of three corners has weights that keep its position.
+TEST(Weights_from_lengths, of_points_on_a_line)
+{
+  CGAL::Random random(6);
+  for(int n = 0; n < 1000; ++n) {
+    std::array<double, 3> x, outgoing, side;
+    for(double& position : x)
+      position = n % 2 ? random.get_int(0, 64) : random.get_double(0, 64);
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    if(*low == *high)
+      continue;
+    const double p = *low + random.get_double(0, 1) * (*high - *low);
+    for(std::size_t c = 0; c < 3; ++c) {
+      outgoing[c] = std::abs(p - x[c]);
+      side[c] = std::abs(x[(c + 1) % 3] - x[c]);
+    }
+    const auto weight = IS::internal::weights_from_lengths(outgoing, side);
+    EXPECT_NEAR(weight[0] * x[0] + weight[1] * x[1] + weight[2] * x[2], p, 1e-9);
+    EXPECT_GE(*std::min_element(weight.begin(), weight.end()), 0);
+    EXPECT_NEAR(weight[0] + weight[1] + weight[2], 1, 1e-12);
+  }
+}
+
 // A map over two levels is the composition of the two maps.
 TEST(Surface_map, levels_of_a_hierarchy)
 {

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
@@ -20,7 +21,9 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <type_traits>
@@ -30,19 +33,40 @@ namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
+// Returns the position of the foot of a point on a side, from 0 to 1, from the distances of the
+// point to both ends.
+inline double foot_on_side(double side, double to_first, double to_second)
+{
+  const double foot = Intrinsic_triangulations::scaled_foot(to_second, to_first);
+  return std::clamp(0.5 + foot / (2 * side * side), 0., 1.);
+}
+
 // Returns the barycentric coordinates of a point in a triangle, from its distances to the corners
-// and to the sides that begin at them.
+// and to the sides that begin at them. They are quotients of areas. On thin triangles, areas do not
+// determine the position along the longest side; then the foot of the point determines it.
 inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& outgoing_length,
                                                   const std::array<double, 3>& side)
 {
-  std::array<double, 3> area; // opposite to each corner
+  std::array<double, 3> weight; // at first the areas opposite to each corner
   for(std::size_t c = 0; c < 3; ++c)
-    area[c] = Intrinsic_triangulations::quadrupled_area(
+    weight[c] = Intrinsic_triangulations::quadrupled_area(
       outgoing_length[(c + 1) % 3], side[(c + 1) % 3], outgoing_length[(c + 2) % 3]);
-  const double sum = area[0] + area[1] + area[2];
-  if(!(sum > 0)) // all points on a line: any place is correct
-    return {1. / 3, 1. / 3, 1. / 3};
-  return {area[0] / sum, area[1] / sum, area[2] / sum};
+  const double sum = weight[0] + weight[1] + weight[2];
+  for(double& w : weight)
+    w = sum > 0 ? w / sum : 1. / 3;
+  const std::size_t i = std::size_t(std::max_element(side.begin(), side.end()) - side.begin()),
+                    j = (i + 1) % 3, k = (i + 2) % 3;
+  const double foot_of_k = foot_on_side(side[i], side[k], side[j]);
+  const double foot = foot_on_side(side[i], outgoing_length[i], outgoing_length[j]);
+  if(std::abs(weight[j] + weight[k] * foot_of_k - foot) > rounding()) {
+    if(weight[k] * foot_of_k > foot)
+      weight[k] = foot / foot_of_k;
+    if(weight[k] * (1 - foot_of_k) > 1 - foot)
+      weight[k] = (1 - foot) / (1 - foot_of_k);
+    weight[j] = (std::max)(foot - weight[k] * foot_of_k, 0.);
+    weight[i] = (std::max)(1 - weight[j] - weight[k], 0.);
+  }
+  return weight;
 }
 
 // Applies all changes of an intrinsic triangulation to an evolving surface, too, and records them.

@@ -26,18 +26,34 @@ struct Flip_geometry
   double length, s, t;
 };
 
+// Rounding can place the crossing beyond an end of ij. Then this end is the crossing. Its position
+// on lk follows from the feet of k and l on ij, which are at `foot_k` and `foot_l`. On thin faces,
+// areas do not determine this position. The old position stays if the new one is farther from lk.
+inline Flip_geometry with_crossing_on_edge(Flip_geometry g, double foot_k, double foot_l,
+                                           double height_per_length)
+{
+  const double end = std::clamp(g.s, 0., 1.);
+  if(end != g.s && foot_k != foot_l) {
+    const double t = std::clamp((end - foot_l) / (foot_k - foot_l), 0., 1.);
+    if(std::abs(t - g.t) * height_per_length < std::abs(end - g.s))
+      g.t = t;
+  }
+  g.s = end;
+  return g;
+}
+
 inline Flip_geometry flip_geometry(const Intrinsic_triangulations::Diamond<double>& d)
 {
   namespace IT = Intrinsic_triangulations;
   const double at_k = IT::quadrupled_area(d.ij, d.jk, d.ki);
   const double at_l = IT::quadrupled_area(d.ij, d.lj, d.il);
-  const double feet =
-    IT::scaled_foot(d.jk, d.ki) * at_l + IT::scaled_foot(d.lj, d.il) * at_k; // from the midpoint
-  const double both = at_k + at_l;
+  const double foot_k = IT::scaled_foot(d.jk, d.ki), foot_l = IT::scaled_foot(d.lj, d.il);
   const double length = IT::Euclidean_geometry_traits<double>::Compute_flipped_length()(d);
-  if(!(both > 0)) // all four points are collinear: any position is correct
-    return {length, 0.5, 0.5};
-  return {length, std::clamp(0.5 + feet / (2 * d.ij * d.ij * both), 0., 1.), at_l / both};
+  const double both = at_k + at_l, scale = 2 * d.ij * d.ij; // feet are measured from the midpoint
+  const double s =
+    both > 0 ? (foot_k * at_l + foot_l * at_k) / (scale * both) : (foot_k + foot_l) / (2 * scale);
+  return with_crossing_on_edge({length, 0.5 + s, both > 0 ? at_l / both : 0.5},
+                               0.5 + foot_k / scale, 0.5 + foot_l / scale, both / scale);
 }
 
 // Flips the edge of `h` and records it.
