@@ -30,6 +30,7 @@ from .distances import (
     vertex_point,
 )
 from .errors import (
+    AccuracyWarning,
     ArrayError,
     InputError,
     IntrinsicError,
@@ -73,6 +74,7 @@ from .triangulation import Certificate, CommonSubdivision, Curves, Refinement, T
 __version__ = "0.2.0"
 
 __all__ = [
+    "AccuracyWarning",
     "ArrayError",
     "Certificate",
     "CirclePacking",

@@ -137,7 +137,7 @@ def mollification(mollify: float | str) -> float | None:
     return number(mollify, "mollify", 0, 1)
 
 
-def _level_of_caller() -> int:
+def level_of_caller() -> int:
     """Return the number of frames up to the first one outside of this package."""
     folder = os.path.dirname(__file__)
     frame, level = sys._getframe(1), 1
@@ -165,7 +165,7 @@ def attempt(mollify: float | str, compute: Callable[[float], Result]) -> Result:
         except NumericalError:
             continue
         warnings.warn(f"computed with mollify={slack}: {first}", MollificationWarning,
-                      stacklevel=_level_of_caller())
+                      stacklevel=level_of_caller())
         return result
     raise first
 

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, NamedTuple, TypeVar
 
@@ -16,14 +17,15 @@ from . import _core
 from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, count, flag, floats,
                       integers, number, points_on, shortened)
 from ._arrays import vertices as vertices_of
-from ._meshes import attempt, check_progress, surface
-from .errors import ArrayError, InputError
+from ._meshes import attempt, check_progress, level_of_caller, surface
+from .errors import AccuracyWarning, ArrayError, InputError
 from .operators import soup_of
 from .simplification import simplify
 from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
 
 Result = TypeVar("Result")
 
+_GREATEST_SILENT_ERROR = 0.1  # relative, of a tenth of the distances
 _LEAST_TIME_STEP_FACTOR, _GREATEST_TIME_STEP_FACTOR = 1e-300, 1.6e13  # beyond, rounding decides
 _NO_VERTICES = np.zeros(0, np.int64)
 _NO_POINTS = (np.zeros(0, np.int64), np.zeros((0, 3)))
@@ -101,7 +103,8 @@ def distance(
         A vertex, vertices, or points as faces and barycentric coordinates.
     method : "auto", "exact" or "heat"
         "exact" gives the lengths of shortest paths, up to rounding. "heat" is faster on large
-        meshes and has errors of some percent. "auto" is exact if that is expected to take less
+        meshes and has errors of some percent; an `AccuracyWarning` is given if the estimated error
+        is large. "auto" is exact if that is expected to take less
         than two seconds.
     curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
         One or more polylines, as of `signed_distance()`. All their points are sources, too.
@@ -188,6 +191,10 @@ def _measured(
                          about.get("relative_error"))
 
     result = computed_on(*mesh, compute, check_progress(progress))
+    error = (result.relative_error or {}).get("ninety_percent", 0)
+    if not error <= _GREATEST_SILENT_ERROR:
+        warnings.warn(f"a tenth of the distances by heat are wrong by {100 * error:.2g} % or more; "
+                      "exact distances have none of these errors", AccuracyWarning, stacklevel=level_of_caller())
     return result if is_full else result.values
 
 

@@ -83,5 +83,9 @@ class MissingPartError(IntrinsicError, OSError):
     """Is raised if this package was built without a part that a function needs."""
 
 
+class AccuracyWarning(UserWarning):
+    """Is given if a tenth of the distances by heat are estimated to be wrong by 10 % or more."""
+
+
 class MollificationWarning(UserWarning):
     """Is given if edges have been lengthened, relative to their mean, to find a result."""

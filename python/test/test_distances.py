@@ -5,6 +5,7 @@
 """Distances and paths against closed forms and each other."""
 
 import unittest
+import warnings
 
 import numpy as np
 
@@ -104,6 +105,24 @@ class Heat(unittest.TestCase):
                 np.testing.assert_allclose(row, solver.distance(([f], [b])), atol=1e-10)
         with self.assertRaises(intrinsic.InputError):
             solver.from_each([len(V)])
+
+
+class Accuracy(unittest.TestCase):
+    def test_warning(self):
+        """Heat is wrong on a long strip of thin triangles without positions, and says so."""
+        n = 60
+        V = np.array([(i / 20, 1e-3 * (i % 2), 0) for i in range(n)])
+        F = np.array([(i, i + 1, i + 2) if i % 2 == 0 else (i + 1, i, i + 2) for i in range(n - 2)])
+        lengths = support.lengths_of(V, F)
+        with self.assertWarns(intrinsic.AccuracyWarning) as caught:
+            d = intrinsic.distance(None, F, 0, "heat", lengths=lengths)
+        self.assertEqual(caught.filename, __file__)
+        self.assertGreater(np.quantile(abs(d[1:] / V[1:, 0] - 1), 0.9), 0.1)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            exact = intrinsic.distance(None, F, 0, lengths=lengths)
+            intrinsic.distance(*intrinsic.shapes.icosphere(3), 0, "heat")
+        np.testing.assert_allclose(exact, np.hypot(V[:, 0], V[:, 1]), rtol=1e-12)
 
 
 class Soups(unittest.TestCase):
