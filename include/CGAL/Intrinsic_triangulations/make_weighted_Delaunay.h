@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
@@ -20,6 +21,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -116,16 +118,28 @@ void straighten_edges(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
   restart_from_input(tri, visitor);
 }
 
+// Returns a weight with all of its digits.
+template <typename FT, typename Weight>
+FT with_all_digits(const Weight& weight)
+{
+  if constexpr(std::is_same_v<Weight, Double_double>)
+    return FT(weight.high()) + FT(weight.low());
+  else
+    return FT(static_cast<double>(weight));
+}
+
 // Flips and raises weights by many digits of lengths and weights, after flips by stored lengths.
-template <typename Traits, typename Visitor>
-void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
+template <typename Traits, typename WeightMap, typename Visitor>
+void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightMap& weight,
                              Weighted_Delaunay_result<double>& result, std::size_t limit,
                              Visitor& visitor)
 {
   typedef Many_digits_lengths<Traits> Lengths;
   result.flips += flip_with_weights(tri, result.weights, limit - result.flips, visitor).flips;
   straighten_edges(tri, visitor);
-  std::vector<typename Lengths::FT> precise(result.weights.begin(), result.weights.end());
+  std::vector<typename Lengths::FT> precise(result.weights.size(), 0);
+  for(Vertex_index v : tri.mesh().vertices())
+    precise[v.idx()] = with_all_digits<typename Lengths::FT>(get(weight, v));
   Weighted_flipping<Lengths> flipping(tri, precise);
   Supporting_triangles<typename Lengths::FT> triangles;
   hide_vertices(
@@ -155,7 +169,7 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri,
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
 /// there were more flips than edges, lengths are recomputed from \f$T_1\f$. With
 /// `exact_decisions`, lengths and weights with 155 decimal digits decide, computed from the exact
-/// surface. They also decide if rounding prevents the result, or if the faces at a hidden vertex
+/// surface and from all digits of weights of type `Double_double`. They also decide if rounding prevents the result, or if the faces at a hidden vertex
 /// have so little area that rounding changes its weight. Weights and lengths of the result are
 /// rounded.
 ///
@@ -220,7 +234,7 @@ auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMa
     if(is_exact ||
        !internal::succeeds<Traits>([&] { internal::flip_and_hide(tri, result, limit, visitor); })) {
       result.weights = given;
-      internal::flip_and_hide_precisely(tri, result, limit, visitor);
+      internal::flip_and_hide_precisely(tri, weight, result, limit, visitor);
     }
   } else
     internal::flip_and_hide(tri, result, limit, visitor);

@@ -103,6 +103,34 @@ inline void check_sphere(const Delta_complex& mesh)
                         description(type));
 }
 
+// Returns the vertices of `surface` whose curvatures are at most their errors.
+inline std::vector<Vertex_index> flat_vertices(const Metric_surface& surface,
+                                               const std::vector<double>& error)
+{
+  const std::vector<double> curvature = surface.curvatures();
+  std::vector<Vertex_index> result;
+  for(Vertex_index v : surface.mesh().vertices())
+    if(curvature[v.idx()] <= error[v.idx()])
+      result.push_back(v);
+  return result;
+}
+
+// Removes the flat vertices, whose curvatures are at most their errors, until all curvatures are
+// greater. A removed vertex leaves its curvature, which may be negative, to three neighbors.
+inline void remove_flat_vertices(Curved_vertices& curved, const std::vector<double>& error)
+{
+  for(auto flat = flat_vertices(curved.surface, error); !flat.empty();
+      flat = flat_vertices(curved.surface, error))
+    for(Vertex_index v : flat) {
+      if(!curved.surface.remove_flat_vertex(v))
+        throw Numerical_error("vertex " + std::to_string(v.idx()) +
+                              " is flat and cannot be removed from the triangulation" +
+                              reason_of_failure(curved.number_of_unknown));
+      curved.flat_vertices.push_back(v);
+    }
+  std::sort(curved.flat_vertices.begin(), curved.flat_vertices.end());
+}
+
 // Determines the flat vertices, whose curvatures are at most `tolerance`, or else at most their
 // rounding errors in T2. A negative curvature counts as zero up to the errors in T1, whose lengths
 // or positions are given.
@@ -112,25 +140,18 @@ Curved_vertices curved_vertices(const Intrinsic_triangulation<Traits>& tri,
 {
   Curved_vertices result{precise_surface(tri), {}, {}, 0};
   const std::vector<double> curvature = result.surface.curvatures(),
-                            in_T1 = curvature_errors(tri.input(), largest_coordinate(tri)),
-                            in_T2 = curvature_errors(tri.intrinsic(), largest_coordinate(tri));
+                            in_T1 = curvature_errors(tri.input(), largest_coordinate(tri));
+  std::vector<double> error = curvature_errors(tri.intrinsic(), largest_coordinate(tri));
   std::vector<std::size_t> negative;
   for(Vertex_index v : tri.mesh().vertices()) {
-    const double error = tolerance.value_or(in_T2[v.idx()]),
-                 below = tolerance.value_or((std::max)(in_T1[v.idx()], error));
-    if(curvature[v.idx()] < -below)
+    error[v.idx()] = tolerance.value_or(error[v.idx()]);
+    if(curvature[v.idx()] < -tolerance.value_or((std::max)(in_T1[v.idx()], error[v.idx()])))
       negative.push_back(v.idx());
-    else if(curvature[v.idx()] <= error)
-      result.flat_vertices.push_back(v);
     result.number_of_unknown += std::abs(curvature[v.idx()]) <= in_T1[v.idx()];
   }
   if(!negative.empty())
     throw Negative_curvature(negative, curvature[negative.front()]);
-  for(Vertex_index v : result.flat_vertices)
-    if(!result.surface.remove_flat_vertex(v))
-      throw Numerical_error("vertex " + std::to_string(v.idx()) +
-                            " is flat and cannot be removed from the triangulation" +
-                            reason_of_failure(result.number_of_unknown));
+  remove_flat_vertices(result, error);
   result.vertices = result.surface.collect_garbage();
   return result;
 }

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Polyhedron_certificate.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -23,6 +24,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -81,7 +83,8 @@ private:
   // Lengths determine heights to half of the digits only. If heights are less, relative to the
   // size, a polygon with two sides is tried first. Its edges then have errors of the square.
   static constexpr double flat_height = 1e-7;
-  static constexpr double position_error = 0x1p-50; // relative to the largest coordinate
+  static constexpr double position_error = 0x1p-50;    // relative to the largest coordinate
+  static constexpr double coarse_edge_error = 0x1p-34; // of wrong edges
   static constexpr int most_fittings = 20;
 
   // Takes a polyhedron or a polygon, whichever measurements confirm.
@@ -157,7 +160,7 @@ private:
     m_kind = Polyhedron_kind::polygon;
     std::vector<Precise_vector> positions = polygon.positions();
     round(positions);
-    finish(polygon.surface(), curved.vertices);
+    finish(polygon.surface(), curved.vertices, positions);
   }
 
   // Makes the edges of the last pyramids straight lines in space.
@@ -171,7 +174,7 @@ private:
     const bool is_convex =
       certified_polyhedron(surface.mesh(), positions, m_corners, Precise_orientation()).is_convex();
     flip_concave(surface, m_corners, Rounded_orientation());
-    finish(surface, vertices);
+    finish(surface, vertices, positions);
     if(!m_certificate.is_convex() && is_convex)
       m_kind = Polyhedron_kind::convex_before_rounding;
   }
@@ -204,26 +207,42 @@ private:
     center(positions);
     m_corners.clear();
     for(const Precise_vector& p : positions)
-      m_corners.emplace_back(p.x.high(), p.y.high(), p.z.high());
+      m_corners.push_back(rounded(p));
   }
 
   // Places the vertices, the flat ones in the faces in which they rest. Flips T2 and decides
   // whether the result is convex.
-  void finish(const Metric_surface& surface, const std::vector<Vertex_index>& vertices)
+  void finish(const Metric_surface& surface, const std::vector<Vertex_index>& vertices,
+              const std::vector<Precise_vector>& positions)
   {
-    m_points.resize(m_tri.mesh().num_vertices());
+    std::vector<Precise_vector> all(m_tri.mesh().num_vertices());
     for(std::size_t i = 0; i < vertices.size(); ++i)
-      m_points[vertices[i].idx()] = m_corners[i];
+      all[vertices[i].idx()] = positions[i];
     const Delta_complex& mesh = surface.mesh();
-    for(Face_index f : mesh.faces()) {
-      const auto corner = corners_in_space(mesh.halfedge(f), mesh, m_corners);
+    for(Face_index f : mesh.faces())
       for(const Resting_points::Point& p : surface.points().in_face(f))
-        m_points[p.number] = CGAL::barycenter(corner[0], p.coordinates[0], corner[1],
-                                              p.coordinates[1], corner[2], p.coordinates[2]);
-    }
-    triangulate();
+        all[p.number] = position_in_face(f, mesh, p.coordinates, positions);
+    m_points.clear();
+    for(const Precise_vector& p : all)
+      m_points.push_back(rounded(p));
+    triangulate(all);
     certify(surface);
   }
+
+  static Precise_vector position_in_face(Face_index f, const Delta_complex& mesh,
+                                         const std::array<double, 3>& coordinates,
+                                         const std::vector<Precise_vector>& positions)
+  {
+    Precise_vector sum{0, 0, 0};
+    Double_double all = 0;
+    for(std::size_t c = 0; c < 3; ++c) {
+      sum = sum + Double_double(coordinates[c]) * positions[mesh.source(sides(f, mesh)[c]).idx()];
+      all += coordinates[c];
+    }
+    return (1 / all) * sum;
+  }
+
+  static Point rounded(const Precise_vector& p) { return {p.x.high(), p.y.high(), p.z.high()}; }
 
   static void center(std::vector<Precise_vector>& positions)
   {
@@ -245,15 +264,24 @@ private:
     return height <= flat_height * size;
   }
 
-  // Flips T2 such that its edges are edges of the polyhedron, or lie in its faces.
-  void triangulate()
+  // Flips T2 such that its edges are edges of the polyhedron, or lie in its faces. In thin
+  // polyhedra, many digits of squared distances determine edges.
+  void triangulate(const std::vector<Precise_vector>& positions)
+  {
+    const bool is_polygon = m_kind == Polyhedron_kind::polygon;
+    flip_to_edges(positions, is_polygon);
+    if(!is_polygon && !are_edges_accurate(coarse_edge_error))
+      flip_to_edges(positions, true);
+  }
+
+  void flip_to_edges(const std::vector<Precise_vector>& positions, bool has_many_digits)
   {
     const bool is_polygon = m_kind == Polyhedron_kind::polygon;
     const double part = is_polygon ? 1 - Polygon_layout::less_weight : 1;
     const auto weight = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
-      return part * CGAL::squared_distance(m_points[v.idx()], Point(CGAL::ORIGIN));
+      return Double_double(part) * (positions[v.idx()] * positions[v.idx()]);
     });
-    make_weighted_Delaunay(m_tri, weight, parameters::exact_decisions(is_polygon));
+    make_weighted_Delaunay(m_tri, weight, parameters::exact_decisions(has_many_digits));
     if(!is_polygon)
       flip_concave_edges_of_T2();
     m_tri.recompute_lengths();
