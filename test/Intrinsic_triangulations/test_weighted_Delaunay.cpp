@@ -15,6 +15,8 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <Eigen/LU>
 
 namespace Test_weighted_Delaunay {
@@ -91,6 +93,78 @@ TEST(Weighted_Delaunay, is_the_regular_triangulation_of_a_flat_domain)
         hidden_vertices += hidden.size();
       }
   EXPECT_GT(hidden_vertices, 1000);
+}
+
+namespace {
+
+typedef boost::multiprecision::int256_t Big_integer;
+
+// Returns whether no lifted point lies below the plane of the lifted corners of a face. Coordinates
+// and weights are integers.
+bool is_supported(const std::array<Vertex_index, 3>& corner, const std::vector<Point_2>& points,
+                  const std::vector<double>& weights)
+{
+  typedef std::array<Big_integer, 3> Lifted;
+  const auto lifted = [&](std::size_t v) {
+    const Big_integer x(points[v].x()), y(points[v].y());
+    return Lifted{x, y, x * x + y * y - Big_integer(weights[v])};
+  };
+  const Lifted origin = lifted(corner[0].idx());
+  const auto from_origin = [&](std::size_t v) {
+    Lifted p = lifted(v);
+    for(std::size_t c = 0; c < 3; ++c)
+      p[c] -= origin[c];
+    return p;
+  };
+  const Lifted u = from_origin(corner[1].idx()), v = from_origin(corner[2].idx());
+  const Lifted normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                      u[0] * v[1] - u[1] * v[0]};
+  EXPECT_GT(normal[2], 0);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(const Lifted p = from_origin(i); normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] < 0)
+      return false;
+  return true;
+}
+
+} // namespace
+
+// Integers decide about each face and each vertex. The greater weights hide vertices, and ties are
+// frequent if there are few values of weights.
+TEST(Weighted_Delaunay, has_no_vertex_below_a_face)
+{
+  CGAL::Random random(14);
+  std::size_t faces = 0, hidden = 0;
+  for(std::size_t n : {10, 50, 200, 500})
+    for(double size : {30., 1e6})
+      for(double range : {1e-12, 1e-3, 0.3, 3.}) {
+        std::set<Point_2> distinct;
+        while(distinct.size() < n)
+          distinct.emplace(std::round(random.get_double(-size, size)),
+                           std::round(random.get_double(-size, size)));
+        const std::vector<Point_2> points(distinct.begin(), distinct.end());
+        std::vector<double> weights;
+        for(double w : random_numbers(n, -range * size * size / double(n),
+                                      range * size * size / double(n), random))
+          weights.push_back(std::round(w));
+        Triangulation t(planar_mesh(points));
+        flip_at_random(t, n, random);
+        const auto result = IT::make_weighted_Delaunay(t, map_of(weights));
+        const std::set<Vertex_index> left_out(result.hidden_vertices.begin(),
+                                              result.hidden_vertices.end());
+        for(Face_index f : t.mesh().faces()) {
+          std::array<Vertex_index, 3> corner;
+          for(std::size_t s = 0; s < 3; ++s)
+            corner[s] = t.mesh().source(IT::sides(f, t.mesh())[s]);
+          if(std::none_of(corner.begin(), corner.end(),
+                          [&](Vertex_index v) { return left_out.count(v) > 0; })) {
+            EXPECT_TRUE(is_supported(corner, points, weights)) << n << ' ' << size << ' ' << range;
+            ++faces;
+          }
+        }
+        hidden += left_out.size();
+      }
+  EXPECT_GT(faces, 6000u);
+  EXPECT_GT(hidden, 100u);
 }
 
 namespace {

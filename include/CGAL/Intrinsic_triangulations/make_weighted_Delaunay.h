@@ -169,9 +169,9 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
 /// The stored lengths decide, with the one-sided tolerance of `Is_locally_weighted_Delaunay`. If
 /// there were more flips than edges, lengths are recomputed from \f$T_1\f$. With
 /// `exact_decisions`, lengths and weights with 155 decimal digits decide, computed from the exact
-/// surface and from all digits of weights of type `Double_double`. They also decide if rounding prevents the result, or if the faces at a hidden vertex
-/// have so little area that rounding changes its weight. Weights and lengths of the result are
-/// rounded.
+/// surface and from all digits of weights of type `Double_double`. They also decide if rounding
+/// prevents the result, or if rounding changes the weight of a hidden vertex because its faces have
+/// little area. Weights and lengths of the result are rounded.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` for Euclidean triangles
 /// \tparam WeightMap a model of `ReadablePropertyMap` with key type `Vertex_index` and a value type
