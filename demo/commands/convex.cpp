@@ -14,6 +14,7 @@
 
 #include <CGAL/Intrinsic_triangulations/convex_polyhedron.h>
 #include <CGAL/Intrinsic_triangulations/glue_boundary.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <array>
@@ -166,6 +167,9 @@ int convex(const Common_options& common, const Convex_options& options)
   run.timed("build", [&] {
     if(!options.sides.empty())
       net = glued(run, options.sides);
+    else if(!CGAL::is_closed(run.input().mesh))
+      throw Program_error(common.input +
+                          ": has a boundary; if it is a net, --glue names the sides to glue");
   });
   const IT::Convex_polyhedron polyhedron = run.timed("fold", [&] {
     if(net)
