@@ -274,26 +274,12 @@ class Program(unittest.TestCase):
             if result.modulus is not None:
                 self.assertEqual([result.modulus.real, result.modulus.imag], stats["modulus"])
 
-    def test_simplify(self):
-        for V, F in self.each("cube", instead=intrinsic.shapes.icosphere(2)):
-            n = len(V) // 3
-            stats, files, _ = run_program(
-                "simplify", V, F, "--vertices", str(n), "--prolongation", "FOLDER/P.mtx",
-                "--coarse", "FOLDER/coarse.ply", output="out.ply")
-            coarse = intrinsic.simplify(V, F, n)
-            self.assertEqual(coarse.removed, stats["removed"])
-            self.assertEqual(coarse.greatest_cost, stats["greatest_cost"])
-            assert_sparse_equal(coarse.prolongation, files["P.mtx"].tocsc())
-            mesh, written = coarse.coarse_mesh(), files["coarse.ply"]
-            assert_array_equal(mesh.V, written.points)
-            assert_faces_equal(mesh.F, written.faces)
-            assert_array_equal(mesh.input_vertex, written.vertex["input_vertex"])
-
     def test_simplify_options(self):
         """Each option of the program has a parameter."""
         for V, F in self.each("cube", instead=intrinsic.shapes.icosphere(2)):
             n, size = len(V) // 3, float(np.ptp(V))
             for options, given in [
+                ([], {}),
                 (["--weight", "curvature=1", "--weight", "x=0.5"],
                  {"weights": {"curvature": 1, "x": 0.5}, "functions": {"x": V[:, 0]}}),
                 (["--refine", "20"], {"refine": 20}),
