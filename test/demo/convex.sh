@@ -51,7 +51,7 @@ refuses '--subdivision: a net has no positions in space; leave out --glue' \
   convex cross.mesh.off --glue cross.txt --subdivision x.ply -o x.off
 
 # So is what keeps a mesh from being the surface of a convex polyhedron.
-refuses 'has a boundary; if it is a net, --glue' convex cross.mesh.off -o x.off
+refuses 'has a boundary; if it is a net, --glue names the sides to glue' convex cross.mesh.off -o x.off
 off saddle '0 0 0,2 0 0,2 1 0,1 1 0,1 2 0,0 2 0,0 0 1,2 0 1,2 1 1,1 1 1,1 2 1,0 2 1' \
   '6 7 8 9 10 11,5 4 3 2 1 0,0 1 7 6,1 2 8 7,2 3 9 8,3 4 10 9,4 5 11 10,5 0 6 11'
 refuses 'negative curvature' convex saddle.mesh.off -o x.off
