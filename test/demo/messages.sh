@@ -136,6 +136,7 @@ done
 
 # and each.
 calls <<'TABLE'
+2 | flat.mesh.ply: has a boundary; if it is a net, --glue names the sides to glue | convex flat.mesh.ply -o a.off
 2 | no such file | info nothing.mesh.off
 2 | is a directory | info folder.off
 2 | line 3 cannot be understood: 'zero' is not a number | info number.mesh.off
