@@ -103,9 +103,8 @@ def distance(
         A vertex, vertices, or points as faces and barycentric coordinates.
     method : "auto", "exact" or "heat"
         "exact" gives the lengths of shortest paths, up to rounding. "heat" is faster on large
-        meshes and has errors of some percent; an `AccuracyWarning` is given if the estimated error
-        is large. "auto" is exact if that is expected to take less
-        than two seconds.
+        meshes and has errors of some percent. If they are estimated to be large, it gives an
+        `AccuracyWarning`. "auto" is exact if that is expected to take less than two seconds.
     curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
         One or more polylines, as of `signed_distance()`. All their points are sources, too.
     time_step_factor : float
@@ -193,8 +192,9 @@ def _measured(
     result = computed_on(*mesh, compute, check_progress(progress))
     error = (result.relative_error or {}).get("ninety_percent", 0)
     if not error <= _GREATEST_SILENT_ERROR:
-        warnings.warn(f"a tenth of the distances by heat are wrong by {100 * error:.2g} % or more; "
-                      "exact distances have none of these errors", AccuracyWarning, stacklevel=level_of_caller())
+        warnings.warn(
+            f"a tenth of the distances by heat are wrong by {100 * error:.2g} % or more; exact "
+            "distances have none of these errors", AccuracyWarning, stacklevel=level_of_caller())
     return result if is_full else result.values
 
 

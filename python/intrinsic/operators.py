@@ -212,4 +212,5 @@ def soup_of(
         raise error
     mollification(mollify)
     check_progress(progress)
-    return len(points), attempt(mollify, lambda slack: _core.Soup(points, faces, number, slack, progress))
+    return len(points), attempt(
+        mollify, lambda slack: _core.Soup(points, faces, number, slack, progress))
