@@ -297,8 +297,33 @@ private:
   Delta_complex::Property_map<Vertex_index, Vertex_index> m_vertex;   // of inserted vertices
 };
 
+// Returns the lengths of a level. Rounding can make a side longer than both other sides of its face
+// together. Such a side gets the length of both, if this changes it by a rounding error.
+inline std::vector<double> lengths_of_triangles(const Surface_level& level)
+{
+  constexpr int most_rounds = 100; // a side that gets shorter can be too short for its other face
+  const Delta_complex& mesh = level.mesh();
+  std::vector<double> result;
+  for(Edge_index e : mesh.edges())
+    result.push_back(get(level.length_map(), e));
+  const auto length = [&](Halfedge_index h) -> double& { return result[Edge_index(h).idx()]; };
+  bool has_changed = true;
+  for(int round = 0; has_changed && round < most_rounds; ++round) {
+    has_changed = false;
+    for(Face_index f : mesh.faces())
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh)) {
+        const double others = length(mesh.next(h)) + length(mesh.prev(h));
+        if(length(h) > others && length(h) - others <= length_rounding * length(h)) {
+          length(h) = others;
+          has_changed = true;
+        }
+      }
+  }
+  return result;
+}
+
 // Returns an intrinsic triangulation that is a level of a surface, with its constraints.
-// \throws Numerical_error if a triangle inequality fails: lengths of levels are rounded
+// \throws Numerical_error if a triangle inequality fails by more than rounding
 inline Evolving_surface::Triangulation constrained_triangulation(const Surface_level& level,
                                                                  const Intrinsic_surface& surface)
 {
@@ -307,10 +332,12 @@ inline Evolving_surface::Triangulation constrained_triangulation(const Surface_l
     is_constrained.push_back(surface.is_constrained(e) ? 1 : 0);
   const auto map = boost::make_function_property_map<Edge_index>(
     [&](Edge_index e) { return is_constrained[e] != 0; });
+  const std::vector<double> length = lengths_of_triangles(level);
   try {
-    return Evolving_surface::Triangulation(
-      level.mesh(), Intrinsic_triangulations::parameters::edge_length_map(level.length_map())
-                      .edge_is_constrained_map(map));
+    return Evolving_surface::Triangulation(level.mesh(),
+                                           Intrinsic_triangulations::parameters::edge_length_map(
+                                             Surface_level::Length_map(length.data()))
+                                             .edge_is_constrained_map(map));
   } catch(const Intrinsic_triangulations::Invalid_input& e) {
     throw Intrinsic_triangulations::Numerical_error(e.what());
   }

@@ -52,6 +52,10 @@ constexpr double greatest_squared_tangent = 0.0036;
 // absolute values. Each entry is a sum of about ten numbers.
 constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 
+// Lengths that follow from others by flips and scalings have at most this relative rounding error
+// in triangle inequalities.
+constexpr double length_rounding = 1e-12;
+
 // The sum of the areas of the pieces of a face differs from the area of the face by at most this
 // value. Each area has the rounding error of a product of one matrix for each operation. Slivers
 // lose half of all digits.
