@@ -105,11 +105,7 @@ public:
 
   Location on_fine(const Location& p) const
   {
-    if(!m_split)
-      return p;
-    if(!m_correspondence)
-      m_correspondence.emplace(*m_split);
-    return IT::point_across(*m_correspondence, IT::Side::input, p);
+    return m_split ? IT::point_across(*m_correspondence, IT::Side::input, p) : p;
   }
 
   // Returns the point of the input, or no face for a point in a disk.
@@ -140,6 +136,7 @@ private:
     start.collect_garbage();
     start = IT::input_with_inserted_vertices(start);
     m_split = start;
+    m_correspondence.emplace(*m_split); // now, because threads may share this object
   }
 
   void simplify_topology(Triangulation& start)
@@ -200,7 +197,7 @@ private:
   std::optional<IS::Surface_map> m_map;    // from the first to the last level
   std::size_t m_removed = 0, m_closed_loops = 0, m_pinched_handles = 0;
   double m_greatest_cost = 0;
-  mutable std::optional<IT::Correspondence<>> m_correspondence; // of `m_split`
+  std::optional<IT::Correspondence<>> m_correspondence; // of `m_split`
 };
 
 // Returns the vertices of the input on each level, from the first coarse one on; -1 for others.
