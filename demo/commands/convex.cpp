@@ -130,6 +130,17 @@ IT::Glued_surface glued(Command_run& run, const std::string& path)
   return result;
 }
 
+// Returns the surface of the net, or nothing if the mesh is closed.
+std::optional<IT::Glued_surface> net_of(Command_run& run, const Convex_options& options)
+{
+  if(!options.sides.empty())
+    return glued(run, options.sides);
+  if(!CGAL::is_closed(run.input().mesh))
+    throw Program_error(run.options().input +
+                        ": has a boundary; if it is a net, --glue names the sides to glue");
+  return std::nullopt;
+}
+
 // Returns the common subdivision on the polyhedron, with the positions of its vertices on the
 // input.
 Output_mesh subdivision_on(const IT::Convex_polyhedron& polyhedron, const Subdivision& subdivision)
@@ -163,14 +174,7 @@ int convex(const Common_options& common, const Convex_options& options)
       : std::optional<Mesh_format>(output_format(options.subdivision, options));
   Command_run run("convex", common, {options.output, options.subdivision});
   run.plan({{"build", "fold"}, subdivision_format ? subdivision_stages : Stages{}});
-  std::optional<IT::Glued_surface> net;
-  run.timed("build", [&] {
-    if(!options.sides.empty())
-      net = glued(run, options.sides);
-    else if(!CGAL::is_closed(run.input().mesh))
-      throw Program_error(common.input +
-                          ": has a boundary; if it is a net, --glue names the sides to glue");
-  });
+  std::optional<IT::Glued_surface> net = run.timed("build", [&] { return net_of(run, options); });
   const IT::Convex_polyhedron polyhedron = run.timed("fold", [&] {
     if(net)
       return polyhedron_of(

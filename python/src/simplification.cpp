@@ -62,24 +62,24 @@ class Bound_simplification
 public:
   Bound_simplification(Shared_surface surface, const Simplification_options& options,
                        double mollification, Watch& watch)
-    : m_surface(std::move(surface)), m_options(options)
+    : m_surface(std::move(surface))
   {
     Triangulation start = triangulation_of(*m_surface, mollification);
-    if(m_options.fine_angle > 0)
-      split(start, watch);
+    if(options.fine_angle > 0)
+      split(start, options, watch);
     m_vertices.emplace(m_surface->mesh.number_of_vertices(), m_split ? &*m_split : nullptr);
-    if(m_options.closed_length > 0 || m_options.pinched_length > 0)
-      simplify_topology(start);
+    if(options.closed_length > 0 || options.pinched_length > 0)
+      simplify_topology(start, options);
     m_evolving.emplace(start);
     m_levels.emplace_back(*m_evolving);
-    if(m_options.is_exact)
+    if(options.is_exact)
       m_evolving->make_exactly_Delaunay(start);
-    else if(m_split || !m_options.functions.empty()) // thin faces are no measure
+    else if(m_split || !options.functions.empty()) // thin faces are no measure
       m_evolving->make_Delaunay();
     watch.start_stage("simplify");
-    simplify(watch);
-    if(m_options.coarse_angle > 0)
-      refine_coarse(watch);
+    simplify(options, watch);
+    if(options.coarse_angle > 0)
+      refine_coarse(options, watch);
     m_map.emplace(*m_evolving, fine(), coarse());
   }
 
@@ -125,48 +125,49 @@ public:
 
 private:
   // Refines the input, and splits its faces at the inserted vertices.
-  void split(Triangulation& start, Watch& watch)
+  void split(Triangulation& start, const Simplification_options& options, Watch& watch)
   {
     watch.start_stage("refine");
-    const auto np = IT::parameters::exact_decisions(m_options.is_exact).visitor(std::ref(watch));
+    const auto np = IT::parameters::exact_decisions(options.is_exact).visitor(std::ref(watch));
     IT::make_Delaunay(start, np);
-    const std::size_t limit = m_options.maximum_number_of_insertions.value_or(
-      IT::default_maximum_number_of_insertions(start, m_options.fine_angle, no_radius));
-    IT::refine(start, np.minimum_angle(m_options.fine_angle).maximum_number_of_insertions(limit));
+    const std::size_t limit = options.maximum_number_of_insertions.value_or(
+      IT::default_maximum_number_of_insertions(start, options.fine_angle, no_radius));
+    IT::refine(start, np.minimum_angle(options.fine_angle).maximum_number_of_insertions(limit));
     start.collect_garbage();
     start = IT::input_with_inserted_vertices(start);
     m_split = start;
     m_correspondence.emplace(*m_split); // now, because threads may share this object
   }
 
-  void simplify_topology(Triangulation& start)
+  void simplify_topology(Triangulation& start, const Simplification_options& options)
   {
     IS::Surface_surgery surgery(start);
-    if(m_options.closed_length > 0)
-      m_closed_loops = IS::close_boundary_loops(surgery, m_options.closed_length);
-    if(m_options.pinched_length > 0)
-      m_pinched_handles = IS::pinch_handles(surgery, m_options.pinched_length);
+    if(options.closed_length > 0)
+      m_closed_loops = IS::close_boundary_loops(surgery, options.closed_length);
+    if(options.pinched_length > 0)
+      m_pinched_handles = IS::pinch_handles(surgery, options.pinched_length);
     m_vertices->add(surgery);
     start = surgery.triangulation();
   }
 
-  IS::Transport_cost cost()
+  IS::Transport_cost cost(const Simplification_options& options) const
   {
-    if(!m_options.weights)
+    if(!options.weights)
       return IS::default_cost(*m_evolving);
-    for(auto& [name, components] : m_options.functions)
+    Named_functions functions = options.functions;
+    for(auto& [name, components] : functions)
       for(std::vector<double>& values : components)
         m_vertices->extend(values, 0.);
-    return weighted_cost(*m_evolving, *m_options.weights, m_options.functions);
+    return weighted_cost(*m_evolving, *options.weights, functions);
   }
 
-  void simplify(Watch& watch)
+  void simplify(const Simplification_options& options, Watch& watch)
   {
-    IS::Transport_cost transport_cost = cost();
-    for(const std::size_t size : m_options.sizes) {
+    IS::Transport_cost transport_cost = cost(options);
+    for(const std::size_t size : options.sizes) {
       const IS::Simplification_result result = IS::simplify(*m_evolving, transport_cost,
                                                             IS::parameters::number_of_vertices(size)
-                                                              .maximum_cost(m_options.maximum_cost)
+                                                              .maximum_cost(options.maximum_cost)
                                                               .visitor(std::ref(watch)));
       m_removed += result.removed;
       m_greatest_cost = (std::max)(m_greatest_cost, result.greatest_cost);
@@ -174,13 +175,13 @@ private:
     }
   }
 
-  void refine_coarse(Watch& watch)
+  void refine_coarse(const Simplification_options& options, Watch& watch)
   {
     watch.start_stage("refine");
     const std::size_t limit =
-      m_options.maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
-        m_evolving->mesh().number_of_faces(), m_options.coarse_angle, no_radius));
-    IS::refine(*m_evolving, IS::parameters::minimum_angle(m_options.coarse_angle)
+      options.maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
+        m_evolving->mesh().number_of_faces(), options.coarse_angle, no_radius));
+    IS::refine(*m_evolving, IS::parameters::minimum_angle(options.coarse_angle)
                               .maximum_number_of_insertions(limit)
                               .visitor(std::ref(watch)));
     m_levels.back() = IS::Surface_level(*m_evolving);
@@ -189,7 +190,6 @@ private:
   static constexpr double no_radius = std::numeric_limits<double>::infinity();
 
   Shared_surface m_surface;
-  Simplification_options m_options;
   std::optional<Triangulation> m_split; // the input, and its faces split by inserted vertices
   std::optional<Fine_vertices> m_vertices;
   std::optional<IS::Evolving_surface> m_evolving;
