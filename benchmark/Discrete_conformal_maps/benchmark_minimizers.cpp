@@ -9,6 +9,7 @@
 #include "stages.h"
 
 #include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "../Intrinsic_triangulations/hard_meshes.h"
 #include "../Intrinsic_triangulations/known_surfaces.h"
+#include "../Intrinsic_triangulations/more_generators.h"
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
@@ -672,6 +673,34 @@ TEST(Map_to_sphere, isolated_vertices_are_carried_along)
         EXPECT_EQ(map.log_scale(v), 0);
       }
   }
+}
+
+// After flips, loops at one vertex can bound most of the area. Half of the mass at one vertex leaves
+// no center.
+TEST(Map_to_sphere, one_vertex_has_most_of_the_area)
+{
+  const Mesh m = make_mesh({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
+  CGAL::Random random(7);
+  int loops = 0;
+  for(int trial = 0; trial < 40; ++trial) {
+    const Triangulation t = with_random_flips(m, random);
+    std::vector<double> length;
+    for(Edge_index e : t.mesh().edges()) {
+      length.push_back(t.length(e));
+      loops += t.mesh().vertex(e, 0) == t.mesh().vertex(e, 1);
+    }
+    const Spherical_conformal_map map = DCM::map_to_sphere(
+      t.mesh(), DCM::parameters::edge_length_map(boost::make_iterator_property_map(
+                  length.begin(), get(boost::edge_index, t.mesh()))));
+    check_map(map);
+    const auto chord = [&](unsigned v, unsigned w) {
+      return distance(map.position(Vertex_index(v)), map.position(Vertex_index(w)));
+    };
+    EXPECT_NEAR(cross_ratio({0, 1, 2, 3}, chord), 1, 1e-12);
+    EXPECT_NEAR(cross_ratio({0, 2, 1, 3}, chord), 1, 1e-12);
+  }
+  EXPECT_GT(loops, 20);
 }
 
 TEST(Map_to_sphere, same_input_gives_same_bits)

@@ -77,8 +77,9 @@ private:
 ///   \f$T_2\f$. Its faces form a convex polyhedron with vertices on the unit sphere and with
 ///   lengths \f$e^{(u_i+u_j)/2}\ell_{ij}\f$, which is unique up to Moebius transformations. The
 ///   center of mass of the vertices is the center of the sphere, so the polyhedron is unique up to
-///   rotations. The mass of a vertex is a third of the area of its faces in the input. The vertex
-///   from which the sphere was unfolded has the position (0, 0, -1).
+///   rotations. The mass of a vertex is a third of the area of its faces in the input. If loops
+///   give one vertex more than 45 percent of the mass, the same mass is added to all vertices until
+///   it has 45 percent. The vertex from which the sphere was unfolded has the position (0, 0, -1).
 ///
 /// The image of a disk is the upper hemisphere, and its boundary is the equator. A vertex of the
 /// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the image

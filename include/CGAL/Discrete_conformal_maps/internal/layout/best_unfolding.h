@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_masses.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>

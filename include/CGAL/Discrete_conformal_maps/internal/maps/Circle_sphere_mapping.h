@@ -13,7 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/circles/Circles_on_sphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_masses.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
@@ -41,7 +41,7 @@ public:
     : m_problem(problem),
       m_without_circles(without_circles),
       m_visitor(visitor),
-      m_mass(vertex_areas(problem)),
+      m_mass(vertex_masses(problem)),
       m_builder(problem)
   {
     m_builder.set_geometry(Image_geometry::spherical);

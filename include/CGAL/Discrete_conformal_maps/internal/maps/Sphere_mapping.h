@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_masses.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Circle_sphere_mapping.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_parameters.h>
@@ -52,7 +52,7 @@ class Sphere_mapping
 {
 public:
   Sphere_mapping(Doubled_problem& problem, Any_visitor& visitor)
-    : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas(problem)), m_builder(problem)
+    : m_problem(problem), m_visitor(visitor), m_mass(vertex_masses(problem)), m_builder(problem)
   {
     check_sphere(problem);
   }

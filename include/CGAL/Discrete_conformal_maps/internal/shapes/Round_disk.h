@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/vertex_masses.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
@@ -115,10 +115,10 @@ std::optional<Round_polygon> round_polygon(Doubled_problem& problem,
                                            const std::vector<Vertex_index>& boundary)
 {
   return unless_numbers_fail([&]() -> std::optional<Round_polygon> {
-    const std::vector<double> area = vertex_areas(problem);
+    const std::vector<double> mass = vertex_masses(problem);
     Default_flattening_visitor silent;
     Any_visitor visitor = Any_visitor::of(silent);
-    const Inscribed_polygon<FT> polygon(problem, area, vertices_at_infinity(problem, area).front(),
+    const Inscribed_polygon<FT> polygon(problem, mass, vertices_at_infinity(problem, mass).front(),
                                         visitor);
     if(!polygon.result().is_good(tolerance::cross_ratio))
       return std::nullopt;
@@ -161,9 +161,9 @@ inline std::optional<Round_disk> round_hemisphere(Doubled_problem& problem,
                                                   Any_visitor& visitor)
 {
   return unless_numbers_fail([&]() -> std::optional<Round_disk> {
-    const std::vector<double> area = vertex_areas(problem);
+    const std::vector<double> mass = vertex_masses(problem);
     const Unfolded_sphere half_plane =
-      Sphere_unfolding(problem, area, vertices_at_infinity(problem, area).front()).run(visitor);
+      Sphere_unfolding(problem, mass, vertices_at_infinity(problem, mass).front()).run(visitor);
     if(!half_plane.layout.exists)
       return std::nullopt;
     auto arcs = half_arcs(half_plane.layout, boundary);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_AREAS_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_AREAS_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_MASSES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_MASSES_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
@@ -18,8 +18,31 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Returns, for each vertex of the surface, a third of the total area of its faces in the double.
-inline std::vector<double> vertex_areas(const Doubled_problem& problem)
+// Gives the same additional mass to all vertices until no vertex has more than `greatest_share` of the
+// total mass of the double: a center of mass exists if every share is less than a half. Only
+// triangulations with loops have such vertices.
+inline void limit_shares(std::vector<double>& mass, const Doubled_problem& problem)
+{
+  constexpr double greatest_share = 0.45;
+  double total = 0, points = 0;
+  for(Vertex_index v : problem.surface().vertices())
+    if(!problem.surface().is_isolated(v)) {
+      total += problem.number_of_copies(v.idx()) * mass[v.idx()];
+      points += problem.number_of_copies(v.idx());
+    }
+  const double greatest = *std::max_element(mass.begin(), mass.end());
+  const double excess = greatest - greatest_share * total;
+  if(!(excess > 0))
+    return;
+  const double addition = excess / (greatest_share * points - 1);
+  for(Vertex_index v : problem.surface().vertices())
+    if(!problem.surface().is_isolated(v))
+      mass[v.idx()] += addition;
+}
+
+// Returns the mass of each vertex of the surface: a third of the total area of its faces in the
+// double, and an addition if `limit_shares()` needs one.
+inline std::vector<double> vertex_masses(const Doubled_problem& problem)
 {
   const auto& triangulation = problem.triangulation();
   const Delta_complex& mesh = problem.surface();
@@ -35,14 +58,15 @@ inline std::vector<double> vertex_areas(const Doubled_problem& problem)
     for(Halfedge_index h : side)
       result[mesh.target(h).idx()] += area / (3 * problem.part(mesh.target(h).idx()));
   }
+  limit_shares(result, problem);
   return result;
 }
 
-// Returns candidates for the vertex at infinity, the best one first. Vertices with large areas are
+// Returns candidates for the vertex at infinity, the best one first. Vertices with large masses are
 // the best ones, because all other vertices are visible from them. If the surface has a boundary,
 // only boundary vertices are candidates.
 inline std::vector<Vertex_index> vertices_at_infinity(const Doubled_problem& problem,
-                                                      const std::vector<double>& area)
+                                                      const std::vector<double>& mass)
 {
   std::vector<Vertex_index> all, on_boundary;
   for(Vertex_index v : problem.surface().vertices()) {
@@ -53,7 +77,7 @@ inline std::vector<Vertex_index> vertices_at_infinity(const Doubled_problem& pro
   }
   std::vector<Vertex_index>& result = on_boundary.empty() ? all : on_boundary;
   std::stable_sort(result.begin(), result.end(),
-                   [&](Vertex_index v, Vertex_index w) { return area[v.idx()] > area[w.idx()]; });
+                   [&](Vertex_index v, Vertex_index w) { return mass[v.idx()] > mass[w.idx()]; });
   return result;
 }
 
@@ -68,4 +92,4 @@ inline bool has_vertices_inside(const Doubled_problem& problem)
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_AREAS_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_VERTEX_MASSES_H
