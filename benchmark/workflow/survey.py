@@ -28,25 +28,22 @@ COLUMNS = ["surfaces", "maps", "found", "crowded", "failed", "too slow", "contra
            "median steps", "most steps", "curvature error", "cross-ratio error", "seconds"]
 
 
-def boundary(path):
-    """Returns Euler characteristic, points, and sides of the boundary of a mesh in the format OFF."""
+def read(path):
+    """Returns points and faces of a mesh in the format OFF."""
     numbers = path.read_text().split()[1:]
     vertices, faces = int(numbers[0]), int(numbers[1])
     coordinates = list(map(float, numbers[3:3 + 3 * vertices]))
     corners = list(map(int, numbers[3 + 3 * vertices:]))
-    sides = set()
-    for i in range(0, 4 * faces, 4):
-        a, b, c = corners[i + 1:i + 4]
-        sides |= {(a, b), (b, c), (c, a)}
-    border = sorted((a, b) for b, a in sides if (a, b) not in sides)
-    points = [tuple(coordinates[i:i + 3]) for i in range(0, 3 * vertices, 3)]
-    return vertices - (len(sides) + len(border)) // 2 + faces, points, border
+    return ([tuple(coordinates[i:i + 3]) for i in range(0, 3 * vertices, 3)],
+            [corners[i + 1:i + 4] for i in range(0, 4 * faces, 4)])
 
 
 def topology(path):
     """Returns Euler characteristic and number of boundary loops of a mesh."""
-    characteristic, _, sides = boundary(path)
-    border = dict(sides)
+    points, faces = read(path)
+    sides = {side for a, b, c in faces for side in ((a, b), (b, c), (c, a))}
+    border = {b: a for a, b in sides if (b, a) not in sides}
+    characteristic = len(points) - (len(sides) + len(border)) // 2 + len(faces)
     loops = 0
     while border:
         loops += 1
@@ -65,35 +62,35 @@ def suitable_calls(path):
 
 
 def distance_to_segment(p, q, r):
-    """Returns the distance of a point p from the segment between q and r."""
+    """Returns the distance of a point p from the segment between q and r, or zero if rounding exceeds it."""
     along, from_q = [[b - a for a, b in zip(q, x)] for x in (r, p)]
     t = sum(a * b for a, b in zip(along, from_q)) / sum(a * a for a in along)
-    return math.dist(from_q, [min(max(t, 0), 1) * a for a in along])
+    rounding = 1e-14 * (math.hypot(*from_q) + math.hypot(*along))
+    return max(0, math.dist(from_q, [min(max(t, 0), 1) * a for a in along]) - rounding)
 
 
-def random_radii(points, sides):
-    """Returns radii of circles that do not meet, nor cross the sides of the boundary: random parts of distances in
-    space, which are no longer than on the surface. Circles of the boundary must not cross its other sides either."""
+def random_radii(points, faces):
+    """Returns radii of circles that do not meet: random parts of distances in space, which are no longer than on the
+    surface. Each circle lies in the faces around its vertex. So it does not meet itself on a thin surface, and does
+    not cross other sides of the boundary."""
     rng = random.Random(len(points))
     order = sorted(range(len(points)), key=lambda v: points[v])
-    result = [0.0] * len(points)
+    least = [math.inf] * len(points)
+    for face in faces:
+        for k, v in enumerate(face):
+            least[v] = min(least[v], distance_to_segment(points[v], points[face[k - 1]], points[face[k - 2]]))
     for i, v in enumerate(order):
-        least = math.inf
         for step in (-1, 1):
             k = i + step
-            while 0 <= k < len(order) and abs(points[order[k]][0] - points[v][0]) < least:
-                least = min(least, math.dist(points[order[k]], points[v]))
+            while 0 <= k < len(order) and abs(points[order[k]][0] - points[v][0]) < 2 * least[v]:
+                least[v] = min(least[v], math.dist(points[order[k]], points[v]) / 2)
                 k += step
-        least /= 2
-        least = min([least, *(distance_to_segment(points[v], points[a], points[b]) for a, b in sides if v not in (a, b))])
-        result[v] = least * rng.uniform(0, 0.99)
-    return result
+    return [distance * rng.uniform(0, 0.99) for distance in least]
 
 
 def write_radii(path, file):
     """Writes random radii for the vertices of a mesh."""
-    points, sides = boundary(path)[1:]
-    file.write_text("".join(f"{v} {r!r}\n" for v, r in enumerate(random_radii(points, sides))))
+    file.write_text("".join(f"{v} {r!r}\n" for v, r in enumerate(random_radii(*read(path)))))
 
 
 def is_within(error, bound):
