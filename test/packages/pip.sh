@@ -3,7 +3,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# pip.sh: installs the package for Python by the two lines of the README, and runs the example of the
+# pip.sh: installs the package for Python by the commands of the README, and runs the example of the
 # README. Then installs it again without build isolation. Is meant for a bare system, run as root:
 #   scripts/check_release.sh trixie test/packages/pip.sh
 set -euo pipefail
