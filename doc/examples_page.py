@@ -22,7 +22,7 @@ MOST_LINES = 4
 INTRODUCTION = """/*!
 \\page Chapter_Examples_PACKAGE Examples
 
-Without the name of a mesh, programs read CGAL's. Their output is in
+Without the name of a mesh, programs read a mesh of CGAL's data. Their output is in
 `examples/PACKAGE/printed.txt`.
 
 | program | what it does |
