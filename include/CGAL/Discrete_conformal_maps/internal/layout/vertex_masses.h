@@ -18,9 +18,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Gives the same additional mass to all vertices until no vertex has more than `greatest_share` of the
-// total mass of the double: a center of mass exists if every share is less than a half. Only
-// triangulations with loops have such vertices.
+// Limits the shares of vertices of the total mass of the double. A center of mass exists if every
+// share is less than a half. Loops of the triangulation can give one vertex more. Then all masses
+// increase by the same number, so that this vertex has `greatest_share`.
 inline void limit_shares(std::vector<double>& mass, const Doubled_problem& problem)
 {
   constexpr double greatest_share = 0.45;
@@ -40,8 +40,8 @@ inline void limit_shares(std::vector<double>& mass, const Doubled_problem& probl
       mass[v.idx()] += addition;
 }
 
-// Returns the mass of each vertex of the surface: a third of the total area of its faces in the
-// double, and an addition if `limit_shares()` needs one.
+// Returns the mass of each vertex of the surface. It is a third of the total area of its faces in
+// the double, before `limit_shares()`.
 inline std::vector<double> vertex_masses(const Doubled_problem& problem)
 {
   const auto& triangulation = problem.triangulation();
