@@ -4,7 +4,7 @@
 
 #include "commands/kept_edges.h"
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <vector>
@@ -25,7 +25,7 @@ Vector normal(Mesh::Halfedge_index h, const Mesh& mesh)
 double angle_in_degrees(const Vector& a, const Vector& b)
 {
   const double sine = std::sqrt(CGAL::cross_product(a, b).squared_length());
-  return std::atan2(sine, a * b) * 180 / boost::math::constants::pi<double>();
+  return std::atan2(sine, a * b) * 180 / CGAL_PI;
 }
 
 // Returns the numbers of the coordinates at the sources of halfedges.

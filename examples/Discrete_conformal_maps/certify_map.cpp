@@ -32,6 +32,10 @@ int main(int argc, char* argv[])
     return 1;
 
   const DCM::Planar_conformal_map map = DCM::flatten(mesh);
+  if(map.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(map.status()) << '\n';
+    return 1;
+  }
   const DCM::Map_certificate certificate = DCM::certify(map);
 
   print("T2", certificate.on_B);

@@ -42,6 +42,10 @@ int main(int argc, char* argv[])
     return 1;
 
   const DCM::Planar_conformal_map map = DCM::flatten(mesh);
+  if(map.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(map.status()) << '\n';
+    return 1;
+  }
 
   std::cout << map.cones().size() << " cones; " << map.minimization().iterations
             << " steps of Newton's method; no other vertex has a curvature above "

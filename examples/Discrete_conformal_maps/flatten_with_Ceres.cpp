@@ -35,6 +35,14 @@ int main(int argc, char* argv[])
   const DCM::Planar_conformal_map newton = DCM::flatten(mesh);
   const DCM::Planar_conformal_map ceres =
     DCM::flatten(mesh, DCM::parameters::minimizer(DCM::Ceres_minimizer()));
+  if(newton.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(newton.status()) << '\n';
+    return 1;
+  }
+  if(ceres.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(ceres.status()) << '\n';
+    return 1;
+  }
   print("Newton", newton);
   print("Ceres", ceres);
 

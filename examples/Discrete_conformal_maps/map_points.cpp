@@ -27,6 +27,10 @@ int main(int argc, char* argv[])
     return 1;
 
   const DCM::Planar_conformal_map map = DCM::flatten(mesh);
+  if(map.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(map.status()) << '\n';
+    return 1;
+  }
 
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   for(int corner = 0; corner < 8; ++corner) {

@@ -25,8 +25,8 @@ int main(int argc, char** argv)
     return 1;
   }
   const DCM::Spherical_conformal_map map = DCM::map_to_sphere(mesh);
-  if(!map.certificate().is_convex()) {
-    std::cerr << map.certificate().concave_edges << " edges are not convex\n";
+  if(map.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(map.status()) << '\n';
     return 1;
   }
   std::cout << "cross ratios are right up to " << DCM::max_cross_ratio_error(map) << '\n'

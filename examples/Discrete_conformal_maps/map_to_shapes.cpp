@@ -29,6 +29,10 @@ int main(int argc, char* argv[])
 
   const std::vector<Mesh::Vertex_index> corners = DCM::rectangle_corners(mesh);
   const DCM::Planar_conformal_map rectangle = DCM::flatten_to_rectangle(mesh, corners);
+  if(rectangle.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(rectangle.status()) << '\n';
+    return 1;
+  }
   const auto place = [&](std::size_t i) {
     return rectangle(PMP::locate_vertex<double>(corners[i], mesh));
   };
@@ -37,6 +41,10 @@ int main(int argc, char* argv[])
             << std::abs(place(3) - place(2)) << " and " << std::abs(place(0) - place(3)) << '\n';
 
   const DCM::Planar_conformal_map disk = DCM::flatten_to_disk(mesh);
+  if(disk.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(disk.status()) << '\n';
+    return 1;
+  }
   const std::complex<double> z = disk(PMP::locate_vertex<double>(corners[0], mesh)),
                              w = disk(PMP::locate_vertex<double>(corners[2], mesh));
   std::cout << "in a disk, opposite corners are " << std::abs(w - z) << " apart\n";

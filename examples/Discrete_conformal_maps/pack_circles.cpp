@@ -25,6 +25,10 @@ int main(int argc, char* argv[])
     return 1;
 
   const DCM::Circle_packing packing = DCM::pack_circles(mesh);
+  if(packing.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(packing.status()) << '\n';
+    return 1;
+  }
   double least = CGAL_PI, greatest = 0;
   for(Mesh::Vertex_index v : mesh.vertices()) {
     const double angle = packing.spherical_circle(v).angle;

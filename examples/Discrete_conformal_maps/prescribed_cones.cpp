@@ -32,6 +32,10 @@ int main(int argc, char* argv[])
 
   const DCM::Planar_conformal_map map =
     DCM::flatten(mesh, DCM::parameters::vertex_condition_map(condition));
+  if(map.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(map.status()) << '\n';
+    return 1;
+  }
 
   double least = 0, greatest = 0;
   for(Mesh::Vertex_index v : mesh.vertices()) {

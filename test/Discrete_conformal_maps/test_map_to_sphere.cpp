@@ -675,8 +675,8 @@ TEST(Map_to_sphere, isolated_vertices_are_carried_along)
   }
 }
 
-// After flips, loops at one vertex can bound most of the area. Half of the mass at one vertex leaves
-// no center.
+// After flips, loops at one vertex can bound most of the area. Half of the mass at one vertex
+// leaves no center.
 TEST(Map_to_sphere, one_vertex_has_most_of_the_area)
 {
   const Mesh m = make_mesh({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},

@@ -64,7 +64,7 @@ public:
   Long long_value() const { return m_long ? *m_long : Long(m_short); }
 
   /// returns the number, rounded.
-  explicit operator double() const { return m_long ? m_long->convert_to<double>() : m_short; }
+  explicit operator double() const { return m_long ? static_cast<double>(*m_long) : m_short; }
 
 #ifndef DOXYGEN_RUNNING
   friend Multiprecision_float operator+(const Multiprecision_float& x,
@@ -164,7 +164,8 @@ public:
   }
   friend bool isfinite(const Multiprecision_float& x)
   {
-    return x.m_long ? bool((boost::multiprecision::isfinite)(*x.m_long)) : std::isfinite(x.m_short);
+    using std::isfinite;
+    return x.m_long ? bool(isfinite(*x.m_long)) : isfinite(x.m_short);
   }
   friend std::ostream& operator<<(std::ostream& out, const Multiprecision_float& x)
   {

@@ -9,17 +9,23 @@
 
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// the number \f$\pi\f$: `pi<FT>()`.
-using boost::math::constants::pi;
+/// returns the number \f$\pi\f$ with the digits of `FT`.
+template <typename FT>
+constexpr FT pi()
+{
+  if constexpr(std::is_floating_point_v<FT>)
+    return FT(3.14159265358979323846264338327950288L);
+  else
+    return atan2(FT(0), FT(-1));
+}
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// returns the angle at the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`; 0

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 
 #ifdef CGAL_USE_MPFR
-#include <boost/multiprecision/gmp.hpp>
+#include <mpfr.h>
 #endif
 
 #include <algorithm>
@@ -86,8 +86,9 @@ private:
   static Exact_ring positive_integer(Number x)
   {
 #if defined(CGAL_HAS_MPZF) && defined(CGAL_USE_MPFR)
-    const auto z = static_cast<boost::multiprecision::mpz_int>(x);
-    return Exact_ring(Gmpz(z.backend().data()));
+    Gmpz integer;
+    mpfr_get_z(integer.mpz(), x.value(), MPFR_RNDZ);
+    return Exact_ring(integer);
 #else // sums numbers of type `double`
     Exact_ring result = 0;
     while(x != 0) {

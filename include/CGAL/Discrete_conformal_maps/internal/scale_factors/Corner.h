@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ class Angle_difference
 {
 public:
   explicit Angle_difference(const FT& angle)
-    : m_rest(2 * pi() - static_cast<double>(angle)), m_turned{FT(1), FT(0)}
+    : m_rest(2 * CGAL_PI - static_cast<double>(angle)), m_turned{FT(1), FT(0)}
   {
     using std::cos;
     using std::sin;
@@ -101,26 +101,24 @@ public:
 
   void subtract_half_turn()
   {
-    m_rest -= pi();
+    m_rest -= CGAL_PI;
     m_turned = {-m_turned.cosine, -m_turned.sine};
   }
 
   // Adds the excess of pi over the angle.
   void add_supplement(const Corner<FT>& corner, double rounded_angle)
   {
-    m_rest += pi() - rounded_angle;
+    m_rest += CGAL_PI - rounded_angle;
     m_turned = (m_turned * Corner<FT>{-corner.cosine, -corner.sine}).scaled();
   }
 
   double value() const
   {
     const double rest = -m_turned.rounded_angle();
-    return rest + 2 * pi() * std::round((m_rest - rest) / (2 * pi()));
+    return rest + 2 * CGAL_PI * std::round((m_rest - rest) / (2 * CGAL_PI));
   }
 
 private:
-  static double pi() { return boost::math::constants::pi<double>(); }
-
   double m_rest;       // the difference with few digits
   Corner<FT> m_turned; // the sum of all angles, up to full turns
 };
@@ -130,19 +128,20 @@ template <>
 class Angle_difference<double>
 {
 public:
-  explicit Angle_difference(double angle) : m_angle(angle), m_rest(2 * pi()) {}
+  explicit Angle_difference(double angle) : m_angle(angle), m_rest(2 * CGAL_PI) {}
 
   static double rounded_angle(const Corner<double>& corner) { return corner.angle(); }
 
   void subtract(const Corner<double>& /* corner */, double angle) { m_rest -= angle; }
-  void subtract_half_turn() { m_rest -= pi(); }
-  void add_supplement(const Corner<double>& /* corner */, double angle) { m_rest += pi() - angle; }
+  void subtract_half_turn() { m_rest -= CGAL_PI; }
+  void add_supplement(const Corner<double>& /* corner */, double angle)
+  {
+    m_rest += CGAL_PI - angle;
+  }
 
   double value() const { return m_rest - m_angle; }
 
 private:
-  static constexpr double pi() { return boost::math::constants::pi<double>(); }
-
   double m_angle, m_rest;
 };
 

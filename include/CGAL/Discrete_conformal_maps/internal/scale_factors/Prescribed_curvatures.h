@@ -16,8 +16,8 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
+#include <CGAL/number_type_config.h>
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -205,7 +205,7 @@ public:
       if(!m_is_fixed[v])
         sum[m_components[v]] += number_of_copies(v) * m_value[Eigen::Index(v)];
     for(std::size_t c = 0; c < sum.size(); ++c)
-      sum[c] -= 2 * pi() * double(characteristic(c)) * (has_boundary(c) ? 2 : 1);
+      sum[c] -= 2 * CGAL_PI * double(characteristic(c)) * (has_boundary(c) ? 2 : 1);
     return sum;
   }
 
@@ -228,7 +228,7 @@ public:
       return 0;
     return excess > 0 ? 1
                       : static_cast<std::size_t>(
-                          std::floor(-excess / (2 * pi()) + tolerance::curvature_sum)) +
+                          std::floor(-excess / (2 * CGAL_PI) + tolerance::curvature_sum)) +
                           1;
   }
 
@@ -347,7 +347,7 @@ private:
   void check_angles() const
   {
     for(std::size_t v = 0; v < size(); ++v)
-      if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
+      if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * CGAL_PI))
         throw Intrinsic_triangulations::Invalid_input(
           "no angle is left at vertex " + std::to_string(v) +
           ": its curvature must be less than 2 pi, on the boundary less than pi");
@@ -365,8 +365,6 @@ private:
                        : ": a cone inside or other exterior angles can have the difference");
     return text.str();
   }
-
-  static double pi() { return boost::math::constants::pi<double>(); }
 
   Components m_components;
   std::vector<Topological_type> m_topology; // of each component

@@ -10,8 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
+#include <CGAL/number_type_config.h>
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ inline bool falls_without_end(const Doubled_problem& problem, const Eigen::Vecto
 {
   const Delta_complex& mesh = problem.triangulation().mesh();
   const Eigen::VectorXd target = problem.target_defect();
-  const double pi = boost::math::constants::pi<double>();
+  const double pi = CGAL_PI;
   double slope = 0, size = 0;
   const auto add = [&](double x) {
     slope += x;

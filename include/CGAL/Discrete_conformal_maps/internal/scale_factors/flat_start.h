@@ -13,7 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 
@@ -51,7 +51,7 @@ inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index a
     for(Vertex_index v : cones)
       problem.set_condition(v, Vertex_condition::curvature(problem.part(v.idx()) * curvature));
   };
-  prescribe(4 * boost::math::constants::pi<double>() / copies);
+  prescribe(4 * CGAL_PI / copies);
   Scale_factors<Flat_triangle> scale(problem, Eigen::VectorXd::Zero(Eigen::Index(problem.size())));
   scale.limit_work();
   scale.minimize(Newton_minimizer(tolerance::gradient, tolerance::steps_to_start),

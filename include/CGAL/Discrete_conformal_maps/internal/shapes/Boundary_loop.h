@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_type_config.h>
 
 #include <complex>
 #include <cstddef>
@@ -60,7 +60,7 @@ template <typename EdgeLengthMap>
 double exterior_angle(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
 {
   const auto length_of = [&](Halfedge_index h) { return get(length, mesh.edge(h)); };
-  double result = boost::math::constants::pi<double>();
+  double result = CGAL_PI;
   for_each_outgoing_halfedge(v, mesh, [&](Halfedge_index h) {
     if(!mesh.is_border(h))
       result -= Intrinsic_triangulations::corner_angle(length_of(mesh.next(h)), length_of(h),

@@ -16,8 +16,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
 
+#include <CGAL/number_type_config.h>
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +100,6 @@ private:
       for(const Side& side : circle)
         set(side.source, Vertex_condition::curvature(m_angle[i++]));
   }
-
-  static constexpr double pi() { return boost::math::constants::pi<double>(); }
 
   struct Side
   {
@@ -209,7 +207,7 @@ private:
   bool take_angles(const Round_disk& disk)
   {
     const std::vector<double> angle = angles_between(disk.half_arc);
-    if(*std::max_element(angle.begin(), angle.end()) >= pi())
+    if(*std::max_element(angle.begin(), angle.end()) >= CGAL_PI)
       return false;
     m_angle = closed(Eigen::Map<const Vector>(angle.data(), m_angle.size()));
     m_acceleration = Fixed_point_acceleration();
@@ -276,7 +274,7 @@ private:
     const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
     const Vector next = closed(m_acceleration.next(m_angle, image));
     // Angles of pi and above are too great for a boundary.
-    m_angle = (next.array() < pi()).all() ? next : image;
+    m_angle = (next.array() < CGAL_PI).all() ? next : image;
     return change;
   }
 
@@ -301,7 +299,7 @@ private:
     Eigen::Index begin = 0;
     for(const Circle& circle : m_circles) {
       auto own = angle.segment(begin, Eigen::Index(circle.size()));
-      own *= boost::math::constants::two_pi<double>() / own.sum();
+      own *= 2 * CGAL_PI / own.sum();
       begin += own.size();
     }
     return angle;

@@ -53,7 +53,7 @@ public:
   // Prescribes right angles at corners, and a straight boundary at other vertices.
   void prescribe(std::vector<Vertex_condition>& conditions) const
   {
-    constexpr double right_angle = boost::math::constants::half_pi<double>();
+    constexpr double right_angle = CGAL_PI / 2;
     for(const Rectangle& sides : m_rectangles)
       for(const Boundary_loop& side : sides)
         for(Halfedge_index h : side)

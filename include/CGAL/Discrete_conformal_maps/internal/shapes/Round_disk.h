@@ -20,7 +20,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ struct Round_polygon : Round_disk
 inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layout,
                                                     const std::vector<Vertex_index>& boundary)
 {
-  constexpr double pi = boost::math::constants::pi<double>();
+  constexpr double pi = CGAL_PI;
   const auto at = [&](std::size_t i) {
     return layout.in_plane[boundary[i % boundary.size()].idx()][0];
   };

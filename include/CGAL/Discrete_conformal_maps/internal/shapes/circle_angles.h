@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ inline std::vector<double> angles_between(const std::vector<double>& half_arc)
 // others.
 inline std::vector<double> circle_angles(const std::vector<double>& length)
 {
-  constexpr double pi = boost::math::constants::pi<double>();
+  constexpr double pi = CGAL_PI;
   const std::size_t n = length.size();
   const auto longest =
     static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
