@@ -184,6 +184,20 @@ TEST(Transport_cost, a_constant_function_has_no_mass)
   EXPECT_EQ(cost.number_of_masses(), 0u);
 }
 
+TEST(Transport_cost, values_that_are_not_finite)
+{
+  const Evolving_surface s(random_sphere(40, 1));
+  for(const double x :
+      {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    Transport_cost cost(s);
+    std::vector<double> value(40, 7.5);
+    value[11] = x;
+    EXPECT_THROW(cost.add_function(s, value), IT::Invalid_input);
+    EXPECT_THROW(cost.add_quantity(value), IT::Invalid_input);
+    EXPECT_EQ(cost.number_of_masses(), 0u);
+  }
+}
+
 // On a square of four by four cells a linear function flows in on one side and out on the other.
 TEST(Transport_cost, a_linear_function_has_mass_at_the_boundary_only)
 {

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
@@ -106,11 +107,13 @@ public:
   /// \param surface the surface, Delaunay at best (`Evolving_surface::make_Delaunay()`)
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
+  /// \throws Intrinsic_triangulations::Invalid_input if a value is infinite or NaN
   /// \throws Intrinsic_triangulations::Numerical_error if a face is too thin to have cotangents
   /// \pre nothing has been removed yet
   template <typename Range>
   void add_function(const Evolving_surface& surface, const Range& value, double weight = 1)
   {
+    Intrinsic_triangulations::internal::check_all_finite(value, "the value");
     const std::vector<double> x(value.begin(), value.end());
     std::vector<double> laplacian(m_number_of_vertices, 0);
     const Delta_complex& mesh = surface.mesh();
@@ -128,10 +131,12 @@ public:
   /// linear.
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
+  /// \throws Intrinsic_triangulations::Invalid_input if a value is infinite or NaN
   /// \pre nothing has been removed yet
   template <typename Range>
   void add_quantity(const Range& value, double weight = 1)
   {
+    Intrinsic_triangulations::internal::check_all_finite(value, "the value");
     double positive = 0, negative = 0;
     for(const double x : value)
       (x > 0 ? positive : negative) += std::abs(x);

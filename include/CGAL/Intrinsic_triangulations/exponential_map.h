@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/iterator.h>
@@ -74,7 +75,8 @@ private:
 
   void start(Halfedge_index h, const Place& place, const Vector& vector)
   {
-    CGAL_precondition(CGAL::is_finite(vector.real()) && CGAL::is_finite(vector.imag()));
+    if(!is_finite_value(vector))
+      throw Invalid_input("the tangent vector is infinite or NaN");
     m_h = h;
     m_place = place;
     m_remaining = m_total = std::abs(vector);
@@ -356,6 +358,7 @@ private:
 ///   of it.
 ///
 /// Complexity: linear in the faces passed, and the degrees of vertices hit.
+/// \throws Invalid_input if the vector is infinite or NaN
 /// \throws Numerical_error if the angles at a vertex that it passes have no positive finite sum,
 ///   or the length is so great that steps vanish beside it
 template <typename Surface, typename Source, typename OutputIterator = CGAL::Emptyset_iterator>

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
@@ -204,6 +205,7 @@ values_at_vertices(const Intrinsic_triangulation<Traits>& tri, Side from,
 /// \param correspondence the crossings of both
 /// \param from the triangulation on whose faces `values` is linear
 /// \param values the values at the vertices
+/// \throws Invalid_input if a value is infinite or NaN
 /// \throws Numerical_error if the mass matrix cannot be factorized since areas are out of range
 template <typename Traits>
 Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>
@@ -213,6 +215,7 @@ transfer_function(const Correspondence<Traits>& correspondence, Side from,
   typedef typename Traits::FT FT;
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
   typedef Eigen::SparseMatrix<FT> Matrix;
+  internal::check_all_finite(values, "the value");
   const auto& tri = correspondence.triangulation();
   const Side to = internal::other(from);
   Matrix mass = mass_matrix(tri.surface(to));

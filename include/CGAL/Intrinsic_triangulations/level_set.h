@@ -13,6 +13,10 @@
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
+
+#include <CGAL/number_utils.h>
 
 #include <type_traits>
 #include <utility>
@@ -107,17 +111,22 @@ private:
 /// \param surface a model of `IntrinsicSurface` with floating point lengths, \f$T_1\f$ or
 ///        \f$T_2\f$; `curve_across()` finds each curve on the other triangulation
 /// \param values the finite values at the vertices, by their indices: a vector of Eigen or of the
-///        standard library, such as distances
-/// \param level the value
+///        standard library, such as distances. Distances are infinite on components without a
+///        source; replace them by a number below all levels
+/// \param level the value, which is finite
 /// \returns the curves, each with its length and the points on edges that it runs through, and with
 ///          greater values on its left. Curves from boundary to boundary come first; a closed
 ///          curve ends where it starts.
 ///
 /// Complexity: linear.
+/// \throws Invalid_input if a value or the level is infinite or NaN
 template <typename Surface, typename Values>
 std::vector<Surface_path<Length_of<Surface>>>
 level_set(const Surface& surface, const Values& values, const Length_of<Surface>& level)
 {
+  internal::check_all_finite(values, "the value");
+  if(!CGAL::is_finite(level))
+    throw Invalid_input("the level is infinite or NaN");
   return internal::Level_set_follower<Surface, Values>(surface, values, level)();
 }
 

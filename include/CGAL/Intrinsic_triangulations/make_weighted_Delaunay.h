@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Supporting_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -203,6 +204,7 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
 /// \returns the number of flips, the hidden vertices and the weights for which `tri` is weighted
 ///          Delaunay
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
+/// \throws Invalid_input if a weight is infinite or NaN
 /// \throws Numerical_error if a length is not positive and finite, or rounding of the lengths
 ///         prevents the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
@@ -228,6 +230,7 @@ auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMa
   result.weights.assign(mesh.num_vertices(), FT(0));
   for(Vertex_index v : mesh.vertices())
     result.weights[v.idx()] = FT(get(weight, v));
+  internal::check_all_finite(result.weights, "the weight");
   [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>() && !internal::Is_exact<Traits>::value) {
     const std::vector<double> given = result.weights;

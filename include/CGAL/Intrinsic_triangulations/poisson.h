@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -84,20 +85,26 @@ public:
   ///   `mass_matrix()` with the values of \f$f\f$, or the result of `divergence_matrix()`. Their
   ///   values at vertices with prescribed values are ignored
   /// \param values the values; only values at vertices where they are prescribed are read
+  /// \throws Invalid_input if a moment or a value that is read is infinite or NaN
   Vector solve(const Vector& moments, const Vector& values) const
   {
+    check_moments(moments);
     const Vector prescribed = prescribed_part(values);
     return with_unknowns(prescribed, m_factorization.solve(right_side(moments, prescribed)));
   }
 
   /// solves with zero at the vertices where values are prescribed.
+  /// \throws Invalid_input if a moment is infinite or NaN
   Vector solve(const Vector& moments) const { return solve(moments, Vector::Zero(m_area.size())); }
 
   /// solves with zero at the vertices where values are prescribed, for all columns at once.
+  /// \throws Invalid_input if a moment is infinite or NaN
   Columns solve_columns(const Columns& moments) const
   {
     const Vector prescribed = Vector::Zero(m_area.size());
     Columns unknowns(m_unknowns.cols(), moments.cols()), result(m_area.size(), moments.cols());
+    for(Eigen::Index k = 0; k < moments.cols(); ++k)
+      check_moments(moments.col(k));
     for(Eigen::Index k = 0; k < moments.cols(); ++k)
       unknowns.col(k) = right_side(moments.col(k), prescribed);
     unknowns = m_factorization.solve_columns(unknowns);
@@ -203,13 +210,23 @@ private:
     return static_cast<Eigen::Index>(m_components[index(v)]);
   }
 
+  template <typename Moments>
+  void check_moments(const Moments& moments) const
+  {
+    for(Eigen::Index v = 0; v < moments.size(); ++v)
+      if(!m_is_fixed[index(v)])
+        internal::check_finite(moments[v], index(v), "the moment");
+  }
+
   // Returns the prescribed values, and zero at other vertices.
   Vector prescribed_part(const Vector& values) const
   {
     Vector result = Vector::Zero(m_area.size());
     for(Eigen::Index v = 0; v < result.size(); ++v)
-      if(m_is_fixed[index(v)])
+      if(m_is_fixed[index(v)]) {
+        internal::check_finite(values[v], index(v), "the value");
         result[v] = values[v];
+      }
     return result;
   }
 
@@ -282,6 +299,7 @@ private:
 ///   prescribed; by default nowhere
 /// \param values the values; only values at vertices where they are prescribed are read
 /// \returns the values of \f$u\f$ at the vertices; zero at isolated vertices
+/// \throws Invalid_input if a density or a value that is read is infinite or NaN
 /// \throws Numerical_error as the constructor of `Poisson_solver`
 template <typename Surface, typename FT,
           typename VertexIsFixedMap = boost::static_property_map<bool>>
@@ -290,6 +308,7 @@ solve_poisson(const Surface& surface, const Eigen::Matrix<FT, Eigen::Dynamic, 1>
               const VertexIsFixedMap& is_fixed = VertexIsFixedMap(false),
               const Eigen::Matrix<FT, Eigen::Dynamic, 1>& values = {})
 {
+  internal::check_all_finite(density, "the density");
   return Poisson_solver<FT>(surface, is_fixed).solve(mass_matrix(surface) * density, values);
 }
 

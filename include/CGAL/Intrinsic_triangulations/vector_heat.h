@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
@@ -86,7 +87,7 @@ public:
   /// vector. A vector is zero on a component without a source, and if vectors from several sides
   /// cancel exactly. Complexity: linear in the size of the factorizations.
   /// \param sources a range of `Source`, not two at one vertex
-  /// \pre their vectors are finite
+  /// \throws Invalid_input if a vector is infinite or NaN
   /// \throws Underflow_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)
   template <typename SourceRange>
   Vector_field transport(const SourceRange& sources) const
@@ -94,6 +95,7 @@ public:
     Vector_field vectors = Vector_field::Zero(m_flow.rates().size());
     Vector is_source = Vector::Zero(vectors.size());
     for(const Source& source : sources) {
+      internal::check_finite(source.second, source.first.idx(), "the vector");
       vectors[source.first.idx()] = source.second;
       is_source[source.first.idx()] = FT(1);
     }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
@@ -27,12 +28,15 @@ namespace CGAL::Intrinsic_triangulations {
 /// surface without boundary. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 /// \param weight a readable property map from vertices to the number type of lengths
+/// \throws Invalid_input if a weight is infinite or NaN
 /// \throws Numerical_error if the area of a face is zero or out of range
 template <typename Surface, typename WeightMap>
 auto weighted_laplacian(const Surface& surface, const WeightMap& weight)
 {
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
+  for(Vertex_index v : mesh.vertices())
+    internal::check_finite(FT(get(weight, v)), v.idx(), "the weight");
   for(Face_index f : mesh.faces())
     if(!internal::has_gradients(Face_metric<FT>(f, surface), f))
       throw Numerical_error("the area of face " + std::to_string(f.idx()) + " is zero");
