@@ -220,6 +220,43 @@ TEST(Pack_circles, of_disks_touch_the_unit_circle)
   }
 }
 
+// Centers and radii of a packing have rounding errors, with which circles overlap. They count as
+// touching, so that the packing is the image of itself.
+TEST(Pack_circles, of_disks_are_kept_by_maps_with_circles)
+{
+  for(const unsigned int seed : {1u, 2u, 3u, 4u}) {
+    Mesh mesh = punctured(random_sphere(50 * seed, seed), {3});
+    const Circle_packing packing = DCM::pack_circles(mesh);
+    double greatest_overlap = 0;
+    for(const auto v : mesh.vertices()) {
+      const std::complex<double> z = packing.circle(v).center;
+      mesh.point(v) = Point(z.real(), z.imag(), 0);
+    }
+    for(const auto e : mesh.edges()) {
+      const auto &a = packing.circle(mesh.vertex(e, 0)), &b = packing.circle(mesh.vertex(e, 1));
+      const double length = std::abs(a.center - b.center);
+      greatest_overlap = (std::max)(greatest_overlap, (a.radius + b.radius) / length - 1);
+    }
+    EXPECT_GT(greatest_overlap, 1e-14); // which exceeds rounding errors of lengths
+    const auto flattened = [&](double factor) {
+      return DCM::flatten(
+        mesh, DCM::parameters::vertex_radius_map(boost::make_function_property_map<Vertex_index>(
+                [&](auto v) { return factor * packing.circle(v).radius; })));
+    };
+    const DCM::Planar_conformal_map map = flattened(1);
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    const auto& ideal = map.ideal();
+    for(const Edge_index e : ideal.mesh().edges()) {
+      const double r = ideal.traits().radius(ideal.mesh().vertex(e, 0)),
+                   s = ideal.traits().radius(ideal.mesh().vertex(e, 1)), t = ideal.length(e);
+      EXPECT_LT(t * t / (2 * r * s), 1e-8); // the difference of the inversive distance from one
+    }
+    for(const auto v : mesh.vertices())
+      EXPECT_NEAR(map.log_scale(v), 0, 1e-8);
+    EXPECT_THROW(flattened(1 + 1e-7), IT::Invalid_input);
+  }
+}
+
 // ---- Pieces of the hexagonal packing ----
 
 struct Hexagonal_piece

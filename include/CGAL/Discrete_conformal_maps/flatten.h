@@ -62,8 +62,9 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNBegin{vertex_radius_map}
 ///     \cgalParamDescription{the radii of circles around the vertices; the map is a decorated
 ///       discrete conformal map, see \ref dcm_circles. Circles of neighbors in the weighted
-///       Delaunay triangulation must not meet. Two circles of positive radius may touch. If all
-///       radii are zero, there are no circles}
+///       Delaunay triangulation must not meet. Two circles of positive radius may touch,
+///       and overlap by \f$10^{-8}\f$ of the distance of their centers. If all radii are zero,
+///       there are no circles}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{there are no circles}
 ///   \cgalParamNEnd

@@ -43,6 +43,10 @@ constexpr double promised_rounded_angle = 1e-8;
 // This is the greatest relative error of a successful map in cross ratios, in lengths in the
 // plane, and in the shape of a boundary.
 constexpr double promised_length = 1e-8;
+// Two circles count as touching if they overlap by at most this fraction of the distance of their
+// centers. Circles of maps and packings are computed: they touch with an error of layouts, which
+// exceeds rounding errors of lengths. The fraction is the promised error of lengths in the plane.
+constexpr double overlap_of_circles = promised_length;
 // This is the greatest relative error of lengths of rounded surfaces, compared with the exact
 // surface.
 constexpr double promised_exact_length = 1e-9;

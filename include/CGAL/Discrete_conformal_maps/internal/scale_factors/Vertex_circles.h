@@ -8,13 +8,13 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Exact_weighted_flipping.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -65,7 +65,8 @@ public:
     return result;
   }
 
-  // Returns the length of the tangent between the circles at the ends of `e`, from its length.
+  // Returns the length of the tangent between the circles at the ends of `e`, from its length. It
+  // is zero if they touch or overlap.
   template <typename FT>
   FT tangent_length(const FT& length, Edge_index e, const Triangulation& t,
                     const Originals& original) const
@@ -98,8 +99,8 @@ public:
   }
 
   // Checks that circles at the ends of each edge do not meet. Two circles of positive radius may
-  // touch, up to rounding of the length, which is `length(e)`. Flips round lengths several times,
-  // so a length for which they meet is computed again on the exact surface.
+  // touch, up to `tolerance::overlap_of_circles`. Flips round lengths, which are `length(e)`,
+  // several times, so a length for which they meet is computed again on the exact surface.
   // \throws Invalid_input if they do
   template <typename Length>
   void check(const Triangulation& t, const Originals& original, const Length& length) const
@@ -117,12 +118,12 @@ public:
   }
 
 private:
-  // Returns whether circles meet whose centers have the distance `length`, up to its rounding.
+  // Returns whether circles meet whose centers have the distance `length`, by more than an overlap
+  // that counts as touching.
   static bool do_meet(double r, double s, double length)
   {
     const double rest = length - (r + s);
-    return r > 0 && s > 0 ? rest < -Intrinsic_triangulations::rounding_unit<double>() * length
-                          : !(rest > 0);
+    return r > 0 && s > 0 ? rest < -tolerance::overlap_of_circles * length : !(rest > 0);
   }
 
   std::pair<double, double> radii_at(Edge_index e, const Triangulation& t,
