@@ -60,6 +60,20 @@ TEST(Surface_map, of_vertices)
   });
 }
 
+// A point of an edge may be given as such.
+TEST(Surface_map, of_points_of_edges)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    const auto middle = [](const Delta_complex& mesh) {
+      return IT::Surface_point<double>(
+        IT::Edge_location<double>{mesh.halfedge(*mesh.edges().begin()), {0.5, 0.5}});
+    };
+    const auto fine = middle(s.fine.mesh()), coarse = middle(s.coarse.mesh());
+    EXPECT_EQ(map.to_coarse(fine), map.to_coarse(IT::face_location(fine, s.fine.mesh())));
+    EXPECT_EQ(map.to_fine(coarse), map.to_fine(IT::face_location(coarse, s.coarse.mesh())));
+  });
+}
+
 TEST(Surface_map, is_continuous_across_edges)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {

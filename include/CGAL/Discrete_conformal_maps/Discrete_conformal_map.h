@@ -241,9 +241,11 @@ public:
   }
 
   /// returns the position of a point of the input on \f$T_3\f$: a face and weights of its corners,
-  /// as in `Triple_subdivision::location()` (Section 4.2.3). Complexity: two calls of
+  /// as in `Triple_subdivision::location()` (Section 4.2.3). The point is a `Face_location` or a
+  /// `Surface_point` of `Intrinsic_triangulations`. Complexity: two calls of
   /// `Intrinsic_triangulations::point_across()` with a correspondence.
-  Face_location place_on_C(const Face_location& p) const
+  template <typename Place = Face_location>
+  Face_location place_on_C(const Place& p) const
   {
     using Intrinsic_triangulations::Side;
     const Face_location on_B = point_across(Delaunay_correspondence(), Side::input, p);

@@ -237,7 +237,8 @@ public:
   /// returns the image of a point of the input in the Poincare disk, by piecewise projective
   /// interpolation (Section 4.2.3 for a hyperbolic target). On every face, the coordinates in
   /// Klein's disk are a projective map. Complexity: see `place_on_C()`.
-  std::complex<double> operator()(const Face_location& p) const
+  template <typename Place = Face_location>
+  std::complex<double> operator()(const Place& p) const
   {
     return to_disk(homogeneous_coordinates(place_on_C(p)));
   }

@@ -110,7 +110,8 @@ public:
   /// 4.2.3). Complexity: two calls of `Intrinsic_triangulations::point_across()` with a
   /// correspondence.
   /// \pre `is_laid_out()`
-  std::complex<double> operator()(const Face_location& p) const
+  template <typename Place = Face_location>
+  std::complex<double> operator()(const Place& p) const
   {
     return to_plane(homogeneous_coordinates(place_on_C(p)));
   }

@@ -228,7 +228,8 @@ public:
 
   /// returns the image of a point of the input, by piecewise projective interpolation: on the
   /// sphere, or on the polygon if `is_flat()`. Complexity: see `place_on_C()`.
-  Point operator()(const Face_location& p) const
+  template <typename Place = Face_location>
+  Point operator()(const Place& p) const
   {
     return image(homogeneous_coordinates(place_on_C(p)));
   }

@@ -46,11 +46,20 @@ public:
     return between.is_valid() ? m_second.coarse_vertex(between) : between;
   }
 
-  /// maps a point of the fine surface to the coarse surface.
-  Location to_coarse(const Location& p) const { return m_second.to_coarse(m_first.to_coarse(p)); }
+  /// maps a point of the fine surface to the coarse surface: a `Location`, or a `Surface_point` of
+  /// `Intrinsic_triangulations`.
+  template <typename Point = Location>
+  Location to_coarse(const Point& p) const
+  {
+    return m_second.to_coarse(m_first.to_coarse(p));
+  }
 
   /// maps a point of the coarse surface to the fine surface.
-  Location to_fine(const Location& p) const { return m_first.to_fine(m_second.to_fine(p)); }
+  template <typename Point = Location>
+  Location to_fine(const Point& p) const
+  {
+    return m_first.to_fine(m_second.to_fine(p));
+  }
 
 private:
   const First& m_first;

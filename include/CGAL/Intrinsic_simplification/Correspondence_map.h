@@ -43,16 +43,19 @@ public:
   /// returns `v`: vertices of \f$T_1\f$ are vertices of \f$T_2\f$.
   Vertex_index coarse_vertex(Vertex_index v) const { return v; }
 
-  /// maps a point of \f$T_1\f$ to \f$T_2\f$. Complexity: see
+  /// maps a point of \f$T_1\f$ to \f$T_2\f$: a `Location`, or a `Surface_point` of
+  /// `Intrinsic_triangulations`. Complexity: see
   /// `Intrinsic_triangulations::point_across()`.
-  Location to_coarse(const Location& p) const
+  template <typename Point = Location>
+  Location to_coarse(const Point& p) const
   {
     return Intrinsic_triangulations::point_across(m_correspondence,
                                                   Intrinsic_triangulations::Side::input, p);
   }
 
   /// maps a point of \f$T_2\f$ to \f$T_1\f$. Complexity: as `to_coarse()`.
-  Location to_fine(const Location& p) const
+  template <typename Point = Location>
+  Location to_fine(const Point& p) const
   {
     return Intrinsic_triangulations::point_across(m_correspondence,
                                                   Intrinsic_triangulations::Side::intrinsic, p);

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
 #include <CGAL/assertions.h>
@@ -153,17 +154,22 @@ public:
   /// returns the operations.
   const Surface_history& history() const { return m_history; }
 
-  /// maps a point of the fine surface to the coarse surface. Complexity: linear in the operations
-  /// that move the point, times the logarithm of the number of operations on a face.
-  Location to_coarse(const Location& p) const
+  /// maps a point of the fine surface to the coarse surface: a `Location`, or a `Surface_point` of
+  /// `Intrinsic_triangulations`. Complexity: linear in the operations that move the point, times
+  /// the logarithm of the number of operations on a face.
+  template <typename Point = Location>
+  Location to_coarse(const Point& p) const
   {
-    return internal::carry_point<true>(p, route(true));
+    return internal::carry_point<true>(Intrinsic_triangulations::face_location(p, m_fine.mesh()),
+                                       route(true));
   }
 
   /// maps a point of the coarse surface to the fine surface. Complexity: see `to_coarse()`.
-  Location to_fine(const Location& p) const
+  template <typename Point = Location>
+  Location to_fine(const Point& p) const
   {
-    return internal::carry_point<false>(p, route(false));
+    return internal::carry_point<false>(Intrinsic_triangulations::face_location(p, m_coarse.mesh()),
+                                        route(false));
   }
 
   /// maps points of the fine surface to the coarse surface.

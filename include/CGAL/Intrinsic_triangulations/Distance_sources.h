@@ -80,6 +80,10 @@ public:
   /// \pre the coordinates of `p` are not negative and sum up to one
   void add(const Face_location<FT>& p) { add(Curve_segment<FT>{p.first, p.second, p.second}); }
 
+  /// adds a vertex, a point on an edge, or a point of a face.
+  /// \pre `p` is not an isolated vertex
+  void add(const Surface_point<FT>& p) { add(face_location(p, m_surface.mesh())); }
+
   /// adds a point on an edge.
   void add(const Edge_point<FT>& p) { add(face_location(edge_location(p), m_surface.mesh())); }
 

@@ -143,7 +143,9 @@ std::size_t side_number(Halfedge_index h, const Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the position of `p` in the face of its halfedge.
+/// returns the position of `p` in the face of its halfedge. Complexity: constant.
+/// \param p a point of an edge
+/// \param mesh the triangulation
 template <typename FT>
 Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& mesh)
 {

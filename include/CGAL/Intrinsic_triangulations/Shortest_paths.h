@@ -63,6 +63,10 @@ public:
   /// adds a point on an edge as a source and returns the index of this source.
   std::size_t add_source(const Edge_point<FT>& p) { return add(location(p)); }
 
+  /// adds a point of any kind as a source and returns the index of this source.
+  /// \pre `p` is not an isolated vertex
+  std::size_t add_source(const Surface_point<FT>& p) { return add(location(p)); }
+
   /// adds a point of a face, also on its boundary, as a source and returns the index of this
   /// source.
   /// \pre the coordinates of `p` are not negative and sum up to one
@@ -120,6 +124,10 @@ public:
   /// returns the distance of a point on an edge. Complexity: as for a point of a face.
   FT distance(const Edge_point<FT>& p) const { return distance(location(p)); }
 
+  /// returns the distance of a point of any kind. Complexity: as for a point of a face.
+  /// \pre `p` is not an isolated vertex
+  FT distance(const Surface_point<FT>& p) const { return distance(location(p)); }
+
   /// returns the distance of a point of a face. Complexity: linear in the windows of this face.
   FT distance(const Face_location<FT>& p) const
   {
@@ -145,6 +153,10 @@ public:
   /// returns the shortest path from the nearest source to a point on an edge.
   Surface_path<FT> path(const Edge_point<FT>& p) const { return path(location(p)); }
 
+  /// returns the shortest path from the nearest source to a point of any kind.
+  /// \pre `p` is not an isolated vertex
+  Surface_path<FT> path(const Surface_point<FT>& p) const { return path(location(p)); }
+
   /// returns the shortest path from the nearest source to a point of a face.
   ///
   /// The points come in the order from the source to `p`, both included. If the path crosses an
@@ -166,6 +178,8 @@ public:
   }
   /// returns the index of the nearest source of a point on an edge. \pre there is a path
   std::size_t source(const Edge_point<FT>& p) const { return source(location(p)); }
+  /// returns the index of the nearest source of a point. \pre there is a path
+  std::size_t source(const Surface_point<FT>& p) const { return source(location(p)); }
   /// returns the index of the nearest source of a vertex. \pre there is a path
   std::size_t source(Vertex_index v) const { return source(m_search.to(v), v); }
 
@@ -184,10 +198,8 @@ private:
     return m_search.add_source(source);
   }
 
-  Face_location<FT> location(const Edge_point<FT>& p) const
-  {
-    return face_location(edge_location(p), mesh());
-  }
+  Face_location<FT> location(const Edge_point<FT>& p) const { return location(edge_location(p)); }
+  Face_location<FT> location(const Surface_point<FT>& p) const { return face_location(p, mesh()); }
 
   Surface_path<FT> path(const Last_part& part, const Face_location<FT>& p) const
   {
@@ -209,28 +221,31 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// returns the shortest path from one point of a face to another (see `Shortest_paths`). It has no
+/// returns the shortest path from one point of a surface to another (see `Shortest_paths`). It has no
 /// points if no path exists. The search stops at the distance of `target`. Complexity: linear, plus
 /// `Shortest_paths::run()` up to that distance.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
-/// \param source, target points with coordinates that are not negative and sum up to one
+/// \param source, target points with coordinates that are not negative and sum up to one, each a
+///        `Face_location`, an `Edge_location` or a `Surface_point`
 /// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error as `Shortest_paths::run()`
-template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename Surface, typename Source = Face_location<Length_of<Surface>>,
+          typename Target = Face_location<Length_of<Surface>>,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Surface_path<Length_of<Surface>>
-shortest_path(const Surface& surface, const Face_location<Length_of<Surface>>& source,
-              const Face_location<Length_of<Surface>>& target,
+shortest_path(const Surface& surface, const Source& source, const Target& target,
               const NamedParameters& np = CGAL::parameters::default_values())
 {
   Default_window_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
   internal::Path_search search(internal::view_of(surface));
-  search.add_source(source);
-  search.run_to(target, visitor);
-  const auto part = search.to(target);
+  search.add_source(face_location(source, surface.mesh()));
+  const auto& end = face_location(target, surface.mesh());
+  search.run_to(end, visitor);
+  const auto part = search.to(end);
   Surface_path<Length_of<Surface>> result{part.length, {}};
   if(part.length < std::numeric_limits<Length_of<Surface>>::infinity())
-    search.trace(part, target, result.places);
+    search.trace(part, end, result.places);
   std::reverse(result.places.begin(), result.places.end());
   return result;
 }

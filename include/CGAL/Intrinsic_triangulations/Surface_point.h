@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <variant>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -94,6 +95,9 @@ Edge_location<FT> edge_location(const Edge_point<FT>& p)
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// returns a point of an edge in the face of its halfedge, or of the opposite one on the boundary.
+/// Complexity: constant.
+/// \param p a point of an edge
+/// \param mesh the triangulation
 template <typename FT, typename P>
 Face_location<FT> face_location(const Edge_location<FT>& p, const Surface_mesh<P>& mesh)
 {
@@ -108,7 +112,11 @@ Face_location<FT> face_location(const Edge_location<FT>& p, const Surface_mesh<P
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// returns `p` in its face, in the face of its halfedge, or in the face of the opposite halfedge
-/// on the boundary. The face is null if `p` is an isolated vertex.
+/// on the boundary. The face is null if `p` is an isolated vertex. Complexity: constant.
+///
+/// Functions that take a point of a triangulation call it, so they accept a `Surface_point`, too.
+/// \param p a point
+/// \param mesh the triangulation
 template <typename FT, typename P>
 Face_location<FT> face_location(const Surface_point<FT>& p, const Surface_mesh<P>& mesh)
 {
@@ -122,8 +130,21 @@ Face_location<FT> face_location(const Surface_point<FT>& p, const Surface_mesh<P
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns `p`. Complexity: constant.
+/// \param p a point of a face
+/// \param mesh the triangulation
+template <typename FT, typename P>
+const Face_location<FT>& face_location(const Face_location<FT>& p,
+                                       [[maybe_unused]] const Surface_mesh<P>& mesh)
+{
+  return p;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// returns the vertex or the point of an edge that a point of a face is if coordinates are zero,
-/// otherwise this point.
+/// otherwise this point. Complexity: constant.
+/// \param p a point of a face
+/// \param mesh the triangulation
 template <typename FT, typename P>
 Surface_point<FT> surface_point(const Face_location<FT>& p, const Surface_mesh<P>& mesh)
 {
@@ -139,14 +160,34 @@ Surface_point<FT> surface_point(const Face_location<FT>& p, const Surface_mesh<P
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns `p`.
+/// returns `p`. Complexity: constant.
+/// \param p a point
+/// \param mesh the triangulation
 template <typename FT, typename P>
-const Surface_point<FT>& surface_point(const Surface_point<FT>& p, const Surface_mesh<P>&)
+const Surface_point<FT>& surface_point(const Surface_point<FT>& p,
+                                       [[maybe_unused]] const Surface_mesh<P>& mesh)
 {
   return p;
 }
 
 namespace internal {
+
+// Calls `use` with a source: a vertex, or a point as a location in a face.
+template <typename Source, typename Use>
+auto use_source(const Source& source, [[maybe_unused]] const Delta_complex& mesh, const Use& use)
+{
+  if constexpr(std::is_same<Source, Vertex_index>::value)
+    return use(source);
+  else
+    return use(face_location(source, mesh));
+}
+
+template <typename FT, typename Use>
+auto use_source(const Surface_point<FT>& source, const Delta_complex& mesh, const Use& use)
+{
+  return is_at_vertex(source) ? use(mesh.source(halfedge_of(source)))
+                              : use(face_location(source, mesh));
+}
 
 // Returns the vertex at `p`, or null if `p` is not a vertex.
 template <typename FT>

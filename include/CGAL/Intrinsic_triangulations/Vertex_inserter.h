@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Rounded_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
@@ -106,6 +107,12 @@ public:
        (!is_exact() || m_tri.coordinates().is_shared(Edge_index(h))))
       return split_edge(h, e->weight[1], closeness);
     return with_decisions([&](auto& d) { return d.insert_near(p, closeness, inserted_by(d)); });
+  }
+
+  /// inserts a vertex at a point of any kind of \f$T_2\f$, as at a point of a face.
+  Vertex_index insert(const Surface_point<FT>& p, const FT& closeness = FT(0))
+  {
+    return insert(face_location(p, m_tri.mesh()), closeness);
   }
 
   /// returns whether the edge of `h` can be split: not if both of its sides are in one face.

@@ -243,8 +243,8 @@ private:
 ///
 /// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
-/// \param p a point with barycentric coordinates that are not negative; the point has exactly
-///   these numbers divided by their sum
+/// \param p a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that are not
+///   negative; the point has exactly these numbers divided by their sum
 ///
 /// Complexity: logarithmic in the number of crossings on the sides of the face. For each of them
 /// it is linear in the crossings on one or two edges of \f$T_2\f$. In a face of \f$T_1\f$ that
@@ -254,11 +254,12 @@ private:
 /// \throws Numerical_error if a decision is not made by 1024 bits and involves more than twelve
 ///         independent square roots, or edges of \f$T_2\f$ are bent
 /// \pre the edges of \f$T_2\f$ are straight, see `Delaunay_certificate::is_geodesic()`
-template <typename Traits>
+template <typename Traits, typename Point = Face_location<double>>
 Surface_element element_across(const Correspondence<Traits>& correspondence, Side side,
-                               const Face_location<double>& p)
+                               const Point& p)
 {
-  return internal::Element_locator<Traits>(correspondence)(side, p);
+  return internal::Element_locator<Traits>(correspondence)(
+    side, face_location(p, correspondence.mesh(side)));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -327,7 +327,8 @@ private:
 /// this vector: the exponential map.
 ///
 /// At a vertex the angle of the vector is normalized as in `Tangent_frames`. At a point of a face
-/// the vector is in the frame of the face, whose real axis is along `halfedge(source.first)`. From
+/// the vector is in the frame of the face `f`, whose real axis is along `halfedge(f)`. For a point
+/// of an edge, it is the face of `face_location()`. From
 /// a point on an edge it may point out of the face. At a corner its angle is measured from the
 /// sides of the face, on the surface, and may lead beyond the face too.
 ///
@@ -346,8 +347,8 @@ private:
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
-/// \param source the start: a vertex that is not isolated, or a `Face_location` with coordinates
-///        that are not negative and sum up to one
+/// \param source the start: a vertex that is not isolated, a `Face_location`, an `Edge_location` or
+///        a `Surface_point`. Coordinates are not negative and sum up to one
 /// \param vector the tangent vector
 /// \param at_boundary whether the geodesic stops at the boundary or continues along it. A geodesic
 ///   that continues stays on the boundary until its length is used up
@@ -367,8 +368,9 @@ Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, const Source
                                             At_boundary at_boundary = At_boundary::stop,
                                             OutputIterator path = OutputIterator())
 {
-  return internal::Geodesic_tracer(internal::view_of(surface), at_boundary, path)
-    .from(source, vector);
+  internal::Geodesic_tracer tracer(internal::view_of(surface), at_boundary, path);
+  return internal::use_source(source, surface.mesh(),
+                              [&](const auto& start) { return tracer.from(start, vector); });
 }
 
 namespace internal {

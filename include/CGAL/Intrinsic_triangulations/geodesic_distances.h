@@ -272,8 +272,8 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 ///   `Intrinsic_triangulation`, or a `Tufted_surface`, which has heat alone. With an
 ///   `Intrinsic_triangulation`, heat flows in the exact metric if lengths do not determine it
 ///   (`with_resolved_areas()`)
-/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
-///   of these, such as a `Surface_curve`, or `Distance_sources`
+/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Surface_point`, a
+///   `Curve_segment`, a range of one of these, such as a `Surface_curve`, or `Distance_sources`
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{distance_method}

@@ -188,8 +188,9 @@ private:
 /// computes the geodesic distance of every vertex to the nearest source (see `Heat_distance`).
 /// Complexity: two sparse Cholesky factorizations, one after the other in the same memory.
 /// \param surface a model of `IntrinsicSurface`
-/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
-///        of these, such as a `Surface_curve`, or `Distance_sources`
+/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Surface_point`, a
+///        `Curve_segment`, a range of one of these, such as a `Surface_curve`, or
+///        `Distance_sources`
 /// \param np as for `Heat_distance`
 /// \throws Numerical_error, Invalid_input as `Heat_distance`
 template <typename Surface, typename Sources,

@@ -191,24 +191,28 @@ private:
   bool m_from_vertex;
 };
 
-template <typename Source>
-constexpr bool is_vertex = std::is_same<Source, Vertex_index>::value;
-
-template <typename Source>
-bool is_valid_source(const Source& source, const Delta_complex& mesh)
+// Adds a source to a search. Returns whether it is a vertex.
+template <typename Source, typename Search>
+bool add_valid_source(const Source& source, const Delta_complex& mesh, Search& search)
 {
-  if constexpr(is_vertex<Source>)
-    return !mesh.is_isolated(source);
-  else
-    return vertex_at(source, mesh) == Delta_complex::null_vertex();
+  return use_source(source, mesh, [&](const auto& p) {
+    search.add_source(p);
+    if constexpr(std::is_same<std::decay_t<decltype(p)>, Vertex_index>::value) {
+      CGAL_precondition(!mesh.is_isolated(p));
+      return true;
+    } else {
+      CGAL_precondition(vertex_at(p, mesh) == Delta_complex::null_vertex());
+      return false;
+    }
+  });
 }
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// computes the logarithmic map at `source`: the shortest tangent vector that leads to `target`. At
-/// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face the real axis is
-/// along `halfedge(source.first)`.
+/// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face `f` the real axis
+/// is along `halfedge(f)`. For a point of an edge, it is the face of `face_location()`.
 ///
 /// The path is shortest among all paths, and found from edge lengths alone (see `Shortest_paths`).
 /// `trace_geodesic()` of the vector ends at `target`, unless the path bends at a vertex. Such a
@@ -223,29 +227,30 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
-/// \param source a vertex that is not isolated, or a `Face_location` that is not at a vertex
-/// \param target a point with barycentric coordinates that are not negative and sum up to one
+/// \param source a vertex that is not isolated, a `Face_location` that is not at a vertex, an
+///        `Edge_location` or a `Surface_point`
+/// \param target a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that
+///        are not negative and sum up to one
 ///
 /// Complexity: linear in the vertices, plus \f$O(k \log k)\f$ for \f$k\f$ windows up to the
 /// distance of `target`. As a rule each face within that distance has some dozens.
 /// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename Surface, typename Source,
+template <typename Surface, typename Source, typename Target = Face_location<Length_of<Surface>>,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Logarithm<Length_of<Surface>>
-logarithmic_map(const Surface& surface, const Source& source,
-                const Face_location<Length_of<Surface>>& target,
+logarithmic_map(const Surface& surface, const Source& source, const Target& target,
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   Default_window_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
-  CGAL_precondition(internal::is_valid_source(source, surface.mesh()));
   const auto view = internal::view_of(surface);
-  const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
   internal::Path_directions search(view);
-  search.add_source(source);
-  search.run_to(target, visitor);
-  return logarithm(search, search.to(target), target);
+  const internal::Logarithm_of_path logarithm(
+    view, internal::add_valid_source(source, surface.mesh(), search));
+  const auto& end = face_location(target, surface.mesh());
+  search.run_to(end, visitor);
+  return logarithm(search, search.to(end), end);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -264,12 +269,11 @@ std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(
   Default_window_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
   const Delta_complex& mesh = surface.mesh();
-  CGAL_precondition(internal::is_valid_source(source, mesh));
   const auto view = internal::view_of(surface);
   internal::Path_directions search(view);
-  search.add_source(source);
+  const internal::Logarithm_of_path logarithm(view,
+                                              internal::add_valid_source(source, mesh, search));
   search.run(search.unlimited_steps, visitor);
-  const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
   typedef Length_of<Surface> FT;
   std::vector<Logarithm<FT>> result(mesh.num_vertices());
   for(Vertex_index v : mesh.vertices())

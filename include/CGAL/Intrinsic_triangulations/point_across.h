@@ -48,23 +48,24 @@ void trace_sides(Face_index f, const Intrinsic_triangulation<Traits>& tri,
 /// triangulation and back is the identity up to rounding.
 /// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
-/// \param p a point with barycentric coordinates that are not negative and sum up to one
+/// \param p a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that are not
+///        negative and sum up to one
 ///
 /// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of
 /// \f$T_1\f$ that contains inserted vertices, it is linear in the regions of the subdivision
 /// between the point and a corner. It is logarithmic in their crossings.
-template <typename Traits>
+template <typename Traits, typename Point = Face_location<typename Traits::FT>>
 Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& correspondence,
-                                                Side side,
-                                                const Face_location<typename Traits::FT>& p)
+                                                Side side, const Point& p)
 {
   typedef internal::Correspondence_marks<Traits> Marks;
-  if(side == Side::input && correspondence.contains_inserted(p.first) &&
-     !is_at_vertex(surface_point(p, correspondence.mesh(side))))
-    return internal::Input_face_walk<Traits>(correspondence)(p);
-  const Marks marks(side, p.first, correspondence);
+  const auto& q = face_location(p, correspondence.mesh(side));
+  if(side == Side::input && correspondence.contains_inserted(q.first) &&
+     !is_at_vertex(surface_point(q, correspondence.mesh(side))))
+    return internal::Input_face_walk<Traits>(correspondence)(q);
+  const Marks marks(side, q.first, correspondence);
   const Delta_complex& other = correspondence.mesh(internal::other(side));
-  return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
+  return internal::Face_map<typename Traits::FT, Marks>(marks, other)(q.second);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
@@ -74,23 +75,23 @@ Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& co
 /// inserted, it is the complexity of `Correspondence`.
 /// \param tri both triangulations
 /// \param side the triangulation with the point
-/// \param p the face and the barycentric coordinates of the point
+/// \param p the point, as with a correspondence
 /// \returns the point on the other triangulation
-template <typename Traits>
+template <typename Traits, typename Point = Face_location<typename Traits::FT>>
 Face_location<typename Traits::FT> point_across(const Intrinsic_triangulation<Traits>& tri,
-                                                Side side,
-                                                const Face_location<typename Traits::FT>& p)
+                                                Side side, const Point& p)
 {
   typedef internal::Face_marks<Traits> Marks;
   if(side == Side::input && tri.number_of_inserted_vertices() > 0)
     return point_across(Correspondence<Traits>(tri), side, p);
+  const auto& q = face_location(p, tri.surface(side).mesh());
   Marks marks(tri);
   if(side == Side::input)
-    internal::trace_sides(p.first, tri, marks);
+    internal::trace_sides(q.first, tri, marks);
   else
-    marks.set_face(p.first, internal::Edge_courses<Traits>(tri));
+    marks.set_face(q.first, internal::Edge_courses<Traits>(tri));
   const Delta_complex& other = side == Side::input ? tri.mesh() : tri.input_mesh();
-  return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
+  return internal::Face_map<typename Traits::FT, Marks>(marks, other)(q.second);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
