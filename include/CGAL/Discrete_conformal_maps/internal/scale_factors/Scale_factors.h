@@ -420,21 +420,6 @@ private:
     note_values(energy);
   }
 
-  template <typename Energy>
-  void note_values(const Energy& energy)
-  {
-    m_max_curvature_error = 0;
-    const Vector bends = m_problem.bends();
-    m_rounding_error = energy.gradient_error();
-    for(std::size_t v = 0; v < m_problem.size(); ++v) {
-      const auto i = static_cast<Eigen::Index>(v);
-      m_u[i] = static_cast<double>(energy.scale_factor(v));
-      if(!m_problem.is_fixed()[v])
-        m_max_curvature_error = greater_error(
-          m_max_curvature_error, std::abs(energy.gradient()[i] + m_problem.part(v) * bends[i]));
-    }
-  }
-
   // Returns the status after a minimization in this direction.
   Map_status status_after(const Vector& direction) const
   {

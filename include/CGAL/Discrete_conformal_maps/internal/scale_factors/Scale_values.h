@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
@@ -92,6 +93,22 @@ protected:
   {
     return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() && m_u.size() > 0 &&
            m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
+  }
+
+  // Stores the scale factors of an energy, rounded to `double`, and measures their errors.
+  template <typename Energy>
+  void note_values(const Energy& energy)
+  {
+    m_max_curvature_error = 0;
+    const Vector bends = m_problem.bends();
+    m_rounding_error = energy.gradient_error();
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      const auto i = static_cast<Eigen::Index>(v);
+      m_u[i] = static_cast<double>(energy.scale_factor(v));
+      if(!m_problem.is_fixed()[v])
+        m_max_curvature_error = greater_error(
+          m_max_curvature_error, std::abs(energy.gradient()[i] + m_problem.part(v) * bends[i]));
+    }
   }
 
   template <typename FT>
