@@ -218,7 +218,8 @@ public:
   const Minimization_result& minimization() const { return m_outcome.minimization; }
 
   /// returns the numbers of factorizations of all stages: of cones, `Newton_minimizer` or
-  /// `Bounded_Newton_minimizer`, and the layout. All share their fill-reducing order.
+  /// `Bounded_Newton_minimizer`, and the layout. They share a fill-reducing order as long as it
+  /// suits the flipped triangulation.
   const Factorization_counts& factorization_counts() const { return *m_data->counts; }
 
   /// returns the greatest difference of a curvature from its prescribed value, in radians.

@@ -24,12 +24,15 @@ namespace CGAL::Discrete_conformal_maps {
 ///
 /// `Bounded_Newton_minimizer` finds scale factors, at first in `double`. Exact predicates decide
 /// whether the result is a convex polyhedron. If not, or if length cross ratios are wrong, it is
-/// computed with 106 binary digits, then with other vertices at infinity. The best result is
-/// returned. `Spherical_conformal_map::status()` is `Map_status::success` only if it is convex and
-/// its length cross ratios have errors of at most \f$10^{-8}\f$ (see \ref dcm_status). A map that
-/// is not a success may have no positions: see `Spherical_conformal_map::is_laid_out()`. The
-/// polygon of a disk without inner vertices needs no minimization. Its status is
-/// `Map_status::layout_collapsed` if 106 binary digits do not distinguish its vertices.
+/// computed with 106 binary digits, and its positions with 1500 decimal digits. Then other vertices
+/// are at infinity. The best result is returned. `Spherical_conformal_map::status()` is
+/// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
+/// \f$10^{-8}\f$ (see \ref dcm_status). A map that is not a success may have no positions: see
+/// `Spherical_conformal_map::is_laid_out()`. The polygon of a disk without inner vertices needs no
+/// minimization. Its positions have 106 binary or 1500 decimal digits. Its status is
+/// `Map_status::layout_collapsed` if even these do not distinguish its vertices. The map of a long
+/// strip is a success. Positions of type `double` do not distinguish the vertices at its ends,
+/// whose faces are `Discrete_conformal_map::crowded_faces()`.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
