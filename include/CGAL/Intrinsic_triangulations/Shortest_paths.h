@@ -221,9 +221,9 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// returns the shortest path from one point of a surface to another (see `Shortest_paths`). It has no
-/// points if no path exists. The search stops at the distance of `target`. Complexity: linear, plus
-/// `Shortest_paths::run()` up to that distance.
+/// returns the shortest path from one point of a surface to another (see `Shortest_paths`). It has
+/// no points if no path exists. The search stops at the distance of `target`. Complexity: linear,
+/// plus `Shortest_paths::run()` up to that distance.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param source, target points with coordinates that are not negative and sum up to one, each a
 ///        `Face_location`, an `Edge_location` or a `Surface_point`

@@ -243,8 +243,8 @@ private:
 ///
 /// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
-/// \param p a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that are not
-///   negative; the point has exactly these numbers divided by their sum
+/// \param p a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that are
+///   not negative; the point has exactly these numbers divided by their sum
 ///
 /// Complexity: logarithmic in the number of crossings on the sides of the face. For each of them
 /// it is linear in the crossings on one or two edges of \f$T_2\f$. In a face of \f$T_1\f$ that

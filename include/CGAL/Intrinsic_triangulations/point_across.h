@@ -48,8 +48,8 @@ void trace_sides(Face_index f, const Intrinsic_triangulation<Traits>& tri,
 /// triangulation and back is the identity up to rounding.
 /// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
-/// \param p a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that are not
-///        negative and sum up to one
+/// \param p a `Face_location`, an `Edge_location` or a `Surface_point`, with coordinates that are
+///        not negative and sum up to one
 ///
 /// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of
 /// \f$T_1\f$ that contains inserted vertices, it is linear in the regions of the subdivision
