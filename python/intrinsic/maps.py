@@ -223,13 +223,27 @@ def _bound(on: _core.Surface, core: Any) -> Any:
     return _KINDS[type(core).__name__](on, core)
 
 
-def _checked(result: AnyMap) -> AnyMap:
+def _advice(status: str, function: str) -> str:
+    """Return what a caller of a function can do after this status."""
+    if status in ("triangle_inequality", "no_minimum"):
+        return "leave out keep_triangulation=True, so that edges are flipped"
+    if status == "not_circular":
+        return "use to_sphere(), which maps a disk to a hemisphere"
+    if function != "flatten":
+        return "use flatten(), which places cones"
+    if status in ("not_converged", "wrong_curvature"):
+        return "give another boundary, cones='greedy', or mollify=1e-6, which lengthens edges"
+    return ("give cones='greedy' and max_log_scale=2, so that scale factors differ less, or "
+            "boundary='free'")
+
+
+def _checked(result: AnyMap, function: str) -> AnyMap:
     if result.status == "success":
         return result
     missed = [f"{name} {'unknown' if np.isnan(error) else f'{error:g}'} (at most {bound:g})"
               for name, (error, bound) in result.promises.items() if not error <= bound]
     text = result._core.message() + "".join(f"; {m}" for m in missed)
-    error = MapError(f"{text}; {result._core.advice()}")
+    error = MapError(f"{text}; {_advice(result.status, function)}")
     error.status = result.status
     error.map = result if result._core.is_laid_out() else None
     raise error
@@ -329,7 +343,8 @@ def flatten(
         With "scale" and "curvature": values at vertices on the boundary.
     radii : mapping or (n,) floats
         Radii of circles around the vertices, which are mapped to circles. The map then keeps
-        inversive distances instead of lengths. Circles of neighbors may touch, but not meet.
+        inversive distances instead of lengths. Circles of neighbors may touch, but not meet: they
+        may overlap by 1e-8 of the distance of their centers.
     max_log_scale : float
         The bound of absolute logarithmic scale factors for greedy cones; 5 if not given.
     max_area_distortion : float
@@ -397,7 +412,7 @@ def flatten(
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,
                              area_distortion, boundary, layout, keeps_triangulation,
                              is_exact, slack, kind, values, radius, progress)
-        return _checked(FlatMap(on, core))
+        return _checked(FlatMap(on, core), "flatten")
 
     result = attempt(mollify, compute)
     if cuts_overlaps:
@@ -436,7 +451,7 @@ def to_sphere(
     on = surface(V, F, lengths, mollify)
     radius = _one_for_each(on, radii, "radii")
     return attempt(mollify, lambda slack: _checked(
-        SphereMap(on, _core.to_sphere(on, radius, slack, progress))))
+        SphereMap(on, _core.to_sphere(on, radius, slack, progress)), "to_sphere"))
 
 
 def to_hyperbolic(
@@ -462,7 +477,8 @@ def to_hyperbolic(
     curvatures = _one_for_each(on, cones, "cones")
     radius = _one_for_each(on, radii, "radii")
     return attempt(mollify, lambda slack: _checked(
-        HyperbolicMap(on, _core.to_hyperbolic(on, curvatures, radius, slack, progress))))
+        HyperbolicMap(on, _core.to_hyperbolic(on, curvatures, radius, slack, progress)),
+        "to_hyperbolic"))
 
 
 @dataclass(frozen=True)
@@ -516,6 +532,6 @@ def uniformize(
 
     def compute(slack: float) -> Uniformization:
         kind, core, modulus = _core.uniformize(on, radius, slack, progress)
-        return Uniformization(kind, _checked(_bound(on, core)), modulus)
+        return Uniformization(kind, _checked(_bound(on, core), "uniformize"), modulus)
 
     return attempt(mollify, compute)

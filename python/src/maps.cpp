@@ -295,7 +295,6 @@ py::class_<Bound_map<Map>> bind_map(py::module_& module, const char* name)
            const std::string cause = self.map.cause();
            return DCM::message(self.map.status()) + (cause.empty() ? cause : "; " + cause);
          })
-    .def("advice", [](const Bound& self) { return DCM::advice(self.map.status()); })
     .def("is_laid_out", [](const Bound& self) { return self.map.is_laid_out(); })
     .def("promises", [](const Bound& self) { return promises_of(self.map); })
     .def("iterations", [](const Bound& self) { return self.iterations; })

@@ -4,12 +4,15 @@
 
 """Conformal maps against what is prescribed and closed forms."""
 
+import inspect
+import re
 import unittest
 
 import numpy as np
 
 import intrinsic
 import support
+from intrinsic.maps import _advice
 
 
 def signed_areas(uv):
@@ -184,7 +187,27 @@ class Flat(unittest.TestCase):
             intrinsic.flatten(V * [5, 1, 1], F, cones=cones, keep_triangulation=True, mollify=0)
         self.assertEqual(caught.exception.status, "triangle_inequality")
         self.assertIsNone(caught.exception.map)
+        self.assertRegex(str(caught.exception), "; leave out keep_triangulation=True")
         self.assertEqual(intrinsic.flatten(V * [5, 1, 1], F, cones=cones).status, "success")
+
+    def test_advice_names_parameters_and_functions_of_this_package(self):
+        named = set()
+        for status in ("not_converged", "triangle_inequality", "no_minimum", "wrong_curvature",
+                       "not_laid_out", "layout_collapsed", "not_closed", "not_circular",
+                       "not_rectangular", "not_convex", "not_inscribed", "not_conformal",
+                       "not_glued"):
+            for function in ("flatten", "to_sphere", "to_hyperbolic", "uniformize"):
+                text = _advice(status, function)
+                known = inspect.signature(getattr(intrinsic, function)).parameters
+                for name in re.findall(r"(\w+)=", text):
+                    if name != "keep_triangulation":  # which only flatten() has, and these follow
+                        self.assertIn(name, known, text)
+                    named.add(name)
+                for name in re.findall(r"(\w+)\(\)", text):
+                    self.assertTrue(callable(getattr(intrinsic, name)), text)
+                    named.add(name)
+        self.assertIn("cones", named)
+        self.assertIn("flatten", named)
 
 
 class Sphere(unittest.TestCase):
