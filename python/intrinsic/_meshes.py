@@ -49,6 +49,12 @@ def _cells(cells: Any) -> Any:
                           [np.zeros((0, 3), int)])
 
 
+def _refuse_own_object(mesh: Any) -> None:
+    """Raise an error for an object of this package that is no mesh, such as a Triangulation."""
+    if type(mesh).__module__.partition(".")[0] == __package__:
+        raise ArrayError(f"V is a {type(mesh).__name__}, but this function takes a mesh; give V and F")
+
+
 def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
     """Return positions and faces of an object of another package. It has `vertices` and `faces`
     (trimesh), `points` and `cells` (meshio), or `points` and `faces` (pyvista)."""
@@ -56,6 +62,7 @@ def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
         raise ArrayError("V is the name of a file; read it, for example by meshio.read()")
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return mesh.vertices, mesh.faces
+    _refuse_own_object(mesh)
     if hasattr(mesh, "points") and hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
         return mesh.points, _cells(mesh.cells)
     if hasattr(mesh, "points") and hasattr(mesh, "faces"):
@@ -64,10 +71,20 @@ def vertices_and_faces(mesh: Any) -> tuple[Any, Any]:
                      "and cells")
 
 
+def _positions_and_faces(V: Any, F: Any) -> tuple[Any, Any]:
+    """Return V and F, or the positions and faces of the mesh V."""
+    if F is None:
+        return vertices_and_faces(V)
+    if (hasattr(V, "vertices") or hasattr(V, "points")) and (hasattr(V, "faces") or hasattr(V, "cells")):
+        raise ArrayError("V is a mesh with faces; leave F out, and name all further arguments, as "
+                         "in distance(mesh, sources=0)")
+    _refuse_own_object(V)
+    return V, F
+
+
 def arrays(V: Any, F: ArrayLike | None) -> tuple[Floats, Integers]:
     """Return checked arrays (n, 3) and (m, 3)."""
-    if F is None:
-        V, F = vertices_and_faces(V)
+    V, F = _positions_and_faces(V, F)
     points = floats(V, (None, 3), "V")
     return points, _faces(F, len(points))
 
@@ -95,8 +112,7 @@ def surface(
 ) -> _core.Surface:
     """Return the surface of arrays, or of lengths alone if V is None."""
     if lengths is None:
-        if F is None:
-            V, F = vertices_and_faces(V)
+        V, F = _positions_and_faces(V, F)
         points, faces = _unchecked_arrays(V, F)
         _check_not_empty(faces)
         try:

@@ -105,7 +105,7 @@ def distance(
         "exact" gives the lengths of shortest paths, up to rounding. "heat" is faster on large
         meshes and has errors of some percent. If they are estimated to be large, it gives an
         `AccuracyWarning`. "auto" is exact if that is expected to take less than two seconds.
-    curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
+    curve : (k,) integers, pair of (k,) integers and (k, 3) floats, Path, or a list of these
         One or more polylines, as of `signed_distance()`. All their points are sources, too.
     time_step_factor : float
         The time for which heat flows, in squared mean edge lengths. "auto" is then "heat".
@@ -624,9 +624,10 @@ def signed_distance(
     ----------
     V, F, lengths, mollify, progress
         As of `laplacian()`.
-    curve : (k,) integers, pair of (k,) integers and (k, 3) floats, or a list of either
+    curve : (k,) integers, pair of (k,) integers and (k, 3) floats, Path, or a list of these
         The points of a polyline, or of several ones: vertices, or faces and barycentric
-        coordinates. Two points that follow each other must be in a common face.
+        coordinates, or the points of a `Path`. Two points that follow each other must be in a
+        common face.
     method : "auto", "exact" or "heat"
         "exact" gives the lengths of shortest paths, up to rounding. The curve must separate its
         left from its right, such as a loop around a region. "heat" has errors of some
@@ -660,7 +661,8 @@ def signed_distance(
 
 def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
     if curve is None:
-        raise ArrayError("curve is missing; give vertices, or points as faces and coordinates")
+        raise ArrayError("curve is missing; give vertices, or points as faces and coordinates, or "
+                         "a Path")
     parts = curve if _is_list_of_curves(curve) else [curve]
     found = [_polyline(part, T) for part in parts]
     sizes = [len(faces) for faces, _ in found]
@@ -675,11 +677,15 @@ def _curve(curve: Any, T: Triangulation) -> tuple[Integers, Floats, Integers]:
 def _is_list_of_curves(curve: Any) -> bool:
     if not isinstance(curve, list) or len(curve) == 0:
         return False
+    if isinstance(curve[0], Path):
+        return True
     is_pair = isinstance(curve[0], tuple) and len(curve[0]) > 0
     return array_of(curve[0][0] if is_pair else curve[0], "curve").ndim > 0
 
 
 def _polyline(part: Any, T: Triangulation) -> SurfacePoints:
+    if isinstance(part, Path):
+        part = part.faces, part.barycentric
     if isinstance(part, tuple):
         return points_on(part, T._core.number_of_faces(True), "curve")
     corners = T.input_F

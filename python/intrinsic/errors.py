@@ -43,7 +43,8 @@ class ArrayError(InputError, TypeError):
 class NotAManifoldError(InputError):
     """Is raised if an edge has more than two faces, or a vertex more than one fan of faces.
 
-    Another reason is that the orientations of the two faces of an edge differ.
+    Other reasons are that the orientations of the two faces of an edge differ, or that a component
+    is not orientable, as a Moebius strip.
     """
 
 

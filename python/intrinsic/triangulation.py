@@ -647,7 +647,8 @@ def computed_on(
     lengthened if a NumericalError ends it."""
     if isinstance(V, Triangulation):
         if F is not None or lengths is not None:
-            raise ArrayError("a Triangulation has faces and lengths; leave F and lengths out")
+            raise ArrayError("a Triangulation has faces and lengths; leave F and lengths out, and name "
+                             "all further arguments, as in distance(T, sources=0)")
         with V._lock:
             return compute(V)
     on = surface(V, F, lengths, mollify)

@@ -371,6 +371,30 @@ class Signed(unittest.TestCase):
         halves = [up[:6], up[5:]]
         np.testing.assert_allclose(intrinsic.signed_distance(V, F, halves), d, atol=1e-9)
 
+    def test_curves_that_are_paths(self):
+        V, F = intrinsic.shapes.grid(10, 10)
+        line, = intrinsic.level_set(V, F, V[:, 0], 0.37)  # with greater values on its left
+        d = 0.37 - V[:, 0]
+        np.testing.assert_allclose(intrinsic.signed_distance(V, F, line), d, atol=1e-12)
+        np.testing.assert_allclose(intrinsic.distance(V, F, curve=line), abs(d), atol=1e-12)
+        solver = intrinsic.DistanceSolver(V, F, "exact")
+        np.testing.assert_allclose(solver.distance(curve=line), abs(d), atol=1e-12)
+        end = intrinsic.path(V, F, 0, 10)  # along the side x = 0 or y = 0, which is another part
+        both = intrinsic.distance(V, F, curve=[line, end])
+        np.testing.assert_allclose(
+            both, np.minimum(abs(d), intrinsic.distance(V, F, curve=end)), atol=1e-12)
+        mixed = intrinsic.distance(V, F, curve=[line, [0, 1]])
+        self.assertEqual(mixed[1], 0)
+        self.assertTrue((mixed <= abs(d) + 1e-12).all())
+
+    def test_path_without_points_is_no_curve(self):
+        V, F = intrinsic.shapes.grid(3, 3)
+        nowhere = intrinsic.path(np.vstack([V, V + [9, 0, 0]]), np.vstack([F, F + len(V)]), 0,
+                                 len(V))
+        self.assertEqual(len(nowhere.faces), 0)
+        with self.assertRaisesRegex(intrinsic.InputError, "fewer than two points"):
+            intrinsic.signed_distance(V, F, nowhere)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -57,6 +57,29 @@ class Meshes(unittest.TestCase):
                 intrinsic.laplacian(thing)
 
     @unittest.skipUnless(meshio, "needs meshio")
+    def test_objects_of_this_package_that_are_no_meshes(self):
+        T = intrinsic.Triangulation(V, F)
+        calls = {"flatten": lambda: intrinsic.flatten(T),
+                 "simplify": lambda: intrinsic.simplify(T, n=9),
+                 "info": lambda: intrinsic.info(T),
+                 "Triangulation": lambda: intrinsic.Triangulation(T),
+                 "flatten with faces": lambda: intrinsic.flatten(T, F)}
+        for name, call in calls.items():
+            with self.subTest(name), self.assertRaisesRegex(
+                    intrinsic.ArrayError, "V is a Triangulation, but this function takes a mesh"):
+                call()
+
+    def test_arguments_after_a_mesh_need_names(self):
+        mesh = SimpleNamespace(vertices=V, faces=F)
+        cells = SimpleNamespace(points=V, cells=[("triangle", F)])
+        for call in (lambda: intrinsic.distance(mesh, 0), lambda: intrinsic.path(mesh, 0, 5),
+                     lambda: intrinsic.simplify(cells, 9, n=9), lambda: intrinsic.info(mesh, F),
+                     lambda: intrinsic.distance(intrinsic.Triangulation(V, F), 0)):
+            with self.assertRaisesRegex(intrinsic.ArrayError, "name all further arguments"):
+                call()
+        np.testing.assert_array_equal(intrinsic.distance(mesh, sources=0),
+                                      intrinsic.distance(V, F, 0))
+
     def test_meshio(self):
         self.check(meshio.Mesh(V, [("triangle", F)]))
         coarse = intrinsic.simplify(V, F, 40).coarse_mesh()
