@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -171,6 +172,11 @@ const Surface_point<FT>& surface_point(const Surface_point<FT>& p,
 }
 
 namespace internal {
+
+// Excludes types that are not points, such as named parameters, from overload resolution.
+template <typename Point>
+using If_point =
+  decltype(face_location(std::declval<const Point&>(), std::declval<const Delta_complex&>()));
 
 // Calls `use` with a source: a vertex, or a point as a location in a face.
 template <typename Source, typename Use>

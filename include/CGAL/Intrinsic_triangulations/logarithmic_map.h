@@ -237,7 +237,8 @@ bool add_valid_source(const Source& source, const Delta_complex& mesh, Search& s
 /// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
 template <typename Surface, typename Source, typename Target = Face_location<Length_of<Surface>>,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          typename = internal::If_point<Target>>
 Logarithm<Length_of<Surface>>
 logarithmic_map(const Surface& surface, const Source& source, const Target& target,
                 const NamedParameters& np = CGAL::parameters::default_values())
