@@ -110,7 +110,7 @@ void Command_run::end_stage()
 void Command_run::keep_chosen_component()
 {
   const auto components = component_faces(m_input.mesh);
-  const std::size_t chosen =
+  const std::size_t chosen = m_component =
     m_options.component ? *m_options.component : index_of_largest(components, m_input.mesh);
   if(chosen >= components.size())
     throw Program_error("--component " + std::to_string(chosen) +

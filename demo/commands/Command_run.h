@@ -45,6 +45,8 @@ public:
   const Input_mesh& input() const { return m_input; }
   // Frees all data of the input except for points, unless a page or a picture is requested.
   void keep_points_only();
+  // Returns the index of the component that the options choose, or zero.
+  std::size_t index_of_component() const { return m_component; }
   // Returns the points and faces of the input, without the faces of its cover.
   Output_mesh input_as_read() const;
   Progress_bar& progress() { return m_progress; }
@@ -120,6 +122,7 @@ private:
   Output m_output;
   Progress_bar m_progress;
   Input_mesh m_input;
+  std::size_t m_component = 0; // that the options choose
   Statistics m_statistics_of_input, m_statistics;
   Statistics m_seconds;
   std::optional<View_page> m_page;          // if a page or a picture is wanted

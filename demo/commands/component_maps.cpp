@@ -29,6 +29,19 @@ std::vector<double> part_of(const std::vector<double>& values, const Component_m
   return result;
 }
 
+Statistics description_of_component(const Command_run& run)
+{
+  const Mesh& mesh = run.input().mesh;
+  const std::vector<Mesh::Face_index>& kept = run.input().kept_faces;
+  const auto vertices =
+    std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                  [&mesh](Mesh::Vertex_index v) { return !mesh.is_isolated(v); });
+  return {{"component", run.index_of_component()},
+          {"vertices", vertices},
+          {"faces", mesh.number_of_faces()},
+          {"first_face", kept.empty() ? 0 : std::int64_t(kept.front().idx())}};
+}
+
 Component_maps::Component_maps(Command_run& run)
   : m_run(run), m_components(component_faces(run.input().mesh)), m_joined(run.input())
 {
@@ -75,7 +88,7 @@ void Component_maps::for_each(
     }
     all.push_back(std::move(own));
   }
-  m_run.statistics()["components"] = std::move(all);
+  m_run.statistics()["component_maps"] = std::move(all);
 }
 
 void Component_maps::leave_out(std::size_t component, const std::exception& e,

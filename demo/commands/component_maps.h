@@ -23,6 +23,9 @@
 // Returns the values at the vertices of a component.
 std::vector<double> part_of(const std::vector<double>& values, const Component_mesh& component);
 
+// Returns the number, the sizes and the first face of the only component that is mapped.
+Statistics description_of_component(const Command_run& run);
+
 // Maps each component of the input separately, and joins the results. Plane images and spheres are
 // arranged side by side.
 class Component_maps

@@ -146,6 +146,17 @@ void describe_sizes(Statistics& statistics, const Conformal_map& map, const Map_
                        result.polygons.size());
 }
 
+void add_description(Statistics& statistics, const Statistics& map, const Map_output& output)
+{
+  statistics.update(map);
+  if(!output.component)
+    return;
+  Statistics component = *output.component;
+  component.update(map);
+  statistics["component_maps"] = Statistics::array();
+  statistics["component_maps"].push_back(component);
+}
+
 void show(View_page& page, Command_run& run, const Map_part& part, Output_mesh mesh,
           Image_kind kind)
 {

@@ -73,6 +73,8 @@ struct Map_output
   std::string precise = {}; // of a sphere: a file of positions; empty if it is not wanted
   std::string picture = {}; // of the hyperbolic plane: an SVG file; empty if it is not wanted
   int depth = 3;            // of the tiling there and on the page
+  // Describes the component if components are mapped one by one, and the input has only this one.
+  std::optional<Statistics> component = {};
 };
 
 Map_output map_output(const Hyperbolic_options& options, Mesh_format format,
@@ -135,6 +137,10 @@ void add_files(Command_run& run, const Spherical_map& map, const Map_output& out
 void add_files(Command_run& run, const Planar_map& map, const Map_output& output);
 void add_files(Command_run& run, const Hyperbolic_map& map, const Map_output& output);
 
+// Adds the description of a map to the statistics, also as the only one of "component_maps" if
+// components are mapped one by one.
+void add_description(Statistics& statistics, const Statistics& map, const Map_output& output);
+
 // Summarizes the results of `described_mesh()` in one line.
 std::string summary_of(const Spherical_map& map, const Statistics& statistics);
 std::string summary_of(const Planar_map& map, const Statistics& statistics);
@@ -148,8 +154,10 @@ int finish(Command_run& run, const Map_output& output, const Map& map)
   check_status(run, map, map.is_laid_out());
   run.timed("write", [&] {
     const Map_part part(map, run.input().mesh);
-    Output_mesh mesh = described_mesh(run.statistics(), map, part, output);
-    describe_crowding(run, run.statistics(), map);
+    Statistics description;
+    Output_mesh mesh = described_mesh(description, map, part, output);
+    describe_crowding(run, description, map);
+    add_description(run.statistics(), description, output);
     run.show([&](View_page& page) { show(page, run, map, part, mesh, output); });
     add_input_data(run.input(), mesh);
     run.add_output(output.path, mesh, output.format);

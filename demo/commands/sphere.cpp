@@ -62,7 +62,7 @@ Vertices without faces have the position (0, 0, 1), or (1, 0, 0) beside a disk, 
 coordinates zero. If the image is not convex, it is written only with --keep-going.
 
 Several components are mapped one by one. Their spheres stand beside each other along the x axis,
-with the "center" in the "components" of the statistics. Positions of --precise are relative to it.
+with the "center" in "component_maps" of the statistics. Positions of --precise are relative to it.
 Vertices without faces do not move. --component K and --largest select one component.
 
 With --radii, circles around the vertices are mapped to circles on the sphere. Their angles are
@@ -99,8 +99,7 @@ Spherical_map mapped(Command_run& run, const Mesh& mesh, double epsilon,
 void describe(Statistics& statistics, const Spherical_map& map)
 {
   statistics["disk"] = map.is_disk();
-  if(map.is_flat())
-    statistics["flat"] = true;
+  statistics["flat"] = map.is_flat();
   statistics["iterations"] = map.minimization().iterations;
   describe_status(statistics, map);
   statistics["extended_precision"] = map.is_extended();
@@ -118,13 +117,13 @@ void describe(Statistics& statistics, const Spherical_map& map)
 std::string summary_of(const Spherical_map&, const Statistics& s)
 {
   std::ostringstream text;
-  text << (s["disk"] ? s.contains("flat") ? "inscribed polygon" : "hemisphere" : "sphere")
-       << (s["disk"] || !s.contains("flat") ? "" : " that is a flat polygon, seen from both sides")
+  text << (s["disk"] ? s["flat"] ? "inscribed polygon" : "hemisphere" : "sphere")
+       << (s["disk"] || !s["flat"] ? "" : " that is a flat polygon, seen from both sides")
        << (s["convex"] ? ", convex" : "") << ", log scale factors "
        << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
        << s["flips"] << " + " << s["ptolemy_flips"] << " flips, " << s["lost_in_output"]
        << " triangles lost by rounding, ";
-  if(s.contains("flipped_in_output"))
+  if(s["flipped_in_output"] > 0)
     text << s["flipped_in_output"] << " triangles flipped" << first_flipped_face(s) << ", ";
   text << s["subdivision"]["faces"] << " faces in the common subdivision";
   return text.str();
@@ -137,8 +136,7 @@ Output_mesh described_mesh(Statistics& statistics, const Spherical_map& map, con
   Output_mesh result = sphere_mesh(map, part);
   if(map.has_radii())
     add_radii(result, part, [&map](auto v) { return map.circle_radius(v); });
-  if(!map.is_flat())
-    describe_triangles_on_sphere(statistics, result);
+  describe_triangles_on_sphere(statistics, result, map.is_flat());
   describe_sizes(statistics, map, part, result);
   return result;
 }
@@ -210,6 +208,7 @@ int sphere(const Common_options& common, const Sphere_options& options)
     });
     if(component_faces(run.input().mesh).size() > 1)
       return map_components(run, output, epsilon, radii);
+    output.component = description_of_component(run);
     return finish(run, output, mapped(run, run.input().mesh, epsilon, radii));
   });
 }

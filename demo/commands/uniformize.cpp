@@ -43,10 +43,10 @@ modular group. For a cylinder, its imaginary part is the height over the circumf
 
 Several components are mapped one by one and written into one mesh, in which the vertices of the
 input keep their indices. Textures stand beside each other. Unit spheres stand in a row, to the
-right of the mesh if it has other components. "components" in the statistics has the keys of each
-component, its number, sizes and first face, and the center of a sphere. If a component has no map,
-nothing is written, or, with --keep-going, only the others. --component K and --largest select one
-component; --view, --picture and --svg show only one.
+right of the mesh if it has other components. "component_maps" in the statistics has the keys of
+each component, its number, sizes and first face, and the center of a sphere beside others. If a
+component has no map, nothing is written, or, with --keep-going, only the others. --component K and
+--largest select one component; --view, --picture and --svg show only one.
 
 Example:
   intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
@@ -160,9 +160,11 @@ int map_surface(Command_run& run, const Hyperbolic_options& options, Mesh_format
   run.plan({{"build"}, map_stages(is_flat(type))});
   const auto [epsilon, radii] = built(run, options);
   const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon, radii);
-  const Map_output output = map_output(options, format);
+  Map_output output = map_output(options, format);
+  Statistics& component = output.component.emplace(description_of_component(run));
+  component["surface_type"] = DCM::to_string(type);
   if(result.modulus)
-    run.statistics()["modulus"] = description(*result.modulus);
+    component["modulus"] = run.statistics()["modulus"] = description(*result.modulus);
   return std::visit([&](const auto& map) { return finish(run, output, map); }, result.map);
 }
 

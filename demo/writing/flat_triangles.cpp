@@ -52,7 +52,7 @@ void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
   }
 }
 
-// Adds the first faces of the input that contain polygons, if any exist.
+// Adds the first faces of the input that contain polygons.
 void name_faces(Statistics& statistics, const Output_mesh& mesh,
                 const std::vector<std::size_t>& polygons)
 {
@@ -62,8 +62,7 @@ void name_faces(Statistics& statistics, const Output_mesh& mesh,
     if(const std::int64_t face = number_of(mesh.placement.face(polygons[n], 0));
        std::find(faces.begin(), faces.end(), face) == faces.end())
       faces.push_back(face);
-  if(!faces.empty())
-    statistics["flipped_faces"] = faces;
+  statistics["flipped_faces"] = faces;
 }
 
 } // namespace
@@ -96,24 +95,22 @@ void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
   name_faces(statistics, mesh, polygons);
 }
 
-void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mesh)
+void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mesh, bool is_flat)
 {
   std::vector<std::size_t> polygons;
-  for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+  for(std::size_t i = 0; i < mesh.polygons.size() && !is_flat; ++i) {
     const Polygons::Polygon p = mesh.polygons[i];
     for(std::size_t k = 2; k < p.size(); ++k)
       if(CGAL::orientation(Point(0, 0, 0), mesh.points[p[0]], mesh.points[p[k - 1]],
                            mesh.points[p[k]]) == CGAL::NEGATIVE)
         polygons.push_back(i);
   }
-  if(!polygons.empty())
-    statistics["flipped_in_output"] = polygons.size();
+  statistics["flipped_in_output"] = polygons.size();
   name_faces(statistics, mesh, polygons);
 }
 
 std::string first_flipped_face(const Statistics& statistics)
 {
-  return statistics.contains("flipped_faces")
-           ? " (the first in face " + statistics["flipped_faces"][0].dump() + ")"
-           : "";
+  const Statistics& faces = statistics["flipped_faces"];
+  return faces.empty() ? "" : " (the first in face " + faces[0].dump() + ")";
 }

@@ -23,8 +23,8 @@ std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh);
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh);
 
 // Adds how many triangles, cut off in the same way, are flipped on the sphere as seen from its
-// center, and names their first faces. Adds nothing if none is flipped.
-void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mesh);
+// center, and names their first faces. A flat mesh contains the center, so none is flipped.
+void describe_triangles_on_sphere(Statistics& statistics, const Output_mesh& mesh, bool is_flat);
 
 // Returns the first flipped triangle that these functions have found, or an empty text.
 std::string first_flipped_face(const Statistics& statistics);

@@ -183,7 +183,7 @@ expect 0 flatten slivers.mesh.off -o a.ply --stats statistics.json
 [ ! -s out ] || fail 'standard output is not empty'
 promises=$(printf '%s error bound kept ' layout curvature exterior_angle orientation cross_ratio closing)
 has_keys statistics.json $surface_keys cones iterations status promises $promises \
-  max_curvature_error max_cross_ratio_error flipped_triangles degenerate_triangles flipped_slivers charts \
+  max_curvature_error max_cross_ratio_error flipped_triangles degenerate_triangles flipped_slivers flipped_faces charts \
   overlap_area overlapping_charts log_scale_min log_scale_max log_scale_square_sum flips ptolemy_flips \
   $subdivision_keys crowded_faces seconds read build cones optimize layout trace subdivide write peak_memory_bytes
 is_conformal statistics.json

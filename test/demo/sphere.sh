@@ -37,7 +37,9 @@ grid square 6 0
 expect 0 sphere square.mesh.off -o square.obj --stats square.json
 says hemisphere
 is_convex square.json
-claim "json('square.json').disk"
+claim "s = json('square.json')" 's.disk' 's.flat is False' 's.flipped_in_output == 0' 's.flipped_faces == []' \
+  's.components == 1' '[(c.component, c.vertices, c.faces, c.first_face) for c in s.component_maps] == [(0, 49, 72, 0)]' \
+  'all(s[k] == c[k] for c in s.component_maps for k in ("disk", "flat", "status", "promises", "subdivision"))'
 on_sphere square.obj
 claim "m = obj('square.obj')" 'all(p[2] >= 0 for p in m.points)' \
   'sum(p[2] == 0 for p in m.points) >= 24' \
@@ -62,7 +64,8 @@ is_convex isolated.json
 on_sphere isolated.obj
 [ "$(head -n 1 isolated.obj)" = 'v 1 0 0' ] || fail "$(head -n 1 isolated.obj)"
 expect 0 uniformize isolated.mesh.off -o isolated.obj --stats isolated.json
-claim "json('isolated.json').surface_type == 'sphere'"
+claim "s = json('isolated.json')" "s.surface_type == s.component_maps[0].surface_type == 'sphere'" \
+  's.component_maps[0].vertices == 4'
 rm isolated.json isolated.obj isolated.ply isolated.txt
 
 # strip NAME N: unit squares in a row; vertices 2 i and 2 i + 1 are across.
@@ -86,7 +89,8 @@ for command in sphere uniformize; do
   says 'inscribed polygon, convex'
   is_convex strip.json
   on_sphere strip.obj
-  claim "s = json('strip.json')" 's.flat and s.disk and s.lost_in_output == 0' \
+  claim "s = json('strip.json')" 's.flat is True and s.disk and s.lost_in_output == 0' \
+    's.flipped_in_output == 0 and s.flipped_faces == [] and s.component_maps[0].flat is True' \
     "p = obj('strip.obj').points" 'len(p) == 18 and all(x[2] == 0 for x in p)' \
     'near([dist(p[i], p[i + 2]) * dist(p[i + 3], p[i + 1]) / dist(p[i], p[i + 1]) / dist(p[i + 2], p[i + 3]) for i in range(0, 16, 2)], [1] * 8, 1e-8)' \
     "obj('strip.obj').texture == [(x, y) for x, y, z in p]"
@@ -127,8 +131,9 @@ off parts '9 9 9,0 0 0,1 0 0,0 1 0,0 0 1,5 0 0,6 0 0,5 1 0,7 7 0' '1 3 2,1 2 4,5
 expect 0 sphere parts.mesh.off -o parts.ply --stats parts.json --precise parts.txt
 says '2 components'
 says 'component 1, 2 faces, first face 2: inscribed polygon'
-claim "s = json('parts.json')" '[(c.component, c.vertices, c.faces, c.first_face) for c in s.components] == [(0, 4, 4, 0), (1, 4, 2, 2)]' \
-  "all(c.status == 'success' for c in s.components)" '[c.center[0] for c in s.components] == [0, 2.5]' \
+claim "s = json('parts.json')" '[(c.component, c.vertices, c.faces, c.first_face) for c in s.component_maps] == [(0, 4, 4, 0), (1, 4, 2, 2)]' \
+  's.components == 2' '[c.flat for c in s.component_maps] == [False, True]' \
+  "all(c.status == 'success' for c in s.component_maps)" '[c.center[0] for c in s.component_maps] == [0, 2.5]' \
   "m = ply('parts.ply')" 'm.points[0] == (9, 9, 9)' 'm.vertex["input_vertex"][:9] == list(range(9))' \
   'near([hypot(*m.points[i]) for i in (1, 2, 3, 4)], [1] * 4, 1e-14)' \
   'near([hypot(m.points[i][0] - 2.5, m.points[i][1]) for i in (5, 6, 7, 8)], [1] * 4, 1e-14)' \
@@ -138,6 +143,7 @@ claim "s = json('parts.json')" '[(c.component, c.vertices, c.faces, c.first_face
 # one of them, as if it were alone
 expect 0 sphere parts.mesh.off -o part.ply --component 1 --stats parts.json
 claim "s = json('parts.json')" 's.component.index == 1 and s.component.of == 2 and s.component.first_face == 2' \
+  's.components == 2' '[(c.component, c.vertices, c.faces, c.first_face) for c in s.component_maps] == [(1, 4, 2, 2)]' \
   "m = ply('part.ply')" 'm.vertex["input_vertex"][:9] == list(range(9))' \
   'near([hypot(*m.points[i]) for i in (5, 6, 7, 8)], [1] * 4, 1e-14)' \
   'set(m.face["input_face"]) == {2, 5}'
@@ -159,12 +165,13 @@ refuses 'component 1, 6 faces, first face 1: ' sphere three.mesh.off -o none.ply
 expect_files
 expect 3 sphere three.mesh.off -o three.ply --stats three.json --keep-going
 says 'left out: '
-claim "s = json('three.json')" "s.components[0].status == 'success' and 'left_out' in s.components[1]" \
+claim "s = json('three.json')" "s.component_maps[0].status == 'success' and 'left_out' in s.component_maps[1]" \
+  's.components == 2' \
   "set(ply('three.ply').face['input_face']) == {0}"
 rm three.ply three.json
 expect 0 uniformize three.mesh.off -o three.obj --stats three.json
-claim "s = json('three.json')" "[c.surface_type for c in s.components] == ['disk', 'annulus']" \
-  's.components[1].modulus[1] > 0' "m = obj('three.obj')" 'm.points[3:6] == [(5, 0, 0), (8, 0, 0), (5, 3, 0)]' \
+claim "s = json('three.json')" "[c.surface_type for c in s.component_maps] == ['disk', 'annulus']" \
+  's.components == 2' 's.component_maps[1].modulus[1] > 0' "m = obj('three.obj')" 'm.points[3:6] == [(5, 0, 0), (8, 0, 0), (5, 3, 0)]' \
   'near(hypot(m.points[0][0] - 9.5, m.points[0][1]), 1, 1e-14)' 'flat_area(m) > 0'
 expect 0 uniformize three.mesh.off -o again.obj
 cmp three.obj again.obj
