@@ -15,6 +15,16 @@
 #include <string>
 #include <utility>
 
+// Adds an option for one or several files that the command reads. No output may replace them.
+template <class Paths>
+CLI::Option* add_read_file(CLI::App& command, Common_options& common, const std::string& name,
+                           Paths& paths, const std::string& what)
+{
+  return command.add_option(name, paths, what)->each([&common, name](const std::string& path) {
+    common.read_files.push_back({name, path});
+  });
+}
+
 // Stores the possible arguments of the command line, and the command that is called.
 class Command_line
 {
@@ -48,7 +58,8 @@ public:
                 int (*run)(const Common_options&, const Own_options&), const char* help)
   {
     const auto result = add(name, description, run, help);
-    result.first.add_option("mesh", m_common.input, "Mesh (.off, .obj, .ply, .stl, .vtp)")
+    add_read_file(result.first, m_common, "mesh", m_common.input,
+                  "Mesh (.off, .obj, .ply, .stl, .vtp)")
       ->required();
     return result;
   }

@@ -33,7 +33,7 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
                          std::vector<std::string> outputs, bool are_soups_allowed)
   : m_command(command),
     m_options(options),
-    m_output(options.input, all_outputs(std::move(outputs), options)),
+    m_output(options.read_files, all_outputs(std::move(outputs), options)),
     m_progress(options.is_quiet)
 {
   m_options.are_soups_allowed = are_soups_allowed;

@@ -205,7 +205,8 @@ void define_convex(Command_line& line)
     "convex", "Find the convex polyhedron with the surface of a mesh, or fold a net to it", convex,
     convex_help);
   add_output(command, options, "The polyhedron (.off, .obj, .ply, .vtp", "off, obj, ply or vtp");
-  command.add_option("--glue", options.sides, "Text file of the sides of a net that are glued");
+  add_read_file(command, line.common(), "--glue", options.sides,
+                "Text file of the sides of a net that are glued");
   command.add_option("--subdivision", options.subdivision,
                      "File for the common subdivision on the polyhedron");
   command

@@ -655,10 +655,9 @@ void define_distance(Command_line& line)
                 "Point to which distances are measured, with several to the nearest: a vertex "
                 "counted from 0, FACE:a,b,c (barycentric), or x,y,z (nearest)")
     ->allow_extra_args(false);
-  command.add_option(
-    "--curve", options.curve,
-    "File of polylines (.obj, .ply or .vtp, or .xyz for one) to which distances are "
-    "measured");
+  add_read_file(command, line.common(), "--curve", options.curve,
+                "File of polylines (.obj, .ply or .vtp, or .xyz for one) to which distances are "
+                "measured");
   command.add_flag("--signed", options.is_signed,
                    "Compute signed distances to --curve: negative on its left");
   add_distance_outputs(command, options);

@@ -363,11 +363,11 @@ void add_files(Command_run&, const Planar_map&, const Map_output&) {}
 
 namespace {
 
-void add_flattening_targets(CLI::App& command, Flatten_options& options)
+void add_flattening_targets(CLI::App& command, Common_options& common, Flatten_options& options)
 {
-  command.add_option("--cones", options.cones,
-                     "greedy, exchanged, none, or a file of angle defects; greedy by default, but "
-                     "none for a rectangle or a disk");
+  add_read_file(command, common, "--cones", options.cones,
+                "greedy, exchanged, none, or a file of angle defects; greedy by default, but none "
+                "for a rectangle or a disk");
   add_number(command, "--max-log-scale", options.maximum_log_scale,
              "Place cones until the absolute values of all logarithmic scale factors are at most "
              "this; 5 by default",
@@ -379,9 +379,9 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
     .add_option("--boundary", options.boundary,
                 "free, straight, scale, curvature, rectangle or disk, see below")
     ->capture_default_str();
-  command.add_option("--boundary-values", options.boundary_values,
-                     "File of values at vertices for --boundary scale or curvature");
-  add_radii(command, options.radii);
+  add_read_file(command, common, "--boundary-values", options.boundary_values,
+                "File of values at vertices for --boundary scale or curvature");
+  add_radii(command, common, options.radii);
 }
 
 } // namespace
@@ -392,7 +392,7 @@ void define_flatten(Command_line& line)
     line.add_with_mesh("flatten", "Map a mesh to the plane, conformally",
                        attempted<Flatten_command, Flatten_options>, flatten_help);
   add_texture_output(command, options);
-  add_flattening_targets(command, options);
+  add_flattening_targets(command, line.common(), options);
   command
     .add_option("--solver", options.solver,
                 "newton, ceres, or cetm, which keeps the triangulation of the mesh, see below")

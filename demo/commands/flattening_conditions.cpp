@@ -104,10 +104,10 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
   return result;
 }
 
-void add_radii(CLI::App& command, std::string& source)
+void add_radii(CLI::App& command, Common_options& common, std::string& source)
 {
-  command.add_option("--radii", source,
-                     "Circles at vertices: a file of radii, or a property of vertices in the mesh");
+  add_read_file(command, common, "--radii", source,
+                "Circles at vertices: a file of radii, or a property of vertices in the mesh");
 }
 
 std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input)

@@ -45,7 +45,7 @@ Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 // Throws Program_error if the file is wrong.
 std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input);
 
-void add_radii(CLI::App& command, std::string& source);
+void add_radii(CLI::App& command, Common_options& common, std::string& source);
 
 // Returns whether the word after --boundary names a shape, whose angles the library finds.
 bool is_shape(const std::string& boundary);

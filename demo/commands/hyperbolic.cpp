@@ -260,9 +260,9 @@ void define_hyperbolic(Command_line& line)
     "hyperbolic", "Compute the conformal metric of curvature -1, in the Poincare disk", hyperbolic,
     hyperbolic_help);
   add_texture_output(command, options);
-  command.add_option("--cones", options.cones,
-                     "File of angle defects; zero everywhere if not given");
-  add_radii(command, options.radii);
+  add_read_file(command, line.common(), "--cones", options.cones,
+                "File of angle defects; zero everywhere if not given");
+  add_radii(command, line.common(), options.radii);
   add_tiling(command, options);
   add_keep_going(command, line.common());
   add_components(command, line.common());

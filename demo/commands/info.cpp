@@ -159,14 +159,20 @@ void print_text(const std::string& input, const Polygon_soup& soup, const Verdic
               << '\n';
 }
 
-void write_page(const Common_options& common, const Polygon_soup& soup, const Verdict& verdict)
+// Returns the outputs, after their paths are checked.
+Output checked_output(const Common_options& common)
 {
   if(!common.view.empty())
     View_page::check_available();
   check_picture_available("--picture", common.picture);
+  return Output(common.read_files, {common.view, common.picture});
+}
+
+void write_page(Output& output, const Common_options& common, const Polygon_soup& soup,
+                const Verdict& verdict)
+{
   if(!common.is_shown())
     return;
-  Output output(common.input, {common.view, common.picture});
   View_page page;
   show(page, "input", soup);
   page.set_statistics(statistics_of(common.input, verdict));
@@ -177,9 +183,10 @@ void write_page(const Common_options& common, const Polygon_soup& soup, const Ve
 
 int info(const Common_options& common, const Info_options& options)
 {
+  Output output = checked_output(common);
   const Polygon_soup soup = read_mesh(common.input);
   const Verdict verdict = verdict_on(common.input, soup);
-  write_page(common, soup, verdict);
+  write_page(output, common, soup, verdict);
   if(options.is_json)
     std::cout << text_of(statistics_of(common.input, verdict));
   else

@@ -10,12 +10,21 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
+
+// Names a file that a command reads, and the option that gives it.
+struct Read_file
+{
+  std::string option;
+  std::string path;
+};
 
 // Stores the options of all commands on intrinsic triangulations. Empty paths are outputs that are
 // not requested.
 struct Common_options
 {
   std::string input;
+  std::vector<Read_file> read_files; // the input, and the files of options
   std::string save;
   std::string statistics;
   std::string view;                            // a page

@@ -224,7 +224,7 @@ void define_sphere(Command_line& line)
   command.add_option(
     "--precise", options.precise,
     "Text file for the positions of the input vertices with 31 digits: index x y z");
-  add_radii(command, options.radii);
+  add_radii(command, line.common(), options.radii);
   add_keep_going(command, line.common());
   add_components(command, line.common());
   add_common_options(command, line.common());

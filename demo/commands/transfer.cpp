@@ -235,10 +235,11 @@ void define_transfer(Command_line& line)
     "transfer", "Map points or functions to the intrinsic triangulation, or back",
     attempted<Transfer_command, Transfer_options>, transfer_help);
   command.add_option("-o,--output", options.output, "Text file; - for standard output")->required();
-  command.add_option("--points", options.points,
-                     "Text file of points, one in a line: a vertex, FACE:a,b,c (barycentric), or "
-                     "x,y,z (nearest)");
-  command.add_option("--data", options.data, "Text file of values at vertices: index value");
+  add_read_file(command, line.common(), "--points", options.points,
+                "Text file of points, one in a line: a vertex, FACE:a,b,c (barycentric), or x,y,z "
+                "(nearest)");
+  add_read_file(command, line.common(), "--data", options.data,
+                "Text file of values at vertices: index value");
   command.add_flag("--back", options.is_back,
                    "Map points and values from the intrinsic triangulation to the mesh");
   add_save(command, line.common());

@@ -187,7 +187,7 @@ void define_uniformize(Command_line& line)
     "uniformize", "Compute the conformal metric of constant curvature that suits the topology",
     uniformize, uniformize_help);
   add_texture_output(command, options);
-  add_radii(command, options.radii);
+  add_radii(command, line.common(), options.radii);
   add_tiling(command, options);
   add_keep_going(command, line.common());
   add_components(command, line.common());

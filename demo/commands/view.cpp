@@ -32,10 +32,10 @@ Pages of large meshes draw intrinsic edges without the common subdivision, as wi
 Example:
   intrinsic view bunny.obj scan.stl -o meshes.html)";
 
-int view(const Common_options&, const View_options& options)
+int view(const Common_options& common, const View_options& options)
 {
   View_page::check_available();
-  Output output(options.inputs.front(), {options.output});
+  Output output(common.read_files, {options.output});
   View_page page;
   Statistics statistics{{"command", "view"}, {"input", options.inputs.front()}};
   for(const std::string& input : options.inputs) {
@@ -56,6 +56,8 @@ void define_view(Command_line& line)
 {
   const auto [command, options] =
     line.add("view", "Write a page that shows meshes in a browser", view, view_help);
-  command.add_option("mesh", options.inputs, "Meshes (.off, .obj, .ply, .stl, .vtp)")->required();
+  add_read_file(command, line.common(), "mesh", options.inputs,
+                "Meshes (.off, .obj, .ply, .stl, .vtp)")
+    ->required();
   command.add_option("-o,--output", options.output, "HTML file; - for standard output")->required();
 }

@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -42,12 +43,23 @@ void check_can_be_created(const std::string& path)
     throw Program_error(path + ": there is no directory " + folder.string() + "; create it first");
 }
 
-void check(const fs::path& input, const std::string& path)
+// Checks that the output does not replace a file that is read. Devices such as /dev/null may be
+// both.
+void check_is_not_read(const std::string& path, const std::vector<Read_file>& read_files)
+{
+  std::error_code ignored;
+  for(const Read_file& file : read_files)
+    if(fs::is_regular_file(path, ignored) && fs::equivalent(file.path, path, ignored))
+      throw Program_error(path + ": is the input" +
+                          (file.option == "mesh" ? "" : " of " + file.option) +
+                          ", which is never overwritten; name another file");
+}
+
+void check(const std::vector<Read_file>& read_files, const std::string& path)
 {
   if(path.empty() || path == "-")
     return;
-  if(are_same(input, path))
-    throw Program_error(path + ": is the input, which is never overwritten; name another file");
+  check_is_not_read(path, read_files);
   check_can_be_created(path);
 }
 
@@ -116,10 +128,10 @@ void Atomic_file::commit()
   m_is_committed = true;
 }
 
-Output::Output(const fs::path& input, const std::vector<std::string>& paths)
+Output::Output(const std::vector<Read_file>& read_files, const std::vector<std::string>& paths)
 {
   for(std::size_t i = 0; i < paths.size(); ++i) {
-    check(input, paths[i]);
+    check(read_files, paths[i]);
     for(std::size_t j = 0; j < i; ++j)
       if(!paths[i].empty() && (paths[i] == paths[j] || are_same(paths[i], paths[j])))
         throw Program_error(paths[i] + ": is named for two outputs; give each its own name");

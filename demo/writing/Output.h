@@ -5,9 +5,9 @@
 #ifndef INTRINSIC_OUTPUT_H
 #define INTRINSIC_OUTPUT_H
 
+#include "commands/options.h"
 #include "writing/Text.h"
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,10 +20,10 @@ class Atomic_file;
 class Output
 {
 public:
-  // Checks that the input is not among the paths, that no two are equal and that each can be
-  // created. Empty paths are outputs that are not requested.
+  // Checks that no path leads to a file that is read, also by links, that no two are equal and that
+  // each can be created. Empty paths are outputs that are not requested.
   // Throws Program_error if a check fails.
-  Output(const std::filesystem::path& input, const std::vector<std::string>& paths);
+  Output(const std::vector<Read_file>& read_files, const std::vector<std::string>& paths);
 
   ~Output();
 

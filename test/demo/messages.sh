@@ -95,6 +95,9 @@ off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
 
 expect 0 delaunay flat.mesh.off -o flat.mesh.ply
 ln -s flat.mesh.ply link.mesh.ply
+cp flat.mesh.ply flat.svg
+ln -s value.txt link.txt
+ln value.txt hard.txt
 : >seen
 ls >files
 # calls COMMAND...: rows of CODE | what is said | arguments, of which a word may not have spaces
@@ -311,6 +314,31 @@ calls <<'TABLE'
 2 | --homogeneous is for flat and hyperbolic surfaces; this surface is of type disk: leave it out | uniformize flat.mesh.off --homogeneous -o a.obj
 1 | cannot be written | delaunay flat.mesh.off -o /proc/a.ply
 TABLE
+
+# No output replaces a file that is read, whatever its option, by no other spelling or link.
+is_read='which is never overwritten; name another file'
+before=$(md5sum -- *.txt *.obj nan.ply flat.svg)
+calls <<TABLE
+2 | value.txt: is the input of --data, $is_read | transfer flat.mesh.off --data value.txt -o value.txt
+2 | ./value.txt: is the input of --data, $is_read | transfer flat.mesh.off --data value.txt -o ./value.txt
+2 | link.txt: is the input of --data, $is_read | transfer flat.mesh.off --data value.txt -o link.txt
+2 | value.txt: is the input of --data, $is_read | transfer flat.mesh.off --data link.txt -o a.txt --stats value.txt
+2 | hard.txt: is the input of --data, $is_read | transfer flat.mesh.off --data value.txt -o a.txt --save hard.txt
+2 | words.txt: is the input of --points, $is_read | transfer flat.mesh.off --points words.txt -o words.txt
+2 | half.obj: is the input of --curve, $is_read | distance flat.mesh.off --curve half.obj -o a.ply --level-sets half.obj
+2 | nan.ply: is the input of --curve, $is_read | distance flat.mesh.off --curve nan.ply -o nan.ply
+2 | inside.txt: is the input of --cones, $is_read | flatten flat.mesh.off --cones inside.txt -o a.obj --matrix inside.txt
+2 | inside.txt: is the input of --boundary-values, $is_read | flatten flat.mesh.off --boundary scale --boundary-values inside.txt -o a.obj --stats inside.txt
+2 | inside.txt: is the input of --radii, $is_read | flatten flat.mesh.off --radii inside.txt -o a.obj --matrix inside.txt
+2 | inside.txt: is the input of --radii, $is_read | sphere flat.mesh.off --radii inside.txt -o a.ply --precise inside.txt
+2 | inside.txt: is the input of --radii, $is_read | uniformize flat.mesh.off --radii inside.txt -o a.obj --stats inside.txt
+2 | inside.txt: is the input of --cones, $is_read | hyperbolic flat.mesh.off --cones inside.txt -o a.obj --stats inside.txt
+2 | words.txt: is the input of --glue, $is_read | convex flat.mesh.off --glue words.txt -o a.off --save words.txt
+2 | flat.svg: is the input, $is_read | info flat.svg --picture flat.svg
+TABLE
+[ "$(md5sum -- *.txt *.obj nan.ply flat.svg)" = "$before" ] || fail 'an input has changed'
+# A device may be both.
+expect 0 transfer good.mesh.off --data <(printf '0 1\n1 2\n2 3\n3 4\n') -o /dev/null --stats /dev/stdout
 
 # Every message in the sources has been seen, here or in the test of a command, except those that no call
 # can reach.
