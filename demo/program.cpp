@@ -23,21 +23,21 @@
 
 namespace {
 
-// Returns the exit code. Help and version are not errors.
-int exit_code(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv)
-{
-  const bool is_error = e.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
-  const std::string unknown = is_error ? unknown_word(app, argc, argv) : "";
-  if(unknown.empty())
-    return app.exit(e) == 0 ? 0 : 2;
-  std::cerr << "intrinsic: " << unknown << "\nRun with --help for more information.\n";
-  return 2;
-}
-
 int report(const std::exception& e, int code)
 {
   std::cerr << "intrinsic: " << e.what() << '\n';
   return code;
+}
+
+// Returns the exit code. Help and version are not errors.
+int exit_code(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv)
+{
+  if(e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    return app.exit(e);
+  const std::string unknown = unknown_word(app, argc, argv);
+  return report(std::runtime_error((unknown.empty() ? e.what() : unknown) +
+                                   "\nRun with --help for more information."),
+                2);
 }
 
 // Returns advice if no map exists at all, or an empty text for other commands.

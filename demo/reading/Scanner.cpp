@@ -39,8 +39,8 @@ std::string quoted(std::string_view word)
   return "'" + result + (word.size() > 32 ? "...'" : "'");
 }
 
-// Returns the content, also of files that are not regular and have no size.
-std::string content(const fs::path& path)
+// Returns the bytes, also of files that are not regular and have no size.
+std::string file_bytes(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);
   if(!file)
@@ -73,14 +73,18 @@ std::optional<double> finite_number(const std::string& text)
            : std::optional<double>(result);
 }
 
-Scanner::Scanner(const fs::path& path) : m_path(path)
+std::string file_content(const fs::path& path)
 {
   if(!fs::exists(path))
-    fail_as_a_whole("no such file");
+    throw Program_error(path.string() + ": no such file");
   if(fs::is_directory(path))
-    fail_as_a_whole("is a directory");
-  m_bytes = plain_text(content(path));
-  m_position = m_bytes.data();
+    throw Program_error(path.string() + ": is a directory");
+  return plain_text(file_bytes(path));
+}
+
+Scanner::Scanner(const fs::path& path)
+  : m_path(path), m_bytes(file_content(path)), m_position(m_bytes.data())
+{
   if(m_bytes.empty())
     fail_as_a_whole("is empty");
 }

@@ -19,6 +19,10 @@
 // Returns the number in a text, or nothing if it is not a finite decimal number.
 std::optional<double> finite_number(const std::string& text);
 
+// Returns the text of a file without a byte-order mark, or the bytes of a binary file.
+// Throws Program_error if the path names no file, or the file cannot be read.
+std::string file_content(const std::filesystem::path& path);
+
 // Reads the bytes of a file in their order. Reading never exceeds their end, whatever they contain.
 // All functions that read throw Program_error, with the line in a text, if they do not find the
 // expected content.

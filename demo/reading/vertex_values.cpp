@@ -6,11 +6,9 @@
 
 #include "Program_error.h"
 #include "reading/Scanner.h"
-#include "reading/text_encoding.h"
 
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -31,12 +29,10 @@ std::optional<std::int64_t> integer(const std::string& word)
 void for_each_line(const std::string& path,
                    const std::function<void(const std::vector<std::string>&, std::size_t)>& use)
 {
-  std::ifstream file(path);
-  if(!file)
-    throw Program_error(path + ": cannot be opened; does it exist?");
+  std::istringstream file(file_content(path));
   std::size_t line = 0;
   for(std::string text; std::getline(file, text);) {
-    std::istringstream in(without_byte_order_mark(text.substr(0, text.find('#'))));
+    std::istringstream in(text.substr(0, text.find('#')));
     std::vector<std::string> words;
     for(std::string word; in >> word;)
       words.push_back(word);
@@ -44,8 +40,6 @@ void for_each_line(const std::string& path,
     if(!words.empty())
       use(words, line);
   }
-  if(file.bad())
-    throw Program_error(path + ": cannot be read");
 }
 
 std::vector<Vertex_value> read_vertex_values(const std::string& path,

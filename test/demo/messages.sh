@@ -197,6 +197,9 @@ calls <<'TABLE'
 2 | this format has no lines (.obj, .ply and .vtp have) | distance flat.mesh.off --source 0 -o a.ply --level-sets b.off
 2 | ' is not a point of the mesh: on triangles that are not a surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (add a part on it; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | intrinsic: --mollify: '2' is not a number from 1e-16 to 1 | delaunay flat.mesh.off -o a.ply --mollify 2
+2 | intrinsic: Exactly 1 option from [--vertices,--ratio,--error] is required | simplify flat.mesh.off -o a.obj
+2 | intrinsic: --method excludes --exact-distance | distance flat.mesh.off --source 0 -o a.ply --method exact --exact-distance
 2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
 2 | a.jpg: --picture needs a name that ends with .svg or .png | delaunay flat.mesh.off -o a.ply --picture a.jpg
 2 | a.txt: --circles needs a name that ends with .svg or .png | pack flat.mesh.off -o a.ply --circles a.txt
@@ -224,7 +227,7 @@ calls <<'TABLE'
 2 | the radius at vertex 0 is negative | flatten flat.mesh.off -o a.obj --radii below.txt
 2 | the circles at vertices 1 and 0 meet | flatten flat.mesh.off -o a.obj --radii meeting.txt
 2 | there is no vertex 99 | flatten flat.mesh.off -o a.obj --radii range.txt
-2 | cold: cannot be opened | flatten k.mesh.ply -o a.obj --radii cold
+2 | cold: no such file | flatten k.mesh.ply -o a.obj --radii cold
 2 | the radius at vertex 0 is negative or not a finite number | flatten j.mesh.ply -o a.obj --radii heat
 2 | --radii: the mesh had to be repaired, and its vertices differ from the file | flatten repeated.mesh.off --repair -o a.obj --radii inside.txt
 2 | --radii: --exact cannot decide about circles | flatten flat.mesh.off -o a.obj --radii inside.txt --exact
@@ -291,7 +294,7 @@ calls <<'TABLE'
 2 | give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5 | path flat.mesh.off --from 0,1 --to 1 -o a.obj
 2 | is not a vertex: --flips and --loop go from vertex to vertex | path flat.mesh.off --from .3,.1,0 --to 1 --flips -o a.obj
 2 | has no faces | path lonely.mesh.off --from 0 --to 1 -o a.obj
-2 | cannot be read | flatten flat.mesh.off -o a.obj --cones folder.off
+2 | folder.off: is a directory | flatten flat.mesh.off -o a.obj --cones folder.off
 2 | a weight must be a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=-1
 2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area
 2 | weights that are not given are zero, and changes of area alone are not a cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area_change=1
@@ -315,7 +318,8 @@ calls <<'TABLE'
 1 | cannot be written | delaunay flat.mesh.off -o /proc/a.ply
 TABLE
 
-# No output replaces a file that is read, whatever its option, by no other spelling or link.
+# No output replaces a file that is read, whatever its option, by no other spelling or link. Missing
+# files have one message.
 is_read='which is never overwritten; name another file'
 before=$(md5sum -- *.txt *.obj nan.ply flat.svg)
 calls <<TABLE
@@ -335,6 +339,14 @@ calls <<TABLE
 2 | inside.txt: is the input of --cones, $is_read | hyperbolic flat.mesh.off --cones inside.txt -o a.obj --stats inside.txt
 2 | words.txt: is the input of --glue, $is_read | convex flat.mesh.off --glue words.txt -o a.off --save words.txt
 2 | flat.svg: is the input, $is_read | info flat.svg --picture flat.svg
+2 | missing: no such file | info missing
+2 | missing: no such file | transfer flat.mesh.off --data missing -o a.txt
+2 | missing: no such file | transfer flat.mesh.off --points missing -o a.txt
+2 | missing: no such file | distance flat.mesh.off --curve missing -o a.ply
+2 | missing: no such file | flatten flat.mesh.off --cones missing -o a.obj
+2 | missing: no such file | flatten flat.mesh.off --boundary scale --boundary-values missing -o a.obj
+2 | missing: no such file | flatten flat.mesh.off --radii missing -o a.obj
+2 | missing: no such file | convex flat.mesh.off --glue missing -o a.off
 TABLE
 [ "$(md5sum -- *.txt *.obj nan.ply flat.svg)" = "$before" ] || fail 'an input has changed'
 # A device may be both.
@@ -347,7 +359,7 @@ python3 - "$tests/../../demo" seen <<'PYTHON' || fail 'messages that no test has
 import re, sys
 from pathlib import Path
 # another build, a damaged disk, or a fault of the program
-UNREACHED = """built without | cannot be opened | cannot be read: | could not be written completely | the PNG picture cannot be drawn
+UNREACHED = """built without | cannot be opened | cannot be read | could not be written completely | the PNG picture cannot be drawn
   | has not come | is not planned | too many corners
   | there are no faces | 'endfacet' expected""".split("|")
 seen = open(sys.argv[2], errors="replace").read()

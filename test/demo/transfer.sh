@@ -49,7 +49,7 @@ rm a.*
 # Wrong calls.
 refuses 'give --points or --data, and not both' transfer sheared.mesh.off -o a.txt
 expect 2 transfer sheared.mesh.off --points points.mesh.txt --data values.mesh.txt -o a.txt
-refuses 'nothing.txt: cannot be opened' transfer sheared.mesh.off --points nothing.txt -o a.txt
+refuses 'nothing.txt: no such file' transfer sheared.mesh.off --points nothing.txt -o a.txt
 printf '99999\n' >wrong.mesh.txt
 refuses "'99999' is not a point of the mesh" transfer sheared.mesh.off --points wrong.mesh.txt -o a.txt
 printf '0,0,99\n' >wrong.mesh.txt
