@@ -66,7 +66,8 @@ fewer cones, and takes more time. --max-area-distortion X is the bound --max-log
 With --radii, circles around the vertices are mapped to circles. The map is a decorated conformal
 map, which keeps inversive distances instead of lengths. Circles of neighbors may touch, but not
 meet. .ply and .vtp have the radii in the plane as "radius", zero at other vertices. Radii can also
-be a property of the vertices of the mesh, given by its name, such as "radius" of `intrinsic pack`.
+be a property of the vertices of the mesh, given by its name. They are lengths on the mesh: "radius"
+of `intrinsic pack` on the sphere is an angle, which --radii does not take.
 
 A FILE has lines "index value": a vertex, counted from 0, and an angle in radians, a logarithm or a
 radius. A # begins a comment. Vertices that are not listed have no circle and the curvature zero:
@@ -103,8 +104,8 @@ Solvers:
 
 Layouts, which differ by rounding only:
   least-squares  face by face; then errors of all sides are distributed
-  spectral       the function with the least conformal energy: twice the time, often less error
-  incremental    face by face: errors add up; half of the time
+  spectral       the function with the least conformal energy
+  incremental    face by face: errors add up
 
 The file of --matrix has a sparse matrix. Its rows belong to the vertices of the output, in the
 order of .obj and .ply (.vtp repeats vertices along seams). Its columns belong to the vertices of
@@ -369,8 +370,8 @@ void add_flattening_targets(CLI::App& command, Common_options& common, Flatten_o
                 "greedy, exchanged, none, or a file of angle defects; greedy by default, but none "
                 "for a rectangle or a disk");
   add_number(command, "--max-log-scale", options.maximum_log_scale,
-             "Place cones until the absolute values of all logarithmic scale factors are at most "
-             "this; 5 by default",
+             "Place cones until the absolute values of all logarithmic scale factors inside are at "
+             "most this; 5 by default. It is no bound on the boundary",
              positive_number());
   add_number(command, "--max-area-distortion", options.maximum_area_distortion,
              "Place cones until areas grow and shrink at most by this factor everywhere inside",

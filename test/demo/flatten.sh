@@ -340,6 +340,19 @@ expect 0 flatten slivers.mesh.off -o b.obj --no-overlap --stats b.json
 claim "json('b.json').overlap_area == 0"
 rm a.* b.* least-squares.* spectral.* incremental.*
 
+# The bound on scale factors holds inside, and not on the boundary.
+if [ -n "$data" ]; then
+  expect 0 flatten --help
+  says 'all logarithmic scale factors inside are at most this; 5 by default. It is no bound on the boundary'
+  expect 0 flatten "$data/meshes/nefertiti.off" -o a.ply --boundary disk --cones greedy --max-log-scale 0.2
+  claim "f = off('$data/meshes/nefertiti.off').faces" \
+    'sides = Counter(frozenset((t[i - 1], t[i])) for t in f for i in range(3))' \
+    'border = {v for side, n in sides.items() if n == 1 for v in side}' \
+    "u = list(enumerate(ply('a.ply').vertex['log_scale'][:1 + max(map(max, f))]))" \
+    'max(abs(x) for v, x in u if v not in border) <= 0.2' 'max(abs(x) for v, x in u if v in border) > 0.2'
+  rm a.ply
+fi
+
 if [ -n "$data" ]; then
   for mesh in elephant.off diplodocus.off cube-ouvert.off sphere.stl blobby_3cc.off fandisk.off; do
     expect 0 flatten "$data/meshes/$mesh" -o mesh.obj --stats mesh.json

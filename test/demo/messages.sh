@@ -389,4 +389,5 @@ rm a.obj
 for command in delaunay refine distance path transfer operators flatten hyperbolic uniformize sphere simplify; do
   expect 0 $command --help
   ! grep -E '[0-9]{20}' out || fail "$command --help prints a range of many digits"
+  ! grep -iE 'twice the time|half of the time' out || fail "$command --help has a measured time"
 done
