@@ -4,6 +4,8 @@
 
 #include "commands/Command_line.h"
 
+#include "Program_error.h"
+
 #include <CGAL/version.h>
 
 namespace {
@@ -68,6 +70,19 @@ Command_line::Command_line()
   refuse_empty_values(m_app);
 }
 
+void check_format(const CLI::App& command)
+{
+  const CLI::Option* const format = command.get_option_no_throw("--format");
+  if(!format || format->empty())
+    return;
+  for(const char* name : {"--output", "--subdivision", "--level-sets", "--coarse"})
+    if(const CLI::Option* const output = command.get_option_no_throw(name);
+       output && !output->empty() && output->results().back() == "-")
+      return;
+  throw Program_error("--format is for standard output, and names of files determine formats; "
+                      "leave it out");
+}
+
 void add_output(CLI::App& command, Output_options& options, const std::string& what,
                 const std::string& formats)
 {
@@ -88,27 +103,36 @@ void add_common_options(CLI::App& command, Common_options& options)
   command.add_option("--view", options.view,
                      "HTML file that shows the result in a browser, see `intrinsic view`");
   command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
-  command.add_option(
-    "--section", options.section,
-    "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius");
-  add_input_options(command, options);
+  command
+    .add_option("--section", options.section,
+                "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius")
+    ->needs(command.get_option("--picture"));
+  add_mollification(command, options);
+  add_repair(command, options);
 }
 
-void add_input_options(CLI::App& command, Common_options& options)
+void add_mollification(CLI::App& command, Common_options& options)
 {
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, relative to the "
              "mean edge length. Commands do so by themselves if almost flat triangles make a "
              "computation fail, except with --exact or --strict",
              number_from_to(1e-16, 1.));
+}
+
+void add_repair(CLI::App& command, Common_options& options)
+{
   command.add_flag("--repair", options.is_repair_wanted,
                    "Repair defects of the mesh where possible and report it; indices may change");
   add_number(command, "--weld", options.weld_distance,
              "Repair the mesh, and merge points that are at most this far apart",
              positive_number());
-  command.add_flag("--strict", options.is_strict,
-                   "Refuse faces that are not triangles, which are split otherwise; never change "
-                   "the lengths of edges");
+  CLI::Option* const strict = command.add_flag(
+    "--strict", options.is_strict,
+    "Refuse faces that are not triangles, which are split otherwise; never change the lengths of "
+    "edges");
+  if(CLI::Option* const mollification = command.get_option_no_throw("--mollify"))
+    strict->excludes(mollification);
 }
 
 void add_save(CLI::App& command, Common_options& options)
@@ -118,9 +142,12 @@ void add_save(CLI::App& command, Common_options& options)
 
 void add_direct(CLI::App& command, Common_options& options)
 {
-  command.add_flag("--direct", options.is_direct,
-                   "Let the --view page find intrinsic edges while it draws, without the common "
-                   "subdivision, as it does for large meshes; not with --mollify");
+  command
+    .add_flag("--direct", options.is_direct,
+              "Let the --view page find intrinsic edges while it draws, without the common "
+              "subdivision, as it does for large meshes; not with --mollify")
+    ->needs(command.get_option("--view"))
+    ->excludes(command.get_option("--mollify"));
 }
 
 void add_exact(CLI::App& command, Common_options& options, const char* what)
@@ -170,29 +197,37 @@ void add_subdivision_options(CLI::App& command, Subdivision_options& options,
              number_from_to(0.001, 180.));
 }
 
-void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
-                                      const std::string& exception)
+CLI::Option* add_minimum_angle(CLI::App& command, double& angle, const std::string& what)
 {
-  command
+  return add_number(command, "--min-angle", angle, what, number_from_to(0., 60.));
+}
+
+CLI::Option* add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
+                                              const std::string& exception)
+{
+  return command
     .add_option("--max-insertions", bounds.maximum_number_of_insertions,
                 "Maximum number of insertions; if not given, 1,000,000 (with angles of more than "
-                "30 degrees 100,000) plus 20 for each face" +
+                "30 degrees 100,000) plus 20 for each face, but at most 10,000,000" +
                   exception)
     ->transform(integer_from(0));
 }
 
 void add_angle(CLI::App& command, Refinement_bounds& bounds)
 {
-  add_number(command, "--min-angle", bounds.minimum_angle,
-             "Insert vertices until all angles have this many degrees, see `intrinsic refine`",
-             number_from_to(0.001, 60.));
-  add_maximum_number_of_insertions(command, bounds);
+  CLI::Option* const angle =
+    add_minimum_angle(command, bounds.minimum_angle,
+                      "Insert vertices until all angles have this many degrees, see `intrinsic "
+                      "refine`; 0, the default, inserts none");
+  add_maximum_number_of_insertions(command, bounds)->needs(angle);
 }
 
 void add_texture_output(CLI::App& command, Texture_options& options)
 {
   add_output(command, options, "Common subdivision with texture coordinates (.obj, .ply, .vtp",
              "obj, ply or vtp");
-  command.add_flag("--homogeneous,!--linear", options.is_homogeneous,
-                   "Write homogeneous texture coordinates, or linear ones (the default)");
+  CLI::Option* const homogeneous = command.add_flag("--homogeneous", options.is_homogeneous,
+                                                    "Write homogeneous texture coordinates");
+  command.add_flag("--linear", "Write linear texture coordinates, the default")
+    ->excludes(homogeneous);
 }

@@ -25,6 +25,9 @@ CLI::Option* add_read_file(CLI::App& command, Common_options& common, const std:
   });
 }
 
+// Throws Program_error if a format is given, and no mesh is written to standard output.
+void check_format(const CLI::App& command);
+
 // Stores the possible arguments of the command line, and the command that is called.
 class Command_line
 {
@@ -46,7 +49,12 @@ public:
   {
     const auto options = std::make_shared<Own_options>();
     CLI::App& command = *m_app.add_subcommand(name, description);
-    command.callback([=] { m_run = [=] { return run(m_common, *options); }; });
+    command.callback([=, &command] {
+      m_run = [=, &command] {
+        check_format(command);
+        return run(m_common, *options);
+      };
+    });
     command.footer(help);
     return {command, *options};
   }
@@ -102,8 +110,9 @@ void add_output(CLI::App& command, Output_options& options, const std::string& w
                 const std::string& formats);
 void add_common_options(CLI::App& command, Common_options& options);
 void add_statistics(CLI::App& command, Common_options& options);
-// Adds the options about the input.
-void add_input_options(CLI::App& command, Common_options& options);
+// Adds the options about the input: about its lengths, and about its triangles.
+void add_mollification(CLI::App& command, Common_options& options);
+void add_repair(CLI::App& command, Common_options& options);
 void add_save(CLI::App& command, Common_options& options);
 void add_direct(CLI::App& command, Common_options& options);
 void add_exact(
@@ -121,10 +130,11 @@ void add_texture_output(CLI::App& command, Texture_options& options);
 void add_subdivision_options(CLI::App& command, Subdivision_options& options,
                              Common_options& common);
 
-// Adds the option for the number of insertions, and the angle for commands that refine only
-// optionally.
-void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
-                                      const std::string& exception = "");
+// Adds the options for an angle and for the number of insertions, and both for commands that refine
+// only optionally.
+CLI::Option* add_minimum_angle(CLI::App& command, double& angle, const std::string& what);
+CLI::Option* add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
+                                              const std::string& exception = "");
 void add_angle(CLI::App& command, Refinement_bounds& bounds);
 
 #endif // INTRINSIC_COMMAND_LINE_H

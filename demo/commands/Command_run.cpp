@@ -130,8 +130,6 @@ void Command_run::choose_section()
 {
   const auto& [text, radius_text] = m_options.section;
   const double radius = finite_number(radius_text).value_or(0);
-  if(m_options.picture.empty())
-    throw Program_error("--section is for --picture; add one");
   if(radius <= 0)
     throw Program_error("--section: the radius must be a finite number above zero");
   if(m_input.covered && text.find(',') == std::string::npos)

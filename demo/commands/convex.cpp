@@ -216,5 +216,6 @@ void define_convex(Command_line& line)
     ->transform(number_from_to(0., 1.));
   add_save(command, line.common());
   add_statistics(command, line.common());
-  add_input_options(command, line.common());
+  add_mollification(command, line.common());
+  add_repair(command, line.common());
 }

@@ -102,5 +102,5 @@ void define_pack(Command_line& line)
   command.add_option("--circles", options.picture,
                      "SVG or PNG picture of the circles in the plane");
   add_statistics(command, line.common());
-  add_input_options(command, line.common());
+  add_repair(command, line.common());
 }

@@ -160,12 +160,12 @@ int write_refinement(Command_run& run, const Refine_options& options, Mesh_forma
 
 void add_bounds(CLI::App& command, Refinement_bounds& bounds)
 {
-  add_number(command, "--min-angle", bounds.minimum_angle,
-             "Least angle of the faces in degrees, 0 for no bound", number_from_to(0., 60.))
+  add_minimum_angle(command, bounds.minimum_angle,
+                    "Least angle of the faces in degrees, 0 for no bound")
     ->capture_default_str();
   add_number(command, "--max-circumradius", bounds.maximum_circumradius,
              "Greatest circumradius of the faces; no bound if not given", positive_number());
-  add_maximum_number_of_insertions(command, bounds, ", but 10,000,000 with --max-circumradius");
+  add_maximum_number_of_insertions(command, bounds, ". With --max-circumradius, it is 10,000,000");
 }
 
 int refine(const Common_options& common, const Refine_options& options)

@@ -163,12 +163,24 @@ std::vector<std::string> matrix_paths(const Simplify_options& options)
   return result;
 }
 
-std::vector<std::string> outputs_of(const Simplify_options& options)
+void check_levels(const Common_options& common, const Simplify_options& options)
 {
-  if(options.maximum_cost && options.number_of_levels > 1)
+  if(options.number_of_levels == 1)
+    return;
+  if(options.maximum_cost)
     throw Program_error("--levels needs --vertices or --ratio");
+  if(options.prolongation.empty() && common.save.empty() && common.statistics.empty())
+    throw Program_error("--levels is for --prolongation, --save and --stats; add one of them");
+}
+
+std::vector<std::string> outputs_of(const Common_options& common, const Simplify_options& options)
+{
+  check_levels(common, options);
   if(options.output.empty() && options.coarse_mesh.empty())
     throw Program_error("--output or --coarse is required");
+  if(options.refinement.maximum_number_of_insertions && options.refinement.minimum_angle == 0 &&
+     options.coarse_minimum_angle == 0)
+    throw Program_error("--max-insertions is for --refine and --min-angle; add one of them");
   std::vector<std::string> result = matrix_paths(options);
   result.push_back(options.output);
   result.push_back(options.coarse_mesh);
@@ -191,7 +203,7 @@ public:
       m_weights(options.weights),
       m_format(format_of(options.output, options)),
       m_coarse_format(format_of(options.coarse_mesh, options)),
-      m_run("simplify", common, outputs_of(options))
+      m_run("simplify", common, outputs_of(common, options))
   {
     const bool is_flipped = options.refinement.minimum_angle > 0 || common.is_exact;
     m_run.plan({is_flipped ? delaunay_stages : Stages{"build"},
@@ -694,12 +706,12 @@ void define_simplify(Command_line& line)
     ->transform(integer_from_to(1, 100))
     ->capture_default_str();
   add_number(command, "--refine", options.refinement.minimum_angle,
-             "Refine to this angle in degrees first: coarse parts get vertices to choose from",
+             "Refine to this angle in degrees first: coarse parts get vertices to choose from; 0, "
+             "the default, inserts none",
              number_from_to(0., 30.));
-  add_number(command, "--min-angle", options.coarse_minimum_angle,
-             "Insert vertices into the coarse triangulation until all its angles have this many "
-             "degrees, see `intrinsic refine`",
-             number_from_to(0., 60.));
+  add_minimum_angle(command, options.coarse_minimum_angle,
+                    "Insert vertices into the coarse triangulation until all its angles have this "
+                    "many degrees, see `intrinsic refine`; 0, the default, inserts none");
   add_maximum_number_of_insertions(command, options.refinement);
   add_topology(command, options);
   add_common_options(command, line.common());

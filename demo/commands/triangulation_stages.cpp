@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -231,18 +233,39 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
   show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
 }
 
+namespace {
+
+// Reports that --direct has no effect.
+void note_subdivision(Command_run& run)
+{
+  const char* reason = run.options().mollification > 0
+                         ? "edges are longer than in space"
+                         : "too many edges cross a face for single precision";
+  run.progress().clear();
+  std::cerr << run.options().input
+            << ": note: the page shows the common subdivision, in spite of --direct: " << reason
+            << '\n';
+}
+
+} // namespace
+
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
                       const Subdivision& subdivision, std::vector<Attribute> vertex_data)
 {
+  const Common_options& options = run.options();
   const bool is_large = subdivision.mesh().number_of_faces() > most_polygons;
-  if(run.options().mollification > 0 || !(is_large || run.options().is_direct))
+  if(!is_large && !options.is_direct)
     return;
   const auto& points = run.input().mesh.points();
-  if(auto faces = develop_faces(triangulation, {points.begin(), points.end()},
-                                {{"curvature", curvatures(run)}}, std::move(vertex_data))) {
+  auto faces = options.mollification > 0
+                 ? std::nullopt
+                 : develop_faces(triangulation, {points.begin(), points.end()},
+                                 {{"curvature", curvatures(run)}}, std::move(vertex_data));
+  if(faces) {
     add_input_data(run.input(), faces->input);
     page.set_developed(std::move(*faces));
-  }
+  } else if(options.is_direct && !options.is_quiet)
+    note_subdivision(run);
 }
 
 void show(Command_run& run, const Triangulation& triangulation)

@@ -110,8 +110,9 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
           const Subdivision& subdivision, Output_mesh mesh);
 
 // Lets the page draw the last surface without the subdivision, with these functions on the
-// triangulation. It does so if the subdivision is large, or on request. It cannot if lengths were
-// mollified, because the page computes lengths of the input from its points.
+// triangulation. It does so if the subdivision is large, or on request, and prints a note if it
+// cannot on request. It cannot if lengths were mollified, because the page computes lengths of the
+// input from its points, or if single precision is insufficient.
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
                       const Subdivision& subdivision, std::vector<Attribute> vertex_data = {});
 

@@ -95,6 +95,17 @@ Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double w
   return report;
 }
 
+// Checks that no option needs faces.
+void check_cloud(const Common_options& options)
+{
+  if(options.weld_distance > 0)
+    throw Program_error(options.input +
+                        ": has points only, and --weld merges points of faces; leave it out");
+  if(!options.are_soups_allowed)
+    throw Program_error(options.input +
+                        ": has points only; exact distances and curves need a surface");
+}
+
 void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t neighbors)
 {
   for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
@@ -147,6 +158,8 @@ Input_mesh read_input(const Common_options& options, bool is_quiet)
   const std::string& path = options.input;
   Polygon_soup soup = read_mesh(path, options.number_of_neighbors > 0);
   const bool is_cloud = soup.polygons.empty();
+  if(is_cloud)
+    check_cloud(options);
   Input_mesh result;
   result.diagnosis = diagnose(soup);
   if(options.is_repaired() && is_repairable(result.diagnosis) && !is_cloud) {

@@ -105,7 +105,8 @@ def listed_options(help):
     for line in help.splitlines():
         if match := re.match(r"  ((?:-\w,)?--[a-z][^ ]*)(?: (\S+(?: \S+)*))?(?:  |$)", line):
             names = [name.split("{")[0] for name in match[1].split(",") if name.startswith("--")]
-            result += [Option(name, match[2] or "") for name in names
+            type = re.sub(r" ?(Needs|Excludes):.*", "", match[2] or "")
+            result += [Option(name, type) for name in names
                        if name not in ("--help", "--output", "--prefix", "--version")]
     return result
 

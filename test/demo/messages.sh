@@ -197,10 +197,25 @@ calls <<'TABLE'
 2 | this format has no lines (.obj, .ply and .vtp have) | distance flat.mesh.off --source 0 -o a.ply --level-sets b.off
 2 | ' is not a point of the mesh: on triangles that are not a surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (add a part on it; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | intrinsic: --section requires --picture | delaunay flat.mesh.off -o a.ply --section 0 1
+2 | intrinsic: --direct requires --view | delaunay flat.mesh.off -o a.ply --direct
+2 | intrinsic: --direct requires --view | distance flat.mesh.off --source 0 -o a.ply --direct --picture a.svg
+2 | intrinsic: --mollify excludes --direct | delaunay flat.mesh.off -o a.ply --direct --mollify 1e-5 --view a.html
+2 | intrinsic: --mollify excludes --strict | refine flat.mesh.off -o a.ply --strict --mollify 1e-5
+2 | there is no option '--mollify' | pack flat.mesh.off -o a.ply --mollify 1e-5
+2 | intrinsic: --homogeneous excludes --linear | flatten flat.mesh.off -o a.obj --linear --homogeneous
+2 | intrinsic: --homogeneous excludes --linear | hyperbolic flat.mesh.off -o a.obj --homogeneous --linear
+2 | --format is for standard output, and names of files determine formats; leave it out | delaunay flat.mesh.off -o a.ply --format obj
+2 | --format is for standard output, and names of files determine formats | simplify flat.mesh.off --coarse a.ply --format obj --vertices 9
+2 | intrinsic: --max-insertions requires --min-angle | distance flat.mesh.off --source 0 -o a.ply --max-insertions 9
+2 | intrinsic: --max-insertions requires --min-angle | operators flat.mesh.off --prefix a --max-insertions 9
+2 | --max-insertions is for --refine and --min-angle; add one of them | simplify flat.mesh.off -o a.ply --vertices 9 --max-insertions 9
+2 | --levels is for --prolongation, --save and --stats; add one of them | simplify flat.mesh.off -o a.ply --vertices 9 --levels 3
+2 | a.mesh.xyz: has points only; exact distances and curves need a surface | distance a.mesh.xyz --neighbors 3 --source 0 --method exact -o a.ply
+2 | a.mesh.xyz: has points only, and --weld merges points of faces; leave it out | operators a.mesh.xyz --neighbors 3 --weld 0.1 --prefix a
 2 | intrinsic: --mollify: '2' is not a number from 1e-16 to 1 | delaunay flat.mesh.off -o a.ply --mollify 2
 2 | intrinsic: Exactly 1 option from [--vertices,--ratio,--error] is required | simplify flat.mesh.off -o a.obj
 2 | intrinsic: --method excludes --exact-distance | distance flat.mesh.off --source 0 -o a.ply --method exact --exact-distance
-2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
 2 | a.jpg: --picture needs a name that ends with .svg or .png | delaunay flat.mesh.off -o a.ply --picture a.jpg
 2 | a.txt: --circles needs a name that ends with .svg or .png | pack flat.mesh.off -o a.ply --circles a.txt
 2 | --section: the radius must be a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
@@ -390,4 +405,5 @@ for command in delaunay refine distance path transfer operators flatten hyperbol
   expect 0 $command --help
   ! grep -E '[0-9]{20}' out || fail "$command --help prints a range of many digits"
   ! grep -iE 'twice the time|half of the time' out || fail "$command --help has a measured time"
+  ! grep -q -e '--max-insertions' out || grep -q 'at most 10,000,000' out || fail "$command --help has no greatest limit"
 done

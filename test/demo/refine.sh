@@ -61,6 +61,18 @@ claim "m = ply('a.ply')" 'near(fsum(signed_area(m.points, f) for f in m.faces), 
   'shape(m)[1] <= 0.02 * (1 + 1e-9)'
 expect 0 refine sheared.mesh.off -o a.ply --min-angle 0 --stats a.json
 claim "json('a.json').inserted_vertices == 0"
+# Every command takes zero for no bound, and any small angle.
+for command in refine 'distance --source 0' 'simplify --vertices 300'; do
+  expect 0 ${command%% *} sheared.mesh.off ${command#${command%% *}} -o a.ply --min-angle 1e-4
+  expect 0 ${command%% *} sheared.mesh.off ${command#${command%% *}} -o a.ply --min-angle 0
+  [ "$command" = refine ] && continue
+  expect 0 ${command%% *} sheared.mesh.off ${command#${command%% *}} -o b.ply
+  cmp a.ply b.ply
+done
+for angle in 0 1e-4; do
+  expect 0 operators sheared.mesh.off --prefix a --min-angle $angle
+done
+rm a_* b.ply
 
 # Too narrow for the bound.
 expect 0 refine needle.mesh.off -o - --stats a.json
@@ -153,7 +165,7 @@ expect 0 operators wide.mesh.off --prefix w --min-angle 25 --stats w.json
 claim "m = mtx('w_lumped_mass.mtx')" "m.rows == 289 + json('w.json').inserted_vertices" \
   'near(fsum(z.real for z in m.entries.values()), 8, 1e-12)'
 rm w_* w.json
-for angle in -1 0 61; do
+for angle in -1 61; do
   expect 2 distance wide.mesh.off --source 0 -o a.ply --min-angle=$angle
   expect 2 operators wide.mesh.off --prefix w --min-angle=$angle
 done
