@@ -116,7 +116,7 @@ void describe_crowding(Command_run& run, Statistics& statistics, const Conformal
 {
   Statistics& crowded = statistics["crowded_faces"] = Statistics::array();
   for(const DCM::Face_index f : map.crowded_faces())
-    crowded.push_back(component ? component->faces[f.idx()].idx() : f.idx());
+    crowded.push_back(run.input().triangle(component ? component->faces[f.idx()] : f));
   if(crowded.empty() || run.options().is_quiet)
     return;
   run.progress().clear();

@@ -12,8 +12,6 @@
 #include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 namespace Test_weights {
 
 using namespace Test_surfaces;
@@ -75,7 +73,7 @@ regular_triangulation(const std::vector<Point_2>& points, const std::vector<doub
 // coordinates of the corners in the plane.
 class Dual_edges
 {
-  typedef boost::multiprecision::cpp_bin_float_50 Number;
+  typedef IT::Decimal_float<50> Number;
 
 public:
   Dual_edges(const Triangulation& t, const std::vector<double>& weights)

@@ -108,7 +108,16 @@ strip strip 400
 expect 0 sphere strip.mesh.off -o strip.obj --stats strip.json
 says 'note: face too small for the picture: '
 claim "s = json('strip.json')" "s.status == 'success'" 'len(s.crowded_faces) > 0'
-rm strip.obj strip.json
+# faces of a component have their numbers in the mesh
+awk '
+  NR == 1 { print }
+  NR == 2 { v = $1; print v + 4, $2 + 2, 0 "\n0 90 0\n1 90 0\n1 91 0\n0 91 0" }
+  NR > 2 && NR <= v + 2 { print }
+  NR == v + 3 { print "3 0 1 2\n3 0 2 3" }
+  NR > v + 2 && NR > 2 { print 3, $2 + 4, $3 + 4, $4 + 4 }' strip.mesh.off >two.mesh.off
+expect 0 sphere two.mesh.off -o two.obj --component 1 --stats two.json
+claim "s = json('two.json')" 's.crowded_faces == [f + 2 for f in json("strip.json").crowded_faces]'
+rm strip.obj strip.json two.obj two.json
 
 # Disks of a few thin triangles, whose angles are known but not after flips.
 off thin '0.1455 56.9 -0.05769,0.02501 -34.82 -0.01768,-0.1463 -3.555 -0.05791,0.07906 -23.13 0.01459,0.001911 33.01 0.01795,-0.07133 -61.42 -0.03389' \

@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-#ifdef CGAL_USE_MPFR
+#if defined(CGAL_USE_MPFR) || defined(DOXYGEN_RUNNING)
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// a floating-point number with at least `Digits` decimal digits, whose exponent has no limit in
@@ -281,7 +281,9 @@ public:
   static constexpr bool is_specialized = true, is_signed = true, is_integer = false,
                         is_exact = false, has_infinity = true, has_quiet_NaN = true;
   static constexpr int radix = 2, digits = int(Number::precision), digits10 = int(Digits),
-                       max_digits10 = digits10 + 3;
+                       max_digits10 = digits10 + 3,
+                       min_exponent = (std::numeric_limits<int>::min)(),
+                       max_exponent = (std::numeric_limits<int>::max)();
   static Number(min)() { return ldexp(Number(0.5), mpfr_get_emin()); }
   static Number(max)() { return ldexp(1 - epsilon() / 2, mpfr_get_emax()); }
   static Number epsilon() { return ldexp(Number(1), 1 - digits); }
