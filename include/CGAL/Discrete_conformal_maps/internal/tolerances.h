@@ -146,7 +146,7 @@ constexpr std::size_t steps_with_more_digits = 300;
 // digits. If several searches follow, each one gets the remaining work divided by the second
 // number. On a large surface, all searches together may measure every face as often as the third
 // number says.
-constexpr double work_for_map = 1.15e7, parts_of_work = 2, sure_measurements = 200;
+constexpr double work_for_map = 1.7e7, parts_of_work = 2, sure_measurements = 200;
 // A minimization that has not converged after this number of steps ends.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after this number of steps.
