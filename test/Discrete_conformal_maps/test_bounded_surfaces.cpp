@@ -76,6 +76,52 @@ TEST(Bounded_surface, hyperbolic_metric_with_geodesic_boundary)
   }
 }
 
+// ---- Points of the boundary also lie in faces of the second copy ----
+
+// Checks that each corner of the subdivision in the input, as a point of the input, has the image
+// of a corner there.
+template <typename Map, typename Image>
+void check_images(const Map& map, const Image& image)
+{
+  ASSERT_EQ(map.status(), DCM::Map_status::success);
+  const auto& subdivision = map.subdivision();
+  const Delta_complex& mesh = subdivision.mesh();
+  std::vector<std::vector<std::complex<double>>> images(mesh.number_of_vertices());
+  double size = 0;
+  for(Halfedge_index h : mesh.halfedges())
+    if(map.is_original(h)) {
+      images[mesh.target(h)].push_back(image(h));
+      size = (std::max)(size, std::abs(image(h)));
+    }
+  for(Halfedge_index h : mesh.halfedges())
+    if(map.is_original(h)) {
+      const auto z = map(subdivision.location(Layer::A, h));
+      EXPECT_TRUE(std::any_of(images[mesh.target(h)].begin(), images[mesh.target(h)].end(),
+                              [&](auto w) { return std::abs(z - w) < 1e-9 * size; }))
+        << h << ' ' << z;
+    }
+}
+
+void check_images(const Planar_conformal_map& map)
+{
+  check_images(map, [&](Halfedge_index h) { return map.image(h); });
+}
+
+TEST(Bounded_surface, points_of_the_boundary_have_images)
+{
+  for(unsigned int seed : seeds(1, number_of_surfaces(8) + 1)) {
+    const Bounded_surface s(surface_with_holes(seed % 3, 1 + seed % 2, seed), seed);
+    check_images(DCM::flatten(s.half, length_parameter(s.half_length)));
+    check_images(flatten(s.half, s.half_length, balanced_curvatures(s, seed)));
+    if(seed % 3 > 0) {
+      const auto map = DCM::uniformize_hyperbolic(s.half, length_parameter(s.half_length));
+      check_images(map, [&](Halfedge_index h) {
+        return map.to_disk(map.homogeneous_coordinates(map.subdivision().location(Layer::C, h)));
+      });
+    }
+  }
+}
+
 // Returns a disk whose boundary has `n` edges, one or two, in which vertices are inserted.
 Sides disk_with_few_corners(int n, std::size_t insertions, unsigned int seed)
 {

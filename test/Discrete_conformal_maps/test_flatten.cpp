@@ -294,6 +294,16 @@ TEST(Flatten, places_cones_where_they_are_needed)
     }
 }
 
+TEST(Flatten, the_only_vertex_can_be_a_cone)
+{
+  const Delta_complex octagon = double_torus();
+  ASSERT_EQ(octagon.number_of_vertices(), 1u);
+  const std::vector<double> length(octagon.number_of_edges(), 1.);
+  const Planar_conformal_map map = DCM::flatten(octagon, length_parameter(length));
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_EQ(map.cones(), std::vector<Vertex_index>{Vertex_index(0)});
+}
+
 // Runs Newton's method to the minimum before each cone.
 struct Newton_to_the_minimum
 {

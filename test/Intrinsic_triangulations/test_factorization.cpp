@@ -92,6 +92,35 @@ TYPED_TEST(Cholesky_factorization, solves)
   }
 }
 
+// Neighbors of a band have a sparse factor.
+TYPED_TEST(Cholesky_factorization, solves_for_sparse_right_sides)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  CGAL::Random random(5);
+  constexpr int size = 1000;
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  for(int i = 0; i < size; ++i) {
+    entries.emplace_back(i, i, Scalar(5));
+    for(const int j : {i - 20, i - 1})
+      if(j >= 0) {
+        const Scalar x = random_scalar(random, static_cast<Scalar*>(nullptr));
+        entries.emplace_back(i, j, x);
+        entries.emplace_back(j, i, Eigen::numext::conj(x));
+      }
+  }
+  typename TypeParam::Matrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  TypeParam cholesky;
+  cholesky.analyze(matrix, true);
+  ASSERT_TRUE(cholesky.factorize(matrix));
+  for(const int nonzeros : {0, 1, 2, 10, 15, 16, 100}) {
+    Vector<Scalar> b = Vector<Scalar>::Zero(size);
+    for(int k = 0; k < nonzeros; ++k)
+      b[random.get_int(0, size)] = random_scalar(random, static_cast<Scalar*>(nullptr));
+    EXPECT_LE((matrix * cholesky.solve(b) - b).cwiseAbs().maxCoeff(), 1e-13) << nonzeros;
+  }
+}
+
 TYPED_TEST(Cholesky_factorization, solves_for_several_columns)
 {
   typedef typename TypeParam::Matrix::Scalar Scalar;

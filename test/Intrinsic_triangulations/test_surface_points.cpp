@@ -44,6 +44,23 @@ Triangulation disk()
   return Triangulation(grid(4, 5, [](double x, double y) { return Point(x, y, x * x - y); }));
 }
 
+TEST(Surface_points, vertices_are_ends_of_paths)
+{
+  Mesh mesh = grid(4, 5, [](double x, double y) { return Point(x, y, x * x - y); });
+  const Mesh::Vertex_index isolated = mesh.add_vertex(Point(9, 9, 9));
+  const Triangulation t(mesh);
+  const Vertex_index v(0);
+  IT::Shortest_paths paths(t.input());
+  paths.add_source(v);
+  paths.run();
+  for(const Vertex_index w : t.input_mesh().vertices()) {
+    const auto path = IT::shortest_path(t.input(), v, w);
+    EXPECT_EQ(path.places.empty(), w == isolated);
+    EXPECT_DOUBLE_EQ(path.length, paths.distance(w));
+    EXPECT_DOUBLE_EQ(IT::shortest_path(t.input(), w, v).length, paths.distance(w));
+  }
+}
+
 // All functions return for a point of any kind what they return for its position in a face.
 TEST(Surface_points, positions_in_faces)
 {

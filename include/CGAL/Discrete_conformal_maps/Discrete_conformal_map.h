@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 
 #include <algorithm>
@@ -53,6 +54,7 @@ struct Map_data
   std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
   std::unique_ptr<Triple_subdivision<double>> subdivision;
   std::size_t number_of_original_faces = 0;
+  std::vector<char> is_partly_original; // for each face of T_3
   std::vector<Vertex_index> input_vertex;
   std::vector<double> log_scale;
   std::array<std::size_t, 3> number_of_flips{0, 0, 0};
@@ -242,15 +244,15 @@ public:
   }
 
   /// returns the position of a point of the input on \f$T_3\f$: a face and weights of its corners,
-  /// as in `Triple_subdivision::location()` (Section 4.2.3). The point is a `Face_location` or a
-  /// `Surface_point` of `Intrinsic_triangulations`. Complexity: two calls of
-  /// `Intrinsic_triangulations::point_across()` with a correspondence.
+  /// as in `Triple_subdivision::location()` (Section 4.2.3). A part of the face is in the input.
+  /// The point is a `Face_location` or a `Surface_point` of `Intrinsic_triangulations`. Complexity:
+  /// two calls of `Intrinsic_triangulations::point_across()` with a correspondence.
   template <typename Place = Face_location>
   Face_location place_on_C(const Place& p) const
   {
     using Intrinsic_triangulations::Side;
     const Face_location on_B = point_across(Delaunay_correspondence(), Side::input, p);
-    return point_across(ideal_correspondence(), Side::input, on_B);
+    return in_partly_original_face(point_across(ideal_correspondence(), Side::input, on_B));
   }
 
 protected:
@@ -273,6 +275,29 @@ protected:
   /// \endcond
 
 private:
+  // Returns a point of the input in a face of T_3 with a part in the input. A point of the boundary
+  // is also in faces of the second copy. Rounding can move it away from the boundary, so the point
+  // on the closest edge of its face is tried, and then the closest vertex.
+  Face_location in_partly_original_face(Face_location p) const
+  {
+    using Intrinsic_triangulations::for_each_location;
+    const auto is_found = [this](const Face_location& q) {
+      return m_data->is_partly_original[q.first.idx()] != 0;
+    };
+    const Delta_complex& mesh = ideal().mesh();
+    for(std::size_t corners = 2; corners > 0 && !is_found(p); --corners) {
+      std::array<double, 3> order = p.second;
+      std::sort(order.begin(), order.end());
+      for(double& weight : p.second)
+        weight = weight < order[3 - corners] ? 0 : weight;
+      for_each_location(surface_point(p, mesh), mesh, [&](const Face_location& q) {
+        if(!is_found(p) && is_found(q))
+          p = q;
+      });
+    }
+    return p;
+  }
+
   std::unique_ptr<const internal::Map_data> m_data;
   internal::Map_outcome m_outcome;
 };

@@ -236,7 +236,8 @@ public:
 
   /// returns the image of a point of the input in the Poincare disk, by piecewise projective
   /// interpolation (Section 4.2.3 for a hyperbolic target). On every face, the coordinates in
-  /// Klein's disk are a projective map. Complexity: see `place_on_C()`.
+  /// Klein's disk are a projective map. At a side of the domain, it is the image in one of the
+  /// faces. Complexity: see `place_on_C()`.
   template <typename Place = Face_location>
   std::complex<double> operator()(const Place& p) const
   {

@@ -107,8 +107,7 @@ public:
   }
 
   /// returns the image of a point of the input, by piecewise projective interpolation (Section
-  /// 4.2.3). Complexity: two calls of `Intrinsic_triangulations::point_across()` with a
-  /// correspondence.
+  /// 4.2.3). At a seam, it is the image in one of the faces. Complexity: see `place_on_C()`.
   /// \pre `is_laid_out()`
   template <typename Place = Face_location>
   std::complex<double> operator()(const Place& p) const

@@ -222,11 +222,11 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// returns the shortest path from one point of a surface to another (see `Shortest_paths`). It has
-/// no points if no path exists. The search stops at the distance of `target`. Complexity: linear,
-/// plus `Shortest_paths::run()` up to that distance.
+/// no points if no path exists, or from an isolated vertex. The search stops at the distance of
+/// `target`. Complexity: linear, plus `Shortest_paths::run()` up to that distance.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param source, target points with coordinates that are not negative and sum up to one, each a
-///        `Face_location`, an `Edge_location` or a `Surface_point`
+///        vertex, a `Face_location`, an `Edge_location` or a `Surface_point`
 /// \param np the visitor, as for `Shortest_paths::run()`
 /// \throws Numerical_error as `Shortest_paths::run()`
 template <typename Surface, typename Source = Face_location<Length_of<Surface>>,
@@ -236,15 +236,20 @@ Surface_path<Length_of<Surface>>
 shortest_path(const Surface& surface, const Source& source, const Target& target,
               const NamedParameters& np = CGAL::parameters::default_values())
 {
+  typedef Length_of<Surface> FT;
   Default_window_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
+  const auto begin = internal::location_of<FT>(source, surface.mesh()),
+             end = internal::location_of<FT>(target, surface.mesh());
+  Surface_path<FT> result{std::numeric_limits<FT>::infinity(), {}};
+  if(!begin.first.is_valid() || !end.first.is_valid())
+    return result;
   internal::Path_search search(internal::view_of(surface));
-  search.add_source(face_location(source, surface.mesh()));
-  const auto& end = face_location(target, surface.mesh());
+  search.add_source(begin);
   search.run_to(end, visitor);
   const auto part = search.to(end);
-  Surface_path<Length_of<Surface>> result{part.length, {}};
-  if(part.length < std::numeric_limits<Length_of<Surface>>::infinity())
+  result.length = part.length;
+  if(part.length < std::numeric_limits<FT>::infinity())
     search.trace(part, end, result.places);
   std::reverse(result.places.begin(), result.places.end());
   return result;

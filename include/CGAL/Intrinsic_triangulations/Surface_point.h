@@ -171,12 +171,49 @@ const Surface_point<FT>& surface_point(const Surface_point<FT>& p,
   return p;
 }
 
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// calls `visit` with the location of a point in each corner around it, or in each face.
+/// Complexity: the number of these locations.
+/// \param p a point
+/// \param mesh the triangulation
+/// \param visit a function that takes a `Face_location`
+template <typename FT, typename Visit>
+void for_each_location(const Surface_point<FT>& p, const Delta_complex& mesh, const Visit& visit)
+{
+  const auto visit_on = [&](const Edge_location<FT>& q) {
+    if(!mesh.is_border(q.halfedge))
+      visit(face_location(q, mesh));
+  };
+  if(is_at_vertex(p))
+    for_each_outgoing_halfedge(mesh.source(halfedge_of(p)), mesh, [&](Halfedge_index h) {
+      visit_on({h, {FT(1), FT(0)}});
+    });
+  else if(on_edge(p)) {
+    visit_on(*on_edge(p));
+    visit_on(reversed(*on_edge(p)));
+  } else
+    visit(std::get<Face_location<FT>>(p));
+}
+
 namespace internal {
 
 // Excludes types that are not points, such as named parameters, from overload resolution.
 template <typename Point>
 using If_point =
   decltype(face_location(std::declval<const Point&>(), std::declval<const Delta_complex&>()));
+
+// Returns a vertex, or another point, as a point of a face. If the vertex is isolated, it is null.
+template <typename FT, typename Point>
+Face_location<FT> location_of(const Point& p, const Delta_complex& mesh)
+{
+  if constexpr(std::is_same<Point, Vertex_index>::value) {
+    if(mesh.is_isolated(p))
+      return Face_location<FT>();
+    const Vertex_location at_vertex{first_outgoing_halfedge(p, mesh)};
+    return face_location(Surface_point<FT>(at_vertex), mesh);
+  } else
+    return face_location(p, mesh);
+}
 
 // Calls `use` with a source: a vertex, or a point as a location in a face.
 template <typename Source, typename Use>
@@ -211,25 +248,6 @@ Surface_point<FT> crossing_on(const Edge_point<FT>& p)
   const FT least = rounding_unit<FT>() / 16;
   return edge_location(
     Edge_point<FT>{p.halfedge, (std::min)((std::max)(p.t, least), FT(1 - least))});
-}
-
-// Calls `visit` with the point `p` as a location in each face around it.
-template <typename FT, typename Visit>
-void for_each_location(const Surface_point<FT>& p, const Delta_complex& mesh, const Visit& visit)
-{
-  const auto visit_on = [&](const Edge_location<FT>& q) {
-    if(!mesh.is_border(q.halfedge))
-      visit(face_location(q, mesh));
-  };
-  if(is_at_vertex(p))
-    for_each_outgoing_halfedge(mesh.source(halfedge_of(p)), mesh, [&](Halfedge_index h) {
-      visit_on({h, {FT(1), FT(0)}});
-    });
-  else if(on_edge(p)) {
-    visit_on(*on_edge(p));
-    visit_on(reversed(*on_edge(p)));
-  } else
-    visit(std::get<Face_location<FT>>(p));
 }
 
 } // namespace internal

@@ -222,7 +222,7 @@ private:
   Vector prescribed_part(const Vector& values) const
   {
     Vector result = Vector::Zero(m_area.size());
-    for(Eigen::Index v = 0; v < result.size(); ++v)
+    for(Eigen::Index v = 0; m_has_fixed && v < result.size(); ++v)
       if(m_is_fixed[index(v)]) {
         internal::check_finite(values[v], index(v), "the value");
         result[v] = values[v];
@@ -258,8 +258,11 @@ private:
   }
 
   // Adds up moments on each component.
-  Vector sums(const Vector& moments) const
+  template <typename Moments>
+  Vector sums(const Moments& moments) const
   {
+    if(m_components.size() == 1) // several sums at once
+      return Vector::Constant(1, moments.sum());
     Vector result = Vector::Zero(static_cast<Eigen::Index>(m_components.size()));
     for(Eigen::Index v = 0; v < moments.size(); ++v)
       result[component(v)] += moments[v];
@@ -268,7 +271,8 @@ private:
 
   // Returns the mean on each component of a density with these moments, zero where values are
   // prescribed.
-  Vector free_means(const Vector& moments) const
+  template <typename Moments>
+  Vector free_means(const Moments& moments) const
   {
     Vector result = sums(moments);
     for(Eigen::Index c = 0; c < result.size(); ++c)

@@ -174,7 +174,7 @@ private:
   void find_cut_edges()
   {
     m_is_cut_edge.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
-    m_layout.is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
+    m_layout.is_laid_out.assign(mesh().num_faces(), 1);
     if(m_problem.has_no_copies())
       return;
     m_builder.subdivide(m_visitor);
@@ -185,9 +185,7 @@ private:
         if(const Halfedge_index h = subdivision.mesh().halfedge(e);
            data.is_original(h) && data.is_original(opposite(h)))
           m_is_cut_edge[c.idx()] = 0;
-    for(Face_index f : subdivision.mesh().faces())
-      if(data.is_original(subdivision.parent_face(Layer::A, f)))
-        m_layout.is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
+    m_layout.is_laid_out = data.is_partly_original;
   }
 
   // Returns the vertices around which faces do not close up: cones and ends of cut edges.

@@ -214,6 +214,10 @@ public:
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency(),
       m_data.number_of_original_faces);
+    m_data.is_partly_original.assign(mesh().num_faces(), 0);
+    for(Face_index f : m_data.subdivision->mesh().faces())
+      if(m_data.is_original(m_data.subdivision->parent_face(Layer::A, f)))
+        m_data.is_partly_original[m_data.subdivision->parent_face(Layer::C, f).idx()] = 1;
   }
 
   // Returns T_3.

@@ -359,7 +359,7 @@ private:
         if(greatest == none || u > estimate[Eigen::Index(greatest)])
           greatest = v;
       }
-    if(least == none || count <= 1)
+    if(least == none)
       return;
     const double below = sum / count - estimate[Eigen::Index(least)],
                  above = estimate[Eigen::Index(greatest)] - sum / count;

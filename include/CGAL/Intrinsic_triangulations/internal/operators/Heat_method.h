@@ -234,9 +234,10 @@ public:
   {
     Vector result = Vector::Zero(m_number_of_vertices);
     for(const Face& face : m_faces) {
-      const auto [x, y] = face.unit_gradient(heat);
-      for(std::size_t k = 0; k < 3; ++k)
-        result[face.corner[k]] -= face.weight * (face.side[k][0] * x + face.side[k][1] * y);
+      const std::array<FT, 2> moment = face.moments(face.unit_gradient(heat));
+      result[face.corner[0]] -= moment[0];
+      result[face.corner[1]] -= moment[1];
+      result[face.corner[2]] += moment[0] + moment[1];
     }
     return result;
   }
@@ -297,20 +298,20 @@ private:
   }
 
   // Represents a face with an area. `side[k]` is the gradient of the hat function of `corner[k]`,
-  // times the doubled area, over the longest side. `weight` is half the longest side, times the
-  // factor of the operators.
+  // times the doubled area, over the longest side. The three gradients add up to zero. `weight` is
+  // half the longest side, times the factor of the operators.
   struct Face
   {
-    std::array<Eigen::Index, 3> corner;
-    std::array<std::array<FT, 2>, 3> side;
+    std::array<Vertex_index::size_type, 3> corner;
+    std::array<std::array<FT, 2>, 2> side;
     FT weight;
 
     Face(const Face_metric<FT>& metric, Halfedge_index h, const Delta_complex& mesh,
          const FT& share)
-      : corner{index(mesh.target(mesh.next(h))), index(mesh.source(h)), index(mesh.target(h))},
+      : corner{mesh.target(mesh.next(h)).idx(), mesh.source(h).idx(), mesh.target(h).idx()},
         weight((std::max)({metric.length(0), metric.length(1), metric.length(2)}))
     {
-      for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t k = 0; k < 2; ++k)
         side[k] = {metric.turned_side(k)[0] / weight, metric.turned_side(k)[1] / weight};
       weight *= share / 2;
     }
@@ -324,9 +325,8 @@ private:
       const FT unit = (std::max)({CGAL::abs(a), CGAL::abs(b), CGAL::abs(c)});
       if(!(unit > 0))
         return {FT(0), FT(0)};
-      const FT inverse = FT(1) / unit, u = a * inverse, v = b * inverse, w = c * inverse;
-      const FT x = u * side[0][0] + v * side[1][0] + w * side[2][0],
-               y = u * side[0][1] + v * side[1][1] + w * side[2][1];
+      const FT inverse = FT(1) / unit, u = (a - c) * inverse, v = (b - c) * inverse;
+      const FT x = u * side[0][0] + v * side[1][0], y = u * side[0][1] + v * side[1][1];
       const FT squared = x * x + y * y;
       if(!(squared > 0))
         return {FT(0), FT(0)};
@@ -334,7 +334,12 @@ private:
       return {scale * x, scale * y};
     }
 
-    static Eigen::Index index(Vertex_index v) { return static_cast<Eigen::Index>(v.idx()); }
+    // Returns the integrals of a vector against the gradients of the first two hat functions.
+    std::array<FT, 2> moments(const std::array<FT, 2>& vector) const
+    {
+      const FT x = weight * vector[0], y = weight * vector[1];
+      return {side[0][0] * x + side[0][1] * y, side[1][0] * x + side[1][1] * y};
+    }
   };
 
   Mesh_components m_components;
