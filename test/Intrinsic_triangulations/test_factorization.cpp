@@ -92,7 +92,7 @@ TYPED_TEST(Cholesky_factorization, solves)
   }
 }
 
-// Neighbors of a band have a sparse factor.
+// The factor of a band matrix is sparse.
 TYPED_TEST(Cholesky_factorization, solves_for_sparse_right_sides)
 {
   typedef typename TypeParam::Matrix::Scalar Scalar;

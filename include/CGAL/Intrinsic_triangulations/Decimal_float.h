@@ -30,12 +30,12 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// a floating-point number with at least `Digits` decimal digits, whose exponent has no limit in
-/// practice. It has the operators, comparisons and functions of `double`. Results are rounded to
-/// the nearest number.
+/// practice. It has the operators and comparisons of `double`, and functions such as `sqrt()`.
+/// Results are rounded to the nearest number.
 ///
 /// It is a number of MPFR, or a slower one of Boost.Multiprecision if CGAL does not use MPFR. MPFR
-/// is called directly, because the headers of Boost.Multiprecision take a quarter of the time of
-/// `CGAL::Surface_mesh` to compile.
+/// is called directly, because the headers of Boost.Multiprecision would add much to the time
+/// that a program takes to compile.
 template <unsigned int Digits>
 class Decimal_float
 {
