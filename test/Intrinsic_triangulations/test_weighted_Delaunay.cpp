@@ -186,9 +186,11 @@ double error_of_hidden_weights(const std::vector<Point_2>& points,
     const auto f = t.locate(v->point());
     const auto circle = t.geom_traits().construct_weighted_circumcenter_2_object()(
       f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
-    const auto weight = CGAL::squared_distance(v->point().point(), circle) -
-                        CGAL::squared_distance(f->vertex(0)->point().point(), circle) +
-                        f->vertex(0)->point().weight();
+    // An expression of GMP would refer to numbers that no longer exist.
+    const CGAL::Exact_rational weight =
+      CGAL::squared_distance(v->point().point(), circle) -
+      CGAL::squared_distance(f->vertex(0)->point().point(), circle) +
+      f->vertex(0)->point().weight();
     const std::size_t i =
       std::size_t(std::find(lifted.begin(), lifted.end(), v->point()) - lifted.begin());
     result = (std::max)(result, std::abs(CGAL::to_double(weight) - raised[i]) / scale);
