@@ -16,6 +16,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -66,9 +67,12 @@ inline double max_inversive_distance_error(const Spherical_conformal_map& map)
 /// Ratios of lengths on the sphere are compared with ratios of the ideal polyhedron. Positions have
 /// the digits of `Spherical_conformal_map::stereographic_position()`. Edges do not count if these
 /// digits do not determine the length of a side of their faces. If there are circles, inversive
-/// distances are compared instead. Complexity: linear.
+/// distances are compared instead. The result is infinite if the sphere is not laid out.
+/// Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
+  if(!map.is_laid_out())
+    return std::numeric_limits<double>::infinity();
   if(map.has_radii())
     return internal::max_inversive_distance_error(map);
   const Delta_complex& mesh = map.ideal().mesh();

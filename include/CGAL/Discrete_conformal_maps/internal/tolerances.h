@@ -23,9 +23,10 @@ constexpr double unit = std::numeric_limits<double>::epsilon();
 // angles. Every minimization reaches ten times this error. Beyond a thousand times this error,
 // more digits are used.
 constexpr double gradient = 1e-13, curvature = 1e-11;
-// The spherical energy can be minimized to this gradient with 32 digits. If bounds are active, the
-// error of scale factors is at most the square root of this number.
-constexpr double extended_gradient = 1e-22;
+// The spherical energy can be minimized to the first gradient with 32 digits, and with more digits
+// to the second one. If bounds are active, the error of scale factors is at most the square root of
+// this number.
+constexpr double extended_gradient = 1e-22, most_precise_gradient = 1e-45;
 // This is the greatest allowed change of an angle if all input lengths change by rounding in the
 // worst way. If the change is greater, the computation uses lengths of the exact surface with more
 // digits.
@@ -145,8 +146,10 @@ constexpr std::size_t steps_with_more_digits = 300;
 // These numbers limit the work of all searches for a map: measured faces and flipped edges with 32
 // digits. If several searches follow, each one gets the remaining work divided by the second
 // number. On a large surface, all searches together may measure every face as often as the third
-// number says.
-constexpr double work_for_map = 1.7e7, parts_of_work = 2, sure_measurements = 200;
+// number says. A sphere is searched from several vertices. Steps in all digits from one of them get
+// the remaining work divided by the fourth number.
+constexpr double work_for_map = 1.7e7, parts_of_work = 2, sure_measurements = 200,
+                 parts_of_work_for_sphere = 16;
 // A minimization that has not converged after this number of steps ends.
 constexpr std::size_t steps_to_lose_the_way = 250;
 // A search with bounded differences ends after this number of steps.

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -92,7 +93,7 @@ private:
     Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
-    if(!search(precise, tolerance::extended_gradient, visitor) && start.empty())
+    if(!search_with_more_digits(precise, visitor) && start.empty())
       search_beyond_range({}, visitor);
   }
 
@@ -106,20 +107,31 @@ private:
     Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start_of_groups(rounded);
-    if(descend(precise, visitor))
-      return true;
+    return descend(precise, tolerance::parts_of_work_for_sphere, visitor) ||
+           descend_with_most_digits(precise, visitor);
+  }
+
+  // Continues with the digits of `More_extended`, from a minimum or else from an estimate. This is
+  // the only search on surfaces beyond the range of `FT`, and may take long on them. Returns
+  // whether the result is good.
+  template <typename FT>
+  bool descend_with_most_digits(const Spherical_scale_factors<FT>& precise, Any_visitor& visitor)
+  {
+    const bool is_in_range = std::isfinite(precise.result().gradient_norm);
     Spherical_scale_factors<More_extended> most_precise(m_problem, m_at_infinity);
     if(precise.result().status == Minimization_status::converged)
       most_precise.set_start(precise);
-    return descend(most_precise, visitor);
+    return descend(most_precise,
+                   is_in_range ? tolerance::parts_of_work_for_sphere : tolerance::parts_of_work,
+                   visitor);
   }
 
   // Minimizes the energy of `scale`. Returns whether the result is good.
   template <typename FT>
-  bool descend(Spherical_scale_factors<FT>& scale, Any_visitor& visitor)
+  bool descend(Spherical_scale_factors<FT>& scale, double parts_of_work, Any_visitor& visitor)
   {
     visitor.start(Flattening_stage::optimize);
-    scale.descend(visitor);
+    scale.descend(parts_of_work, visitor);
     visitor.start(Flattening_stage::layout);
     store_scale_factors(scale);
     return is_good();
@@ -143,7 +155,17 @@ private:
     rounded.minimize(tolerance::gradient, visitor);
     Spherical_scale_factors<Wide_number<Extended>> precise(m_problem, m_at_infinity);
     precise.set_start(rounded);
-    return search(precise, tolerance::extended_gradient, visitor);
+    return search_with_more_digits(precise, visitor);
+  }
+
+  // Searches for scale factors up to rounding. If they are found but have too few digits for a good
+  // layout, continues with the digits of `More_extended`. Returns whether the result is good.
+  template <typename FT>
+  bool search_with_more_digits(Spherical_scale_factors<FT>& scale, Any_visitor& visitor)
+  {
+    return search(scale, tolerance::extended_gradient, visitor) ||
+           (scale.result().status == Minimization_status::converged &&
+            descend_with_most_digits(scale, visitor));
   }
 
   // Searches for scale factors up to `tolerance`. Returns whether the result is good.

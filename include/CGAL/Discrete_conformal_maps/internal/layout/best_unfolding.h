@@ -14,6 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vector<double>& mass,
                                       Any_visitor& visitor, Unfolding_use use = Unfolding_use::map)
 {
-  constexpr std::size_t maximum_number_of_trials = 4;
+  constexpr std::size_t distant_vertices = 4, maximum_number_of_trials = 16;
   const std::vector<Vertex_index> vertices = vertices_at_infinity(problem, mass);
   const auto unfolded = [&](Vertex_index v) {
     return Sphere_unfolding(problem, mass, v, use).run(visitor);
@@ -36,17 +37,19 @@ inline Unfolded_sphere best_unfolding(Doubled_problem& problem, const std::vecto
     return sphere.is_good(tolerance::good_cross_ratio);
   };
   Unfolded_sphere best = unfolded(vertices.front());
-  if(problem.is_measured())
+  if(problem.is_measured() || (best.is_certified() && problem.may_gain_digits()))
     return best; // lengths of the exact surface follow
   if(!is_good(best) && problem.complete())
     best = unfolded(vertices.front());
-  // Vertices with distant ranks in the order of areas are most likely distant on the surface.
-  const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
-  for(std::size_t i = stride; !is_good(best) && problem.work().left() > 0 && i < vertices.size() &&
-                              i < maximum_number_of_trials * stride;
-      i += stride)
-    if(Unfolded_sphere next = unfolded(vertices[i]); next < best)
-      best = std::move(next);
+  // Vertices with distant ranks in the order of areas are most likely distant on the surface. After
+  // these vertices, their successors follow.
+  const std::size_t stride = 1 + vertices.size() / (4 * distant_vertices),
+                    end = (std::min)(maximum_number_of_trials, distant_vertices * stride);
+  for(std::size_t trial = 1; !is_good(best) && problem.work().left() > 0 && trial < end; ++trial)
+    if(const std::size_t rank = trial % distant_vertices * stride + trial / distant_vertices;
+       rank < vertices.size())
+      if(Unfolded_sphere next = unfolded(vertices[rank]); next < best)
+        best = std::move(next);
   return best;
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -32,6 +33,12 @@ bool may_need_digits(const Map& map)
       return map.minimization().status == Minimization_status::rounding_limit;
     default: return true;
   }
+}
+
+// The number of steps to the sphere has no limit that a caller has chosen.
+inline bool may_need_digits(const Spherical_conformal_map& map)
+{
+  return map.status() != Map_status::success;
 }
 
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the

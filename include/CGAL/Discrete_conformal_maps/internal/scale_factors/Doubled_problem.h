@@ -114,6 +114,9 @@ public:
   // Returns whether the lengths of T_2 are exact, with more digits than `double` has.
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
+  // Returns whether T_2 on the exact surface would have lengths with more digits.
+  bool may_gain_digits() const { return !m_has_exact_flips && !has_radii(); }
+
   // Computes T_2 by exact decisions, and its lengths on the exact surface, from now on. Returns
   // whether the problem has gained such lengths.
   bool make_precise()
@@ -203,10 +206,9 @@ public:
   // Returns values at the vertices of the triangulation: at vertices of the surface and at copies.
   Vector expanded(const Vector& value) const
   {
-    Vector result(Eigen::Index(m_original.size()));
-    for(std::size_t v = 0; v < m_original.size(); ++v)
-      result[Eigen::Index(v)] = value[Eigen::Index(m_original[v].idx())];
-    return result;
+    return Vector::NullaryExpr(Eigen::Index(m_original.size()), [&](Eigen::Index v) {
+      return value[Eigen::Index(m_original[std::size_t(v)].idx())];
+    });
   }
   template <typename T>
   std::vector<T> expanded(const std::vector<T>& value) const
@@ -351,8 +353,6 @@ private:
   void copy_regions(const std::vector<Halfedge_index>& flips)
   {
     boost::disjoint_sets_with_storage<> regions(m_half.num_faces());
-    for(Face_index f : m_half.faces())
-      regions.make_set(f.idx());
     Delta_complex mesh = m_triangulation.input_mesh();
     const std::vector<Halfedge_index>* const parts[] = {&m_flips, &flips};
     for(const auto* part : parts)

@@ -35,9 +35,10 @@ public:
   double left(double end = tolerance::work_for_map) const { return (std::max)(end - m_done, 0.); }
 
   // Returns the end of the next of several searches that have the work until `end`.
-  double end_of_part(double end = tolerance::work_for_map) const
+  double end_of_part(double end = tolerance::work_for_map,
+                     double parts = tolerance::parts_of_work) const
   {
-    return m_done + left(end) / tolerance::parts_of_work;
+    return m_done + left(end) / parts;
   }
 
   // Returns the cost of measured faces and flips. Processors compute in `double`. Numbers with more

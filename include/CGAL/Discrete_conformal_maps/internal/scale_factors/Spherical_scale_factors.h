@@ -109,9 +109,9 @@ public:
 
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
   // `double` limits only how far a step can change the scale factors. If scale factors have more
-  // digits, a second run finds the digits. Otherwise, a second run leaves vertices at their bounds,
-  // see `angle_error()`. The energy does not outlive the minimization, because a layout needs its
-  // memory.
+  // digits, a second run finds the digits. If rounding ends it early, short steps in all digits
+  // follow. Without more digits, a second run leaves vertices at their bounds, see `angle_error()`.
+  // The energy does not outlive the minimization, because a layout needs its memory.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
@@ -119,25 +119,18 @@ public:
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);
+    if(has_more_digits && m_result.status != Minimization_status::converged)
+      descend(energy, tolerance::parts_of_work_for_sphere, visitor);
     m_angle_error = angle_error(energy.gradient());
   }
 
-  // Minimizes the energy with steps in all digits, for needles on the exact surface.
+  // Minimizes the energy with steps in all digits, and with one of so many parts of the work that
+  // is left.
   template <typename Visitor>
-  void descend(Visitor& visitor)
+  void descend(double parts_of_work, Visitor& visitor)
   {
     Energy energy = spherical_energy<FT>(m_problem, m_at_infinity);
-    Minimization_domain domain;
-    for(Vertex_index v : m_problem.surface().vertices())
-      domain.is_fixed.push_back(is_fixed(v));
-    energy.limit_work(m_problem.work().end_of_part());
-    energy.set_origin(m_u);
-    energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
-    Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
-    const Minimization_result last =
-      newton.run(tolerance::rounding_of_gradient<FT>(), tolerance::steps_with_more_digits, visitor);
-    m_u = energy.scale_factors();
-    add_result(last);
+    descend(energy, parts_of_work, visitor);
     m_angle_error = angle_error(energy.gradient());
   }
 
@@ -146,12 +139,34 @@ private:
   // better.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
+  inline static const bool has_more_digits =
+    std::numeric_limits<FT>::epsilon() < std::numeric_limits<double>::epsilon();
+  // A scale factor that is closer to its bound is the sum of the bound and a distance. The distance
+  // has all digits of `double`, because the slope of the energy behaves like its square root.
+  static constexpr double near_bound = 1;
+
+  template <typename Visitor>
+  void descend(Energy& energy, double parts_of_work, Visitor& visitor)
+  {
+    Minimization_domain domain;
+    for(Vertex_index v : m_problem.surface().vertices())
+      domain.is_fixed.push_back(is_fixed(v));
+    energy.limit_work(m_problem.work().end_of_part(tolerance::work_for_map, parts_of_work));
+    energy.set_origin(m_u);
+    energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
+    Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
+    const Minimization_result last = newton.run(
+      (std::max)(tolerance::rounding_of_gradient<FT>(), tolerance::most_precise_gradient),
+      tolerance::steps_with_more_digits, visitor);
+    m_u = energy.scale_factors();
+    add_result(last);
+  }
 
   template <typename Visitor>
   void run(Energy& energy, double tolerance, bool stays_at_bounds, Visitor& visitor)
   {
     Vector lower(Eigen::Index(m_u.size())), x(lower.size());
-    const std::vector<FT> origin = is_rounded ? std::vector<FT>(m_u.size(), FT(0)) : m_u;
+    const std::vector<FT> origin = this->origin();
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices()) {
       const std::size_t i = v.idx();
@@ -164,6 +179,16 @@ private:
       Bounded_Newton_minimizer(tolerance, iteration_limit)(energy, x, lower, domain, visitor);
     store_scale_factors(energy, x, lower);
     add_result(last);
+  }
+
+  // Returns the scale factors to which a run adds numbers in `double`.
+  std::vector<FT> origin() const
+  {
+    std::vector<FT> result(m_u.size(), FT(0));
+    if(!is_rounded)
+      for(std::size_t v = 0; v < m_u.size(); ++v)
+        result[v] = m_u[v] - m_bound[v] < near_bound ? m_bound[v] : m_u[v];
+    return result;
   }
 
   void add_result(const Minimization_result& last)

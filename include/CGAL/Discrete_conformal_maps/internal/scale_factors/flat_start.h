@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -54,11 +55,16 @@ inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index a
   prescribe(4 * CGAL_PI / copies);
   Scale_factors<Flat_triangle> scale(problem, Eigen::VectorXd::Zero(Eigen::Index(problem.size())));
   scale.limit_work();
-  scale.minimize(Newton_minimizer(tolerance::gradient, tolerance::steps_to_start),
-                 tolerance::curvature_at_start, visitor);
+  bool is_found = false;
+  try {
+    scale.minimize(Newton_minimizer(tolerance::gradient, tolerance::steps_to_start),
+                   tolerance::curvature_at_start, visitor);
+    is_found = scale.status() == Map_status::success;
+  } catch(const Intrinsic_triangulations::Numerical_error&) {
+    // Searches without this start follow.
+  }
   prescribe(0);
-  return scale.status() == Map_status::success ? scale.precise_values<Extended>()
-                                               : std::vector<Extended>();
+  return is_found ? scale.precise_values<Extended>() : std::vector<Extended>();
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal
