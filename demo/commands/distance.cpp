@@ -432,6 +432,7 @@ private:
   void check_options()
   {
     const bool has_curve = !m_options.curve.empty();
+    check_insertions(m_options.refinement);
     if(m_options.is_signed && !has_curve)
       throw Program_error("--signed needs a --curve; give one");
     if(m_options.sources.empty() && !has_curve)

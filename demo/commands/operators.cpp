@@ -159,6 +159,7 @@ int write_matrices(Command_run& run, const Operators_options& options,
 
 int operators(const Common_options& common, const Operators_options& options)
 {
+  check_insertions(options.refinement);
   std::vector<std::string> paths = paths_of(options.prefix);
   Command_run run("operators", common, paths, true);
   if(!run.input().covered)

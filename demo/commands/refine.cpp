@@ -170,6 +170,7 @@ void add_bounds(CLI::App& command, Refinement_bounds& bounds)
 
 int refine(const Common_options& common, const Refine_options& options)
 {
+  check_insertions(options.bounds);
   const Mesh_format format = output_format(options.output, options);
   Command_run run("refine", common, {options.output});
   run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});

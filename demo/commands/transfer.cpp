@@ -80,6 +80,7 @@ public:
   {
     if(options.points.empty() == options.data.empty())
       throw Program_error("give --points or --data, and not both");
+    check_insertions(options.refinement);
     m_run.plan({delaunay_stages,
                 refinement_stages(options.refinement),
                 certificate_stages(common),

@@ -22,6 +22,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -103,6 +104,13 @@ Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& c
       result, in_parallel.visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
   });
   return result;
+}
+
+void check_insertions(const Refinement_bounds& bounds)
+{
+  if(bounds.maximum_number_of_insertions && bounds.minimum_angle == 0 &&
+     std::isinf(bounds.maximum_circumradius))
+    throw Program_error("--max-insertions has no effect on --min-angle 0; give a greater angle");
 }
 
 std::size_t maximum_number_of_insertions(const Refinement_bounds& bounds,

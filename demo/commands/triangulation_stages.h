@@ -66,6 +66,10 @@ inline Stages refinement_stages(const Refinement_bounds& bounds)
   return bounds.minimum_angle > 0 ? Stages{"refine"} : Stages{};
 }
 
+// Checks that a limit of insertions comes with a bound that needs insertions.
+// \throws Program_error if it does not
+void check_insertions(const Refinement_bounds& bounds);
+
 // Returns the stages of a requested page or picture, if nothing else needs the subdivision.
 inline Stages view_stages(const Common_options& options)
 {

@@ -19,7 +19,7 @@ from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, 
 from ._arrays import vertices as vertices_of
 from ._meshes import attempt, check_progress, level_of_caller, surface
 from .errors import AccuracyWarning, ArrayError, InputError
-from .operators import soup_of
+from .operators import computed_on_soup
 from .simplification import simplify
 from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
 
@@ -166,11 +166,14 @@ def soup_distance(
     True
     """
     factor = _time_step_factor(time_step_factor)
-    size, soup = soup_of(V, F, neighbors, mollify, progress)
-    given = vertices_of(sources, size, "sources")
-    if len(given) == 0:
-        raise InputError("there are no sources; give at least one")
-    return soup.distances(given, factor)
+
+    def distances(size: int, soup: _core.Soup) -> Floats:
+        given = vertices_of(sources, size, "sources")
+        if len(given) == 0:
+            raise InputError("there are no sources; give at least one")
+        return soup.distances(given, factor)
+
+    return computed_on_soup(V, F, neighbors, mollify, progress, distances)
 
 
 def _measured(

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, Callable, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +16,8 @@ from ._arrays import count, flag, sparse
 from ._meshes import arrays, attempt, check_progress, mollification
 from .errors import InputError
 from .triangulation import Progress, computed_on
+
+Result = TypeVar("Result")
 
 
 def laplacian(
@@ -193,15 +195,17 @@ def soup_operators(
     >>> float(operators.mass.sum())
     1.5
     """
-    _, soup = soup_of(V, F, neighbors, mollify, progress)
-    return SoupOperators(sparse(soup.operator_of("laplacian")),
-                         sparse(soup.operator_of("lumped_mass")))
+    return computed_on_soup(
+        V, F, neighbors, mollify, progress,
+        lambda _, soup: SoupOperators(sparse(soup.operator_of("laplacian")),
+                                      sparse(soup.operator_of("lumped_mass"))))
 
 
-def soup_of(
+def computed_on_soup(
     V: Any, F: ArrayLike | None, neighbors: int, mollify: float | str, progress: Progress | None,
-) -> tuple[int, _core.Soup]:
-    """Return the number of points, and the triangles with their tufted cover."""
+    compute: Callable[[int, _core.Soup], Result],
+) -> Result:
+    """Return the result of `compute(number_of_points, soup)`, mollified as far as needed."""
     is_cloud = F is None and isinstance(V, (np.ndarray, list, tuple))
     points, faces = arrays(V, np.zeros((0, 3), np.int64) if is_cloud else F)
     number = min(count(neighbors, "neighbors", 3), max(len(points) - 1, 3))
@@ -212,5 +216,5 @@ def soup_of(
         raise error
     mollification(mollify)
     check_progress(progress)
-    return len(points), attempt(
-        mollify, lambda slack: _core.Soup(points, faces, number, slack, progress))
+    return attempt(mollify, lambda slack: compute(
+        len(points), _core.Soup(points, faces, number, slack, progress)))

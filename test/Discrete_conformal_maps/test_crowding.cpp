@@ -149,8 +149,7 @@ TEST(Crowding, stretched_spheres)
   }
 }
 
-// Most vertices are near the vertex at infinity or its neighbors. Rounding ends Newton's method with
-// bounds far from the minimum.
+// Rounding ends Newton's method with bounds far from the minimum.
 TEST(Crowding, spheres_stretched_along_random_axes)
 {
   for(unsigned int seed = 0; seed < 30; ++seed) {
