@@ -119,8 +119,9 @@ public:
     run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
       run(energy, tolerance, is_rounded, visitor);
-    if(has_more_digits && m_result.status != Minimization_status::converged)
-      descend(energy, tolerance::parts_of_work_for_sphere, visitor);
+    if constexpr(has_more_digits)
+      if(m_result.status != Minimization_status::converged)
+        descend(energy, tolerance::parts_of_work_for_sphere, visitor);
     m_angle_error = angle_error(energy.gradient());
   }
 
@@ -139,8 +140,8 @@ private:
   // better.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
-  inline static const bool has_more_digits =
-    std::numeric_limits<FT>::epsilon() < std::numeric_limits<double>::epsilon();
+  static constexpr bool has_more_digits =
+    std::numeric_limits<FT>::digits > std::numeric_limits<double>::digits;
   // A scale factor that is closer to its bound is the sum of the bound and a distance. The distance
   // has all digits of `double`, because the slope of the energy behaves like its square root.
   static constexpr double near_bound = 1;
