@@ -111,15 +111,22 @@ private:
            descend_with_most_digits(precise, visitor);
   }
 
-  // Continues with the digits of `More_extended`, from a minimum or else from an estimate. This is
-  // the only search on surfaces beyond the range of `FT`, and may take long on them. Returns
+  // Returns whether a search has ended so close to a minimum that more digits lead to it.
+  template <typename FT>
+  static bool is_near_minimum(const Spherical_scale_factors<FT>& scale)
+  {
+    return scale.result().gradient_norm <= tolerance::lost_curvature;
+  }
+
+  // Continues with the digits of `More_extended`, close to a minimum or else from an estimate. This
+  // is the only search on surfaces beyond the range of `FT`, and may take long on them. Returns
   // whether the result is good.
   template <typename FT>
   bool descend_with_most_digits(const Spherical_scale_factors<FT>& precise, Any_visitor& visitor)
   {
     const bool is_in_range = std::isfinite(precise.result().gradient_norm);
     Spherical_scale_factors<More_extended> most_precise(m_problem, m_at_infinity);
-    if(precise.result().status == Minimization_status::converged)
+    if(is_near_minimum(precise))
       most_precise.set_start(precise);
     return descend(most_precise,
                    is_in_range ? tolerance::parts_of_work_for_sphere : tolerance::parts_of_work,
@@ -158,14 +165,13 @@ private:
     return search_with_more_digits(precise, visitor);
   }
 
-  // Searches for scale factors up to rounding. If they are found but have too few digits for a good
-  // layout, continues with the digits of `More_extended`. Returns whether the result is good.
+  // Searches for scale factors up to rounding. If the search comes close to them, but not to a good
+  // layout, it continues with the digits of `More_extended`. Returns whether the result is good.
   template <typename FT>
   bool search_with_more_digits(Spherical_scale_factors<FT>& scale, Any_visitor& visitor)
   {
     return search(scale, tolerance::extended_gradient, visitor) ||
-           (scale.result().status == Minimization_status::converged &&
-            descend_with_most_digits(scale, visitor));
+           (is_near_minimum(scale) && descend_with_most_digits(scale, visitor));
   }
 
   // Searches for scale factors up to `tolerance`. Returns whether the result is good.
