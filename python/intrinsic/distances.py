@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import Any, Callable, NamedTuple, TypeVar
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,13 +17,11 @@ from . import _core
 from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, count, flag, floats,
                       integers, number, points_on, shortened)
 from ._arrays import vertices as vertices_of
-from ._meshes import attempt, check_progress, level_of_caller, surface
+from ._meshes import Result, check_progress, level_of_caller, surface
 from .errors import AccuracyWarning, ArrayError, InputError
 from .operators import computed_on_soup
 from .simplification import simplify
 from .triangulation import Progress, SurfacePoints, Triangulation, computed_on
-
-Result = TypeVar("Result")
 
 _GREATEST_SILENT_ERROR = 0.1  # relative, of a tenth of the distances
 _LEAST_TIME_STEP_FACTOR, _GREATEST_TIME_STEP_FACTOR = 1e-300, 1.6e13  # beyond, rounding decides

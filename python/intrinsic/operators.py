@@ -6,18 +6,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, NamedTuple, TypeVar
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import count, flag, sparse
-from ._meshes import arrays, attempt, check_progress, mollification
+from ._meshes import Result, arrays, attempt, check_progress, mollification
 from .errors import InputError
 from .triangulation import Progress, computed_on
-
-Result = TypeVar("Result")
 
 
 def laplacian(

@@ -19,13 +19,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arrays import (Floats, Integers, array_of, choice, count, flag, floats, integers, number,
                       points_on, sparse)
-from ._meshes import attempt, check_progress, surface
+from ._meshes import Result, attempt, check_progress, surface
 from .errors import ArrayError, InputError
 
 Progress = Callable[[str, int], Any]
 SurfacePoints = tuple[Integers, Floats]
 Method = TypeVar("Method", bound=Callable[..., Any])
-Result = TypeVar("Result")
 
 
 def _locked(method: Method) -> Method:

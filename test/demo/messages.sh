@@ -211,6 +211,7 @@ calls <<'TABLE'
 2 | intrinsic: --max-insertions requires --min-angle | operators flat.mesh.off --prefix a --max-insertions 9
 2 | --max-insertions has no effect on --min-angle 0; give a greater angle | distance flat.mesh.off --source 0 -o a.ply --min-angle 0 --max-insertions 9
 2 | --max-insertions has no effect on --min-angle 0 | operators flat.mesh.off --prefix a --min-angle 0 --max-insertions 9
+2 | --max-insertions has no effect on --min-angle 0 | transfer flat.mesh.off --data value.txt -o a.txt --min-angle 0 --max-insertions 9
 2 | --max-insertions has no effect on --min-angle 0 | refine flat.mesh.off -o a.ply --min-angle 0 --max-insertions 9
 2 | --max-insertions is for --refine and --min-angle; add one of them | simplify flat.mesh.off -o a.ply --vertices 9 --max-insertions 9
 2 | --levels is for --prolongation, --save and --stats; add one of them | simplify flat.mesh.off -o a.ply --vertices 9 --levels 3

@@ -114,7 +114,7 @@ public:
   // Returns whether the lengths of T_2 are exact, with more digits than `double` has.
   bool has_precise_lengths() const { return !m_precise_length.empty(); }
 
-  // Returns whether T_2 on the exact surface would have lengths with more digits.
+  // Returns whether T_2 on the exact surface may have lengths with more digits.
   bool may_gain_digits() const { return !m_has_exact_flips && !has_radii(); }
 
   // Computes T_2 by exact decisions, and its lengths on the exact surface, from now on. Returns
