@@ -668,7 +668,7 @@ void define_distance(Command_line& line)
   add_number(
     command, "--time-step", options.time_step_factor,
     "Time for which heat flows, in squared mean edge lengths, with --method heat unless another "
-    "is given. By default 1, times 16 until heat reaches everything",
+    "is given. By default 1, or 0.7 with a sign, times 16 until heat reaches everything",
     positive_number());
   add_angle(command, options.refinement);
   add_direct(command, line.common());

@@ -636,7 +636,7 @@ def signed_distance(
         and this is expected to take less than two seconds.
     time_step_factor : float
         The time for which heat flows, in squared mean edge lengths. "auto" is then "heat". By
-        default it is 1 at first, and more if normals do not reach all faces.
+        default it is 0.7 at first, and more if normals do not reach all faces.
     full : bool
         Whether the method and an estimate of the error are returned, too.
 

@@ -229,7 +229,7 @@ public:
 
   /// returns the faces of the input with a part whose image is too small for positions of type
   /// `double`, in ascending order. Different corners of such a part have the same position, or its
-  /// sides have wrong lengths. Most maps have no such faces.
+  /// sides have wrong lengths, or it may be reversed in the Klein disk. Most maps have none.
   ///
   /// A long strip that is mapped to a disk has such faces: its ends shrink by a factor of
   /// \f$e^\pi\f$ for every square. This is known as crowding (\ref dcm_crowding). It is a property

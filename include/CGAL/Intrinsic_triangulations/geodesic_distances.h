@@ -164,15 +164,17 @@ std::vector<Length_of<Surface>> resolved_values(const Surface& surface, const Va
 }
 
 // Returns the numbers `values_of(resolved, time)` at vertices, where `time` is a named parameter.
-// Unless a time is given, it is increased until heat reaches all vertices. If some edges are far
-// shorter than others, the standard time is too short.
+// Unless a time is given, the standard time is increased until heat reaches all vertices. It is too
+// short if some edges are far shorter than others.
 template <typename Surface, typename NamedParameters, typename Values_of>
 Geodesic_distances<Length_of<Surface>>
-values_by_heat(const Surface& surface, const NamedParameters& np, const Values_of& values_of)
+values_by_heat(const Surface& surface, const NamedParameters& np, double standard_factor,
+               const Values_of& values_of)
 {
   typedef Length_of<Surface> FT;
   constexpr bool is_time_given = has_parameter<NamedParameters, internal_np::time_step_factor_t>();
-  Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np)};
+  Geodesic_distances<FT> result{
+    {}, Distance_method::heat, checked_time_step_factor<FT>(np, standard_factor)};
   for(;; result.time_step_factor *= 16)
     try {
       const auto time = parameters::time_step_factor(result.time_step_factor);
@@ -190,7 +192,7 @@ Geodesic_distances<Length_of<Surface>>
 distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sources,
                   const Positions<Length_of<Surface>>& positions, const NamedParameters& np)
 {
-  auto result = values_by_heat(surface, np, [&](const auto& resolved, const auto& time) {
+  auto result = values_by_heat(surface, np, 1, [&](const auto& resolved, const auto& time) {
     return heat_distance(resolved, sources, time);
   });
   raise_to_bounds(surface, sources, positions, result);

@@ -60,7 +60,7 @@ namespace CGAL::Intrinsic_triangulations {
 ///   \cgalParamNBegin{time_step_factor}
 ///     \cgalParamDescription{the shorter time for which heat flows, in squared mean edge lengths}
 ///     \cgalParamType{a number}
-///     \cgalParamDefault{1, multiplied by 16 until normals reach all faces}
+///     \cgalParamDefault{0.7, multiplied by 16 until normals reach all faces}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the search for exact distances, and can stop it by an
@@ -99,10 +99,12 @@ signed_distance(const Surface& surface, const Surface_curve<Length_of<Surface>>&
       return std::move(*result);
     }
   }
-  auto result = internal::values_by_heat(surface, np, [&](const auto& resolved, const auto& time) {
+  const auto values_of = [&](const auto& resolved, const auto& time) {
     typedef Length_of<std::decay_t<decltype(resolved)>> Resolved;
     return signed_heat_distance(resolved, converted_curve<Resolved>(curve), time);
-  });
+  };
+  auto result =
+    internal::values_by_heat(surface, np, internal::time_step_factor_of_normals(), values_of);
   std::vector<FT> lengths = result.distance;
   for(FT& d : lengths)
     d = abs(d);

@@ -193,6 +193,10 @@ inline std::size_t greatest_number_of_mean_iterations(std::size_t parts)
   return 200 + static_cast<std::size_t>(50 * std::sqrt(static_cast<double>(parts)));
 }
 
+// Returns the shorter time for which normals of a curve flow, in squared mean edge lengths. Times
+// from a half to one have almost the same errors on plane sections of real meshes.
+constexpr double time_step_factor_of_normals() { return 0.7; }
+
 // Returns the factor by which the heat flow may exceed its default time, before distances count as
 // out of range.
 constexpr double greatest_time_step_factor() { return 1e12; }

@@ -26,6 +26,7 @@
 #include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -68,7 +69,9 @@ public:
     promises.insert(promises.end(), exact.begin(), exact.end());
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
-      m_builder.find_crowded([this](Halfedge_index h) { return length_in_disk(h); });
+      m_builder.find_crowded([this](Halfedge_index h) {
+        return (std::min)(height_in_Klein_disk(h), length_in_disk(h)); // keeps NaN
+      });
     auto map = m_builder.template map<Hyperbolic_conformal_map>(std::move(m_layout));
     m_builder.judge(map, std::move(promises));
     return map;
@@ -93,6 +96,24 @@ private:
     const double t =
       (std::max)(m_layout.position[h.idx()][2], m_layout.position[mesh().next(h).idx()][2]);
     return 2 * std::asinh(m_builder.scaled_length(h)) / (1 + t);
+  }
+
+  // Returns the height over the side `h` of a face in the Klein disk, whose points are (x, y) / t.
+  // The determinant of the corners (x, y, t) is twice the sine of Hyperbolic_triangle.
+  double height_in_Klein_disk(Halfedge_index h) const
+  {
+    std::array<double, 3> length;
+    std::array<std::array<double, 3>, 3> corner;
+    double area = 2;
+    for(std::size_t s = 0; s < 3; ++s, h = mesh().next(h)) {
+      length[s] = m_builder.scaled_length(h);
+      corner[s] = m_layout.position[h.idx()];
+      area /= corner[s][2];
+    }
+    area *= Hyperbolic_triangle<double>(length).corner(0).sine;
+    const auto& [x0, y0, t0] = corner[0];
+    const auto& [x1, y1, t1] = corner[1];
+    return area / (std::max)(tolerance::unit, std::hypot(x1 / t1 - x0 / t0, y1 / t1 - y0 / t0));
   }
 
   // Returns the promises measured in the precision of the layout.

@@ -117,8 +117,8 @@ public:
     result.erase(std::unique(result.begin(), result.end()), result.end());
   }
 
-  // Records faces of T_3 with a side whose `size(h)` may be only rounding error. `size(h)` is its
-  // length in a picture with coordinates of at most one.
+  // Records faces of T_3 with a side whose `size(h)` may be only rounding error, or is unknown.
+  // `size(h)` is a length in a picture with coordinates of at most one.
   template <typename Size>
   void find_crowded(const Size& size)
   {
@@ -126,7 +126,7 @@ public:
     for(Halfedge_index h : mesh().halfedges())
       if(!mesh().is_border(h))
         is_crowded[mesh().face(h).idx()] |=
-          size(h) <= tolerance::roundings_of_position * tolerance::unit;
+          !(size(h) > tolerance::roundings_of_position * tolerance::unit);
     set_crowded(is_crowded);
   }
 

@@ -38,13 +38,14 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // multiply it by 16 as long as it is at most `greatest_time_step_factor()`.
 constexpr double limit_of_time_step_factors() { return 16 * greatest_time_step_factor(); }
 
+// Returns the time step factor, which is `standard` by default.
 template <typename FT, typename NamedParameters>
-FT checked_time_step_factor(const NamedParameters& np)
+FT checked_time_step_factor(const NamedParameters& np, double standard = 1)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef Intrinsic_triangulations::internal_np::time_step_factor_t Tag;
-  const FT factor(choose_parameter(get_parameter(np, Tag()), FT(1)));
+  const FT factor(choose_parameter(get_parameter(np, Tag()), FT(standard)));
   if(!(factor > 0) || !(factor <= FT(limit_of_time_step_factors())))
     throw Invalid_input("the time step factor is not positive and at most 1.6e13");
   return factor;
