@@ -14,6 +14,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+#include <CGAL/Discrete_conformal_maps/texture_points.h>
+#include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 
 #include "../Intrinsic_triangulations/generators.h"
 #include "../Intrinsic_triangulations/refined_meshes.h"
@@ -308,6 +310,28 @@ TEST(Crowding, spiral_in_a_rectangle)
   EXPECT_EQ(map.status(), DCM::Map_status::success);
   EXPECT_TRUE(map.crowded_faces().empty());
   check_layout(map);
+}
+
+// Faces far from the center of a hyperbolic layout have no area in the Klein disk with coordinates
+// of type `double`. Only such faces may be reversed.
+TEST(Crowding, long_surfaces_in_the_Klein_disk)
+{
+  std::size_t crowded = 0;
+  for(std::size_t genus : {2u, 12u, 24u, 36u}) {
+    const Mesh mesh = perturbed(frame(genus, 0.2), 0.05, 1);
+    const auto map = DCM::uniformize_hyperbolic(mesh);
+    ASSERT_EQ(map.status(), DCM::Map_status::success) << genus << ' ' << map.cause();
+    const std::vector<Face_index>& faces = map.crowded_faces();
+    crowded += faces.size();
+    EXPECT_EQ(faces.empty(), map.radius() < 17) << genus << ' ' << map.radius();
+    const DCM::Input_part part(map);
+    const DCM::Texture_corners corners(map, part);
+    for(Face_index f : DCM::homogeneous_texture_points(map, part, corners).reversed_faces)
+      EXPECT_TRUE(std::binary_search(faces.begin(), faces.end(),
+                                     map.common_subdivision().parent_face(Layer::A, f)))
+        << genus << ' ' << f;
+  }
+  EXPECT_GT(crowded, 0u);
 }
 
 // A flat rectangle, whose corners have right angles, is its own image. Searches from any scale
