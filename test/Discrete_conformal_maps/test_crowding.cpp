@@ -327,8 +327,8 @@ TEST(Crowding, long_surfaces_in_the_Klein_disk)
     const DCM::Input_part part(map);
     const DCM::Texture_corners corners(map, part);
     for(Face_index f : DCM::homogeneous_texture_points(map, part, corners).reversed_faces)
-      EXPECT_TRUE(std::binary_search(faces.begin(), faces.end(),
-                                     map.common_subdivision().parent_face(Layer::A, f)))
+      EXPECT_TRUE(
+        std::binary_search(faces.begin(), faces.end(), part.subdivision().parent_face(Layer::A, f)))
         << genus << ' ' << f;
   }
   EXPECT_GT(crowded, 0u);

@@ -57,7 +57,7 @@ public:
   {
     try {
       unfold(visitor);
-    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+    } catch(const Intrinsic_triangulations::Error& e) {
       m_result.cause = e.what(); // an earlier result remains
     }
     if(m_number_of_edges != m_problem.triangulation().mesh().num_edges()) {

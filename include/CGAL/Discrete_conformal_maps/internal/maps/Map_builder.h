@@ -86,8 +86,10 @@ public:
       return true;
     } catch(const Intrinsic_triangulations::Numerical_error& e) {
       set_cause(e.what());
-      return false;
+    } catch(const Intrinsic_triangulations::Flip_limit_exceeded& e) {
+      set_cause(e.what());
     }
+    return false;
   }
 
   // Returns the data of the map.

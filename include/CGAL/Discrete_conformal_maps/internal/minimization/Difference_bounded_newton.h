@@ -13,7 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -101,11 +100,7 @@ private:
   {
     ++m_result.evaluations;
     m_energy.set_origin({u.begin(), u.end()});
-    try {
-      m_energy.evaluate(Vector::Zero(Eigen::Index(m_energy.size())));
-    } catch(const Intrinsic_triangulations::Flip_limit_exceeded&) {
-      return false;
-    }
+    m_energy.evaluate(Vector::Zero(Eigen::Index(m_energy.size())));
     m_gradient = m_energy.gradient();
     m_variables.set_fixed_to_zero(m_gradient);
     m_variables.remove_means(m_gradient);

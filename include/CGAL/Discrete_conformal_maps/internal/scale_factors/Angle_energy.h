@@ -45,7 +45,8 @@ public:
     m_concurrency = Intrinsic_triangulations::Concurrency(tag);
   }
 
-  // Evaluates the energy. If a scaled length is not a length, the gradient is NaN.
+  // Evaluates the energy. If a scaled length is not a length, or if rounding prevents flips from
+  // ending, the gradient is NaN.
   void evaluate(const Vector& x)
   {
     for(std::size_t i = 0; i < m_origin.size(); ++i)
@@ -53,7 +54,7 @@ public:
     m_has_Hessian = false;
     try {
       scale();
-    } catch(const Intrinsic_triangulations::Numerical_error&) {
+    } catch(const Intrinsic_triangulations::Error&) {
       m_gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
       return;
     }

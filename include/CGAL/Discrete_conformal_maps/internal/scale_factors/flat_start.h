@@ -60,7 +60,7 @@ inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index a
     scale.minimize(Newton_minimizer(tolerance::gradient, tolerance::steps_to_start),
                    tolerance::curvature_at_start, visitor);
     is_found = scale.status() == Map_status::success;
-  } catch(const Intrinsic_triangulations::Numerical_error&) {
+  } catch(const Intrinsic_triangulations::Error&) {
     // Searches without this start follow.
   }
   prescribe(0);
