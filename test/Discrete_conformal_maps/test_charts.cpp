@@ -178,27 +178,95 @@ TEST(Charts, fit_into_the_unit_square)
   }
 }
 
-// Random convex polygons lie on top of each other.
-TEST(Covered_area, is_that_of_exact_Boolean_operations)
+// Compares the area that at least two convex polygons cover with exact Boolean operations.
+void compare_multiply_covered_area(const std::vector<std::vector<std::complex<double>>>& points)
+{
+  std::vector<DCM::internal::Convex_polygon> polygons;
+  std::vector<Polygon> exact;
+  for(const auto& some : points) {
+    polygons.push_back(DCM::internal::convex_hull(some));
+    exact.emplace_back();
+    for(const auto& z : polygons.back())
+      exact.back().push_back(Exact::Point_2(z.real(), z.imag()));
+  }
+  std::vector<DCM::internal::Multiply_covered_area::Pair> pairs;
+  Polygon_set expected;
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    for(std::size_t j = i + 1; j < polygons.size(); ++j) {
+      Polygon_set both(exact[i]);
+      both.intersection(exact[j]);
+      expected.join(both);
+      pairs.emplace_back(i, j);
+    }
+  EXPECT_NEAR(DCM::internal::Multiply_covered_area(polygons, pairs)(), area(expected), 1e-12);
+}
+
+// Returns the corners of polygons whose coordinates are random multiples of 1/`steps`.
+std::vector<std::vector<std::complex<double>>> random_corners(std::size_t polygons, int steps,
+                                                              std::mt19937& random)
+{
+  std::uniform_int_distribution<int> coordinate(0, steps);
+  const auto part = [&] { return double(coordinate(random)) / steps; };
+  std::vector<std::vector<std::complex<double>>> result(polygons);
+  for(auto& points : result)
+    while(points.size() < 5 || DCM::internal::convex_hull(points).size() < 3)
+      points.emplace_back(part(), part());
+  return result;
+}
+
+TEST(Multiply_covered_area, is_that_of_exact_Boolean_operations)
 {
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> coordinate(0, 1);
   for(std::size_t n = 1; n < 9; ++n)
-    for(int trial = 0; trial < 5; ++trial) {
-      std::vector<DCM::internal::Convex_polygon> polygons;
-      Polygon_set expected;
-      for(std::size_t i = 0; i < n; ++i) {
-        std::vector<std::complex<double>> points;
-        for(int k = 0; k < 5; ++k)
-          points.emplace_back(coordinate(random), coordinate(random));
-        polygons.push_back(DCM::internal::convex_hull(points));
-        Polygon polygon;
-        for(const auto& z : polygons.back())
-          polygon.push_back(Exact::Point_2(z.real(), z.imag()));
-        expected.join(polygon);
-      }
-      EXPECT_NEAR(DCM::internal::Covered_area(polygons)(), area(expected), 1e-12);
+    for(int trial = 0; trial < 5; ++trial)
+      compare_multiply_covered_area(random_corners(n, 1 << 20, random));
+}
+
+// On a coarse grid, many corners and sides coincide, and whole polygons.
+TEST(Multiply_covered_area, of_polygons_with_common_corners_and_sides)
+{
+  std::mt19937 random(6);
+  for(int steps : {1, 2, 3, 4})
+    for(std::size_t n = 1; n < 12; ++n) {
+      auto points = random_corners(n, steps, random);
+      points.push_back(points[0]);
+      compare_multiply_covered_area(points);
     }
+}
+
+// Polygons that differ by rounding errors have sides that are almost parallel.
+TEST(Multiply_covered_area, of_almost_equal_polygons)
+{
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> units(-2, 2);
+  for(std::size_t n = 2; n < 7; ++n) {
+    std::vector<std::vector<std::complex<double>>> points(n, random_corners(1, 1 << 20, random)[0]);
+    for(auto& polygon : points)
+      for(std::complex<double>& z : polygon)
+        z += std::complex<double>(units(random), units(random)) * 0x1p-52;
+    compare_multiply_covered_area(points);
+  }
+}
+
+// Triangles with corners on the unit circle overlap each other. The lines through their sides touch
+// a circle of radius 1/2. A side leaves the k-th next triangle at tan(k a) / 2 from its middle,
+// where 2 a is the angle between corners. It leaves all but one between k = n - 2 and n - 1.
+TEST(Multiply_covered_area, of_many_triangles)
+{
+  const std::size_t n = 400;
+  std::vector<DCM::internal::Convex_polygon> polygons;
+  std::vector<DCM::internal::Multiply_covered_area::Pair> pairs;
+  const double a = pi / double(3 * n);
+  for(std::size_t i = 0; i < n; ++i) {
+    polygons.emplace_back();
+    for(int k = 0; k < 3; ++k)
+      polygons.back().push_back(std::polar(1., 2 * a * double(i) + 2 * pi * k / 3));
+    for(std::size_t j = 0; j < i; ++j)
+      pairs.emplace_back(j, i);
+  }
+  EXPECT_NEAR(DCM::internal::Multiply_covered_area(polygons, pairs)(),
+              0.75 * double(n) * (std::tan(double(n - 1) * a) - std::tan(double(n - 2) * a)),
+              1e-11);
 }
 
 } // namespace Test_charts

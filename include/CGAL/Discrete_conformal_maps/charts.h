@@ -11,8 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_pieces.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Convex_polygons.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Multiply_covered_area.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,65 +44,6 @@ struct Chart_overlap
 };
 
 namespace internal {
-
-// Computes the area that is covered more than once.
-class Multiply_covered_area
-{
-public:
-  Multiply_covered_area(const Chart_pieces& pieces,
-                        const std::vector<Chart_pieces::Overlap>& overlaps)
-    : m_pieces(pieces), m_partners(pieces.size()), m_index(pieces.size(), none)
-  {
-    for(const Chart_pieces::Overlap& o : overlaps) {
-      m_partners[o.second].push_back(o.first);
-      m_partners[o.first].push_back(o.second);
-    }
-    for(std::vector<std::size_t>& partners : m_partners)
-      std::sort(partners.begin(), partners.end());
-  }
-
-  // Returns the area. Each point counts for the first piece that covers it.
-  double operator()()
-  {
-    double sum = 0;
-    for(std::size_t i = 0; i < m_pieces.size(); ++i) {
-      const auto later = std::lower_bound(m_partners[i].begin(), m_partners[i].end(), i);
-      if(later != m_partners[i].end())
-        sum += covered_part(i, m_partners[i]) - covered_part(i, {m_partners[i].begin(), later});
-    }
-    return sum;
-  }
-
-private:
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-  // Returns the area of piece `i` that at least one partner covers. Only partners that overlap each
-  // other are processed together.
-  double covered_part(std::size_t i, const std::vector<std::size_t>& partners)
-  {
-    for(std::size_t k = 0; k < partners.size(); ++k)
-      m_index[partners[k]] = k;
-    boost::disjoint_sets_with_storage<> sets(partners.size());
-    for(std::size_t k = 0; k < partners.size(); ++k)
-      for(std::size_t j : m_partners[partners[k]])
-        if(m_index[j] != none)
-          sets.union_set(k, m_index[j]);
-    std::vector<std::vector<Convex_polygon>> covered(partners.size()); // at representatives
-    for(std::size_t k = 0; k < partners.size(); ++k) {
-      m_index[partners[k]] = none;
-      covered[sets.find_set(k)].push_back(
-        intersection(m_pieces[i].polygon, m_pieces[partners[k]].polygon));
-    }
-    double sum = 0;
-    for(const std::vector<Convex_polygon>& polygons : covered)
-      sum += Covered_area(polygons)();
-    return sum;
-  }
-
-  const Chart_pieces& m_pieces;
-  std::vector<std::vector<std::size_t>> m_partners; // the pieces that each one overlaps, in order
-  std::vector<std::size_t> m_index;                 // of a piece among some partners
-};
 
 // Grows charts face by face, across edges that are not seams, such that no chart has two faces that
 // are kept apart. Charts are numbered in the order of their first faces.
@@ -183,10 +123,8 @@ inline std::vector<std::size_t> charts_of_faces(const Planar_conformal_map& map)
 /// computed in floating point. An intersection of less than \f$10^{-9}\f$ of the smaller face
 /// counts as rounding.
 ///
-/// Complexity: \f$O(n \log n)\f$ for \f$n\f$ faces, and linear in the pairs of faces whose bounding
-/// boxes intersect. If three or more faces cover a point, a line sweeps over the \f$k\f$ faces that
-/// cover one face. This takes \f$O(k \log k)\f$ steps, each linear in the faces that the line
-/// meets.
+/// Complexity: \f$O((n + k) \log n)\f$ for \f$n\f$ faces, and \f$k\f$ pairs of faces whose bounding
+/// boxes intersect.
 /// \pre `map.is_laid_out()`
 inline Chart_overlap find_overlap(const Planar_conformal_map& map)
 {
@@ -197,14 +135,19 @@ inline Chart_overlap find_overlap(const Planar_conformal_map& map)
   Chart_overlap result;
   result.number_of_charts = charts.size();
   std::map<std::pair<std::size_t, std::size_t>, double> area;
+  std::vector<internal::Multiply_covered_area::Pair> pairs;
   for(const auto& o : overlaps) {
+    pairs.emplace_back(o.first, o.second);
     const auto [first, second] =
       std::minmax(chart[pieces[o.first].face.idx()], chart[pieces[o.second].face.idx()]);
     area[{first, second}] += o.area;
   }
   for(const auto& [pair, sum] : area)
     result.charts.push_back({pair.first, pair.second, sum});
-  result.area = internal::Multiply_covered_area(pieces, overlaps)();
+  std::vector<internal::Convex_polygon> polygons;
+  for(std::size_t n = 0; n < pieces.size(); ++n)
+    polygons.push_back(pieces[n].polygon);
+  result.area = internal::Multiply_covered_area(polygons, pairs)();
   return result;
 }
 
@@ -235,8 +178,7 @@ inline void pack_charts(Planar_conformal_map& map)
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// cuts a map such that no chart overlaps itself, and packs the charts. Faces are added to a chart,
 /// across edges that are no seams, unless they overlap one of its faces. The edges between charts
-/// become seams. A map without overlap does not change. Complexity: as for `find_overlap()`,
-/// without its last term.
+/// become seams. A map without overlap does not change. Complexity: as for `find_overlap()`.
 /// \returns the number of charts
 /// \pre `map.is_laid_out()`
 inline std::size_t cut_overlaps(Planar_conformal_map& map)
