@@ -291,7 +291,12 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
     problem.share_work(work);
     return Sphere_mapping(problem, visitor).run();
   };
-  return with_digits_as_needed(std::move(input), find, !circles.exist());
+  // No caller has chosen a number of steps, so more digits may prevent each failure. Searches with
+  // circles take as long again.
+  const auto needs_digits = [&](const Discrete_conformal_map& map) {
+    return circles.exist() ? may_need_digits(map) : map.status() != Map_status::success;
+  };
+  return with_digits_as_needed(std::move(input), find, !circles.exist(), needs_digits);
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

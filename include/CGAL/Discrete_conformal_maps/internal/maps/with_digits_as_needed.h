@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
-#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/input_rounding.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -22,8 +22,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // Returns whether more digits may prevent the failure of a map. They do not if steps were too few,
 // or if a fixed triangulation has no map.
-template <typename Map>
-bool may_need_digits(const Map& map)
+inline bool may_need_digits(const Discrete_conformal_map& map)
 {
   switch(map.status()) {
     case Map_status::success:
@@ -35,21 +34,16 @@ bool may_need_digits(const Map& map)
   }
 }
 
-// The number of steps to the sphere has no limit that a caller has chosen.
-inline bool may_need_digits(const Spherical_conformal_map& map)
-{
-  return map.status() != Map_status::success;
-}
-
 // Returns the map `find(input, exactness)` with rounded lengths. If rounding changes angles of the
 // input, its errors are measured on the exact surface. If this fails, or errors are not
 // `measurable`, returns the map with lengths of the exact surface. If rounding changes no angles of
-// the input, it may change angles after flips: a map that fails is computed again, too.
+// the input, it may change angles after flips: a map with `needs_digits(map)` is computed again,
+// too.
 //
 // \throws Error as the last call of `find()` does
-template <typename Find>
+template <typename Find, typename Predicate = bool (*)(const Discrete_conformal_map&)>
 auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> input, Find&& find,
-                           bool measurable = true)
+                           bool measurable, const Predicate& needs_digits = may_need_digits)
 {
   typedef decltype(find(std::move(input), Exactness::none)) Map;
   if(!has_exact_metric(input))
@@ -60,7 +54,7 @@ auto with_digits_as_needed(Intrinsic_triangulations::Intrinsic_triangulation<> i
   std::optional<Map> rounded;
   if(!has_unknown_angles(input)) {
     rounded = found(Exactness::none);
-    if(!may_need_digits(*rounded))
+    if(!needs_digits(*rounded))
       return std::move(*rounded);
   } else
     try {
