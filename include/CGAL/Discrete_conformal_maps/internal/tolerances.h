@@ -146,8 +146,8 @@ constexpr std::size_t steps_with_more_digits = 300;
 // These numbers limit the work of all searches for a map: measured faces and flipped edges with 32
 // digits. If several searches follow, each one gets the remaining work divided by the second
 // number. On a large surface, all searches together may measure every face as often as the third
-// number says. A sphere is searched from several vertices. Steps in all digits from one of them get
-// the remaining work divided by the fourth number.
+// number says. A sphere is searched from several vertices, with several types of numbers. Each of
+// these searches gets the remaining work divided by the fourth number.
 constexpr double work_for_map = 1.7e7, parts_of_work = 2, sure_measurements = 200,
                  parts_of_work_for_sphere = 16;
 // A minimization that has not converged after this number of steps ends.

@@ -152,7 +152,7 @@ private:
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices())
       domain.is_fixed.push_back(is_fixed(v));
-    energy.limit_work(m_problem.work().end_of_part(tolerance::work_for_map, parts_of_work));
+    limit_work(energy, parts_of_work);
     energy.set_origin(m_u);
     energy.evaluate(Vector::Zero(Eigen::Index(m_u.size())));
     Precise_newton_iteration<Energy> newton(energy, domain, m_bound);
@@ -175,11 +175,17 @@ private:
       x[Eigen::Index(i)] = static_cast<double>(m_u[i] - origin[i]);
       domain.is_fixed.push_back(is_fixed(v) || (stays_at_bounds && m_u[i] == m_bound[i]));
     }
+    limit_work(energy, tolerance::parts_of_work_for_sphere);
     energy.set_origin(origin);
     const Minimization_result last =
       Bounded_Newton_minimizer(tolerance, iteration_limit)(energy, x, lower, domain, visitor);
     store_scale_factors(energy, x, lower);
     add_result(last);
+  }
+
+  void limit_work(Energy& energy, double parts_of_work) const
+  {
+    energy.limit_work(m_problem.work().end_of_part(tolerance::work_for_map, parts_of_work));
   }
 
   // Returns the scale factors to which a run adds numbers in `double`.
