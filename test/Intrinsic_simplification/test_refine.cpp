@@ -207,8 +207,24 @@ TEST(Refine, takes_turns_with_simplification)
   }
 }
 
+// Checks that the subdivision has the topology and the areas of both levels.
+void expect_subdivided(const Evolving_surface& surface, const Surface_level& fine)
+{
+  const Surface_level coarse(surface);
+  const IS::Surface_subdivision<> subdivision(Surface_map(surface, fine, coarse));
+  EXPECT_EQ(Euler_characteristic(subdivision.mesh()), Euler_characteristic(fine.mesh()));
+  for(const IS::Level side : {IS::Level::fine, IS::Level::coarse}) {
+    double parts = 0;
+    for(Face_index f : subdivision.mesh().faces())
+      parts += subdivision.signed_area(side, f);
+    const Surface_level& level = side == IS::Level::fine ? fine : coarse;
+    const double whole = area_of(level.mesh(), level.length_map());
+    EXPECT_NEAR(parts, whole, 1e-7 * whole);
+  }
+}
+
 // Coarse edges run side by side for long, around a tube or, through inserted vertices, in circles.
-// The subdivision ends and has the areas of both levels.
+// The subdivision ends.
 TEST(Refine, subdivides_with_curves_that_do_not_separate)
 {
   for(const unsigned int seed : traced({3u, 10u, 77u, 211u})) {
@@ -217,18 +233,48 @@ TEST(Refine, subdivides_with_curves_that_do_not_separate)
     const Surface_level fine(surface);
     simplify(surface, number_of_vertices(mesh.number_of_vertices() * 3 / 10 + 1));
     IS::refine(surface, IS::parameters::minimum_angle(20).maximum_number_of_insertions(3000));
-    const Surface_level coarse(surface);
-    const IS::Surface_subdivision<> subdivision(Surface_map(surface, fine, coarse));
-    EXPECT_EQ(Euler_characteristic(subdivision.mesh()), Euler_characteristic(fine.mesh()));
-    for(const IS::Level side : {IS::Level::fine, IS::Level::coarse}) {
-      double parts = 0;
-      for(Face_index f : subdivision.mesh().faces())
-        parts += subdivision.signed_area(side, f);
-      const Surface_level& level = side == IS::Level::fine ? fine : coarse;
-      const double whole = area_of(level.mesh(), level.length_map());
-      EXPECT_NEAR(parts, whole, 1e-7 * whole);
-    }
+    expect_subdivided(surface, fine);
   }
+}
+
+// Moves a vertex to the origin, and inserts vertices close to it.
+Mesh with_vertices_at_origin(Mesh mesh, double distance, CGAL::Random& random)
+{
+  const Vertex_index v(0);
+  const Point center = mesh.point(v);
+  for(Vertex_index w : mesh.vertices())
+    mesh.point(w) = CGAL::ORIGIN + (mesh.point(w) - center);
+  for(const double d : {100 * distance, 10 * distance, distance}) {
+    const Halfedge_index h = mesh.halfedge(v);
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(mesh.next(h)));
+    const double x = d * random.get_double(1, 8), y = d * random.get_double(1, 8);
+    const Vertex_index near = mesh.target(CGAL::Euler::add_center_vertex(h, mesh));
+    mesh.point(near) = CGAL::ORIGIN + x * (p - CGAL::ORIGIN) + y * (q - CGAL::ORIGIN);
+  }
+  return mesh;
+}
+
+// Refinement inserts vertices and edges whose distances from a vertex are far below the rounding
+// unit of the faces around it. Most of these subdivisions are found, and are right then.
+TEST(Refine, subdivides_around_vertices_closer_than_rounding)
+{
+  CGAL::Random random(1);
+  std::size_t tried = 0, failed = 0;
+  for(const double distance : traced({1e-12, 1e-16, 1e-20, 1e-28}))
+    for(const unsigned int seed : seeds(10)) {
+      const Mesh mesh = with_vertices_at_origin(random_sphere(20, seed), distance, random);
+      Evolving_surface surface(mesh);
+      const Surface_level fine(surface);
+      simplify(surface, number_of_vertices(10));
+      IS::refine(surface, IS::parameters::minimum_angle(20.));
+      ++tried;
+      try {
+        expect_subdivided(surface, fine);
+      } catch(const IT::Numerical_error&) {
+        ++failed;
+      }
+    }
+  EXPECT_LE(10 * failed, tried);
 }
 
 // The parts of a constrained edge stay together.

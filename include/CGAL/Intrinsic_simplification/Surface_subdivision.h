@@ -58,9 +58,10 @@ enum class Level
 /// The connectivity is always a subdivision of both levels. The crossing curves determine the order
 /// of crossings on an edge of the fine level, not the rounded positions. Positions are rounded, and
 /// in order along every edge. An edge of the coarse level runs through each vertex that it passes
-/// within rounding. It runs along an edge of the fine level if it runs through both ends. Between
-/// other edges that nearly coincide, polygons can have areas as small as rounding, of either sign
-/// (see `signed_area()`). They may have only two sides.
+/// within rounding. It runs along an edge of the fine level if it runs through both ends. Where
+/// vertices are closer than rounding, such edges may cross each other; then no edge is moved to a
+/// vertex. Between other edges that nearly coincide, polygons can have areas as small as rounding,
+/// of either sign (see `signed_area()`). They may have only two sides.
 ///
 /// The object refers to the levels of the map, and is valid during their lifetime.
 ///
@@ -91,9 +92,14 @@ public:
   ///   other by rounding, or the edges around a vertex determine a coarse face far from it. Both
   ///   need vertices as close to each other as rounding
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
-    : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
+    : Surface_subdivision(Empty(), map)
   {
-    Builder(internal::Marked_fine_edges(map, bends == Bends::of_all_edges), *this).build();
+    try {
+      build(map, bends, internal::Snapping::to_near_vertices);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      *this = Surface_subdivision(Empty(), map);
+      build(map, bends, internal::Snapping::none);
+    }
   }
 
   /// returns one of the levels.
@@ -162,6 +168,19 @@ public:
   }
 
 private:
+  struct Empty
+  {};
+
+  Surface_subdivision(Empty, const Surface_map& map)
+    : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
+  {}
+
+  void build(const Surface_map& map, Bends bends, internal::Snapping snapping)
+  {
+    const internal::Marked_fine_edges edges(map, bends == Bends::of_all_edges, snapping);
+    Builder(edges, *this).build();
+  }
+
   // Stores a vertex inside an edge of the coarse level, and a part of this edge that ends at the
   // vertex.
   typedef std::pair<Vertex_index, Edge_index> End_of_part;

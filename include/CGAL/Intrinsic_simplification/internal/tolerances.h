@@ -23,6 +23,27 @@ inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<d
 // vertex or an edge. The coordinates of a crossing are sums of a few products.
 inline double rounding() { return 16 * rounding_unit(); }
 
+// States whether an edge runs through each vertex that it passes within rounding. Where vertices
+// are closer to each other than rounding, such edges may cross each other.
+enum class Snapping
+{
+  to_near_vertices,
+  none
+};
+
+// Returns the part of a homogeneous coordinate at which an edge runs through a vertex.
+inline double rounding(Snapping snapping)
+{
+  return snapping == Snapping::none ? std::numeric_limits<double>::min() : rounding();
+}
+
+// Returns what replaces a part of an edge or face that rounding has made zero. The map of an
+// operation is one-to-one only if no part is zero.
+inline double least_part(Snapping snapping)
+{
+  return snapping == Snapping::none ? rounding_unit() : 0;
+}
+
 // Returns the rounding error of the sum of this number of angles. Each angle is rounded to a unit
 // of 2 pi.
 inline double angle_rounding(std::size_t number_of_angles)

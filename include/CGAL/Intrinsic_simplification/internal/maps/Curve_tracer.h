@@ -35,7 +35,11 @@ struct Curve_segment
 class Curve_tracer
 {
 public:
-  Curve_tracer(const Surface_map& map, bool forward) : m_route(map.route(forward)) {}
+  Curve_tracer(const Surface_map& map, bool forward, Snapping snapping = Snapping::to_near_vertices)
+    : m_route(map.route(forward)),
+      m_rounding(rounding(snapping)),
+      m_least_part(least_part(snapping))
+  {}
 
   // Traces the edge of `h`, a halfedge of the level where the curve starts, from its source to its
   // target. Faces have the indices of the evolving surface.
@@ -182,7 +186,7 @@ private:
 
   void pass(const Flip& flip, const Curve_segment& s)
   {
-    const Recorded_flip turn(flip, m_route.is_forward());
+    const Recorded_flip turn(flip, m_route.is_forward(), m_least_part);
     const Patch_face face = turn.before(turn.has_r(s.face));
     const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
     const int from_side = turn.side(from), to_side = turn.side(to);
@@ -194,8 +198,9 @@ private:
     add_part(turn.after(to_side > 0), x, turn.turned(to));
   }
 
-  void pass(const Vertex_sectors& sectors, const Curve_segment& s)
+  void pass(const Vertex_change& change, const Curve_segment& s)
   {
+    const Vertex_sectors sectors(change, m_least_part);
     if(m_route.is_forward() == sectors.is_insertion())
       return insert_vertex(sectors, s);
     const Patch_face face = sectors[sectors.sector_of(s.face)];
@@ -217,7 +222,7 @@ private:
     const std::size_t outgoing = one_ahead ? (from.last + 1) % 3 : from.first;
     auto [point, excess] = sectors.on_line(outgoing, x, y);
     if(sectors.is_border() ? Vertex_sectors::is_on_border_side(x, y)
-                           : std::abs(excess) <= rounding())
+                           : std::abs(excess) <= m_rounding)
       return pass_through_vertex(sectors, from, point, to);
     const bool is_ahead = one_ahead == (excess > 0 || sectors.is_border());
     pass_outgoing_halfedges(sectors, is_ahead, {x, y}, from, to);
@@ -331,6 +336,7 @@ private:
   static constexpr std::size_t at_once = 16; // operations in a step, beside one for each piece
 
   Route m_route;
+  double m_rounding, m_least_part;
   std::vector<char> m_is_bend; // of each point
   std::vector<Timed_segment> m_carried, m_stack;
   std::vector<Curve_segment> m_parts; // of the segment that is being carried

@@ -36,10 +36,14 @@ public:
   typedef Intrinsic_triangulations::Edge_marks Edge_marks;
 
   // Finds the marks, with or without bends of edges of the fine level on the coarse surface.
-  Marked_fine_edges(const Surface_map& map, bool with_fine_bends)
-    : m_map(map), m_fine(map.fine().mesh()), m_number_of_vertices(m_fine.number_of_vertices())
+  Marked_fine_edges(const Surface_map& map, bool with_fine_bends, Snapping snapping)
+    : m_map(map),
+      m_fine(map.fine().mesh()),
+      m_snapping(snapping),
+      m_rounding(rounding(snapping)),
+      m_number_of_vertices(m_fine.number_of_vertices())
   {
-    Traced_curves traced(map);
+    Traced_curves traced(map, snapping);
     order_crossings(traced);
     number_new_vertices();
     m_is_along.assign(m_fine.number_of_edges(), 0);
@@ -54,6 +58,7 @@ public:
   }
 
   const Surface_map& map() const { return m_map; }
+  Snapping snapping() const { return m_snapping; }
   Curve_index number_of_vertices() const { return m_number_of_vertices; }
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
 
@@ -110,7 +115,7 @@ public:
   bool is_at_source(Halfedge_index h, Curve_index n) const
   {
     const double ratio = m_marks[n].ratio;
-    return is_first_halfedge(h) ? ratio <= rounding() : is_at_target_of_first(ratio);
+    return is_first_halfedge(h) ? ratio <= m_rounding : is_at_target_of_first(ratio);
   }
 
   // ---- Bends of edges of the fine level ----
@@ -133,13 +138,13 @@ private:
     Curve_index pieces, vertices;
   };
 
-  static bool is_at_target_of_first(double ratio)
+  bool is_at_target_of_first(double ratio) const
   {
-    return !(ratio <= rounding()) && ratio * rounding() >= 1;
+    return !(ratio <= m_rounding) && ratio * m_rounding >= 1;
   }
-  static bool is_kept(double ratio)
+  bool is_kept(double ratio) const
   {
-    return !(ratio <= rounding()) && !is_at_target_of_first(ratio);
+    return !(ratio <= m_rounding) && !is_at_target_of_first(ratio);
   }
 
   // ---- The order ----
@@ -247,7 +252,7 @@ private:
       const Curve_segment& segment = m_pieces[s.piece].segment;
       const auto [edge, ratio] =
         edge_ratio(segment, s.is_forward ? segment.from : segment.to, m_fine);
-      const double least = 2 * rounding();
+      const double least = 2 * m_rounding;
       m_marks.push_back(
         {edge, std::clamp(ratio, least, 1 / least), no_index, m_vertex_of_coarse[v]});
     }
@@ -337,6 +342,8 @@ private:
 
   const Surface_map& m_map;
   const Delta_complex& m_fine;
+  Snapping m_snapping;
+  double m_rounding;
   Curve_index m_number_of_vertices, m_first_fine_bend = no_index;
   std::vector<Vertex_index> m_vertex_of_coarse; // of each vertex of the coarse level
   std::vector<Vertex_index> m_new_vertices;     // vertices of the coarse level only

@@ -126,6 +126,13 @@ inline Patch_point between(const Patch_point& p, const Patch_point& q, double at
   return result;
 }
 
+// Returns a part of an edge or face, from 0 to 1. If rounding has made it or the rest zero, that
+// becomes `least`.
+inline double positive_part(double part, double least)
+{
+  return part > 0 ? (part < 1 ? part : 1 - least) : least;
+}
+
 // Represents a flip or its inverse: the faces pqr and qpo become orp and roq.
 class Recorded_flip
 {
@@ -138,11 +145,12 @@ public:
     r
   };
 
-  Recorded_flip(const Flip& flip, bool forward)
+  Recorded_flip(const Flip& flip, bool forward, double least_part = 0)
   {
     const auto& [left, right] = flip.corners;
     const Face_corner first(left.face(), 0), second(right.face(), 0);
-    const double s = flip.crossing_before, t = flip.crossing_after;
+    const double s = positive_part(flip.crossing_before, least_part),
+                 t = positive_part(flip.crossing_after, least_part);
     if(forward) {
       m_before = {left, right};
       m_after = {first, second};
@@ -261,10 +269,12 @@ class Vertex_sectors
 public:
   static constexpr std::size_t m = 3;
 
-  Vertex_sectors(const Vertex_change& o)
+  Vertex_sectors(const Vertex_change& o, double least_part = 0)
     : m_is_border(o.is_border),
       m_is_insertion(o.is_insertion),
-      m_vertex{o.weight[0], o.weight[1], (std::max)(1 - o.weight[0] - o.weight[1], 0.)},
+      m_vertex{positive_part(o.weight[0], least_part),
+               o.is_border ? 0 : positive_part(o.weight[1], least_part),
+               positive_part(1 - o.weight[0] - o.weight[1], least_part)},
       m_whole(o.whole),
       m_sector(o.corners)
   {}

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -105,9 +106,9 @@ struct Traced_curves
   std::vector<Curve_index> first_piece; // of each edge of the coarse level, and the end
   std::vector<Curve_mark> marks;
 
-  explicit Traced_curves(const Surface_map& map)
+  Traced_curves(const Surface_map& map, Snapping snapping)
   {
-    Curve_tracer tracer(map, false);
+    Curve_tracer tracer(map, false, snapping);
     for(Edge_index e : map.coarse().mesh().edges()) {
       first_piece.push_back(checked_index(pieces.size()));
       const auto& segments = tracer.trace(Intrinsic_triangulations::first_halfedge(e));
@@ -247,7 +248,9 @@ class Crossing_order
 {
 public:
   Crossing_order(const Traced_curves& traced, const Surface_map& map)
-    : m_strands(traced.pieces, traced.first_piece, map.coarse().mesh()), m_mesh(map.fine().mesh())
+    : m_strands(traced.pieces, traced.first_piece, map.coarse().mesh()),
+      m_marks(traced.marks),
+      m_mesh(map.fine().mesh())
   {}
 
   // Compares the positions on the first halfedge of an edge where two pieces end. The result is
@@ -300,17 +303,17 @@ private:
   }
 
   // Follows the curve from side `n` to its exit from the face, and returns whether it leaves. The
-  // curve may have turned at a vertex and return to this side by another curve. Then no curve lies
-  // between the two, and the other curve is followed.
+  // curve may bend back to this side. It may also have turned at a vertex and return to this side
+  // by another curve. Then no curve lies between the two, and the other curve is followed.
   bool leave_face(Strand& s, std::size_t n, Turn turn, std::size_t other) const
   {
     const Strand start = s;
     while(m_strands.leave_face(s, turn)) {
       if(exit(s, n) != 0)
         return true;
-      if(s.piece == start.piece || m_strands.is_on_same_way(s, start))
+      if(s.piece == start.piece)
         return false;
-      if(s.piece == other)
+      if(s.piece == other || m_strands.is_on_same_way(s, start))
         return true;
       s.is_forward = !s.is_forward;
     }
@@ -346,11 +349,15 @@ private:
           return known->second;
       }
       const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
-      const std::size_t from_a = a.piece, from_b = b.piece;
-      if(!leave_face(a, n, turn, from_b) || !leave_face(b, n, turn, from_a))
+      const Strand from_a = a, from_b = b;
+      if(!leave_face(a, n, turn, from_b.piece) || !leave_face(b, n, turn, from_a.piece))
         return 0;
       const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
-      if(exit_a == 0 || exit_b == 0)
+      const bool bends_a = exit_a == 0 && m_strands.is_on_same_way(a, from_a),
+                 bends_b = exit_b == 0 && m_strands.is_on_same_way(b, from_b);
+      if((bends_a || bends_b) && !(bends_a && bends_b && are_nested(from_a, a, from_b, b)))
+        return compare_starts(from_a, from_b, h);
+      if(!bends_a && (exit_a == 0 || exit_b == 0))
         return (turn == Turn::left ? 1 : -1) * (int(exit_a == 0) - int(exit_b == 0));
       if(exit_a == exit_b && (is_at_corner(m_strands.end(a)) || ends(a) || ends(b)))
         return 0;
@@ -363,10 +370,33 @@ private:
     return 0;
   }
 
+  double start_ratio(const Strand& s) const
+  {
+    return m_marks[m_strands.end_mark({s.piece, !s.is_forward})].ratio;
+  }
+  double end_ratio(const Strand& s) const { return m_marks[m_strands.end_mark(s)].ratio; }
+
+  // Compares the positions on `h` where two pieces start.
+  int compare_starts(const Strand& a, const Strand& b, Halfedge_index h) const
+  {
+    const double x = start_ratio(a), y = start_ratio(b);
+    return (int(x > y) - int(x < y)) * (Intrinsic_triangulations::is_first_halfedge(h) ? 1 : -1);
+  }
+
+  // Returns whether one of two curves that bend back to a side encloses the other one.
+  bool are_nested(const Strand& from_a, const Strand& to_a, const Strand& from_b,
+                  const Strand& to_b) const
+  {
+    const auto [first_a, last_a] = std::minmax({start_ratio(from_a), end_ratio(to_a)});
+    const auto [first_b, last_b] = std::minmax({start_ratio(from_b), end_ratio(to_b)});
+    return first_a < last_b && first_b < last_a;
+  }
+
   // Returns whether the curve has reached a vertex on a boundary edge.
   bool ends(const Strand& s) const { return m_strands.is_last(s) && is_on_side(m_strands.end(s)); }
 
   Curve_strands m_strands;
+  const std::vector<Curve_mark>& m_marks;
   const Delta_complex& m_mesh;
   std::unordered_map<Ways, int> m_known;
   std::vector<Ways> m_passed; // the states of the last comparison

@@ -65,6 +65,22 @@ inline double place_of_end(const Coarse_piece& piece)
   return y / (x + y);
 }
 
+// Returns the position on the coarse level of a vertex that only the fine level has, as edges are
+// traced.
+inline Level_point image_of_removed_vertex(Vertex_index v, const Marked_fine_edges& edges)
+{
+  const Surface_map& map = edges.map();
+  if(edges.snapping() != Snapping::none)
+    return image_of_vertex(v, map);
+  const Curve_segment first =
+    Curve_tracer(map, true, Snapping::none)
+      .trace(Intrinsic_triangulations::first_outgoing_halfedge(v, map.fine().mesh()))
+      .front();
+  Surface_map::Location p{map.coarse().level_face(first.face), first.from.weight};
+  normalize(p.second);
+  return p;
+}
+
 // Returns the position of a vertex of the subdivision on the coarse level.
 inline Level_point coarse_place(Vertex_index v, const Marked_fine_edges& edges)
 {
@@ -77,7 +93,7 @@ inline Level_point coarse_place(Vertex_index v, const Marked_fine_edges& edges)
   if(coarse.is_valid())
     return vertex_place(coarse, map.coarse().mesh());
   if(edges.piece_before(v) == no_index)
-    return image_of_vertex(v, map);
+    return image_of_removed_vertex(v, edges);
   const Coarse_piece& piece = edges.pieces()[edges.piece_before(v)];
   return edge_place(first_halfedge(piece.edge), place_of_end(piece), map.coarse().mesh());
 }
