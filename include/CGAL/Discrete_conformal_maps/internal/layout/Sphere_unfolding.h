@@ -97,8 +97,9 @@ private:
       search_beyond_range({}, visitor);
   }
 
-  // Searches on the exact surface, whose needles have more digits. Returns whether the result is
-  // good.
+  // Searches on the exact surface, whose needles have more digits. Beyond the range of `Extended`,
+  // numbers with a wide exponent come closer to the minimum than `More_extended`, whose steps cost
+  // more. Returns whether the result is good.
   bool search_on_exact_surface(Any_visitor& visitor)
   {
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
@@ -107,8 +108,20 @@ private:
     Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start_of_groups(rounded);
-    return descend(precise, tolerance::parts_of_work_for_sphere, visitor) ||
-           descend_with_most_digits(precise, visitor);
+    if(descend(precise, tolerance::parts_of_work_for_sphere, visitor))
+      return true;
+    if(is_in_range(precise))
+      return descend_with_most_digits(precise, visitor);
+    Spherical_scale_factors<Wide_number<Extended>> wide(m_problem, m_at_infinity);
+    return descend(wide, tolerance::parts_of_work, visitor) ||
+           descend_with_most_digits(wide, visitor);
+  }
+
+  // Returns whether a search has ended where its numbers have not exceeded their range.
+  template <typename FT>
+  static bool is_in_range(const Spherical_scale_factors<FT>& scale)
+  {
+    return std::isfinite(scale.result().gradient_norm);
   }
 
   // Returns whether a search has ended so close to a minimum that more digits lead to it.
@@ -124,12 +137,12 @@ private:
   template <typename FT>
   bool descend_with_most_digits(const Spherical_scale_factors<FT>& precise, Any_visitor& visitor)
   {
-    const bool is_in_range = std::isfinite(precise.result().gradient_norm);
     Spherical_scale_factors<More_extended> most_precise(m_problem, m_at_infinity);
     if(is_near_minimum(precise))
       most_precise.set_start(precise);
     return descend(most_precise,
-                   is_in_range ? tolerance::parts_of_work_for_sphere : tolerance::parts_of_work,
+                   is_in_range(precise) ? tolerance::parts_of_work_for_sphere
+                                        : tolerance::parts_of_work,
                    visitor);
   }
 
