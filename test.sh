@@ -11,4 +11,4 @@ trap 'echo "test.sh: failed at: $BASH_COMMAND" >&2' ERR
 scripts/set_up.sh
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 cmake --build build
-ctest --test-dir build --output-on-failure -j2
+ctest --test-dir build --output-on-failure -j3 # some tests wait for a browser
