@@ -98,8 +98,8 @@ private:
   }
 
   // Searches on the exact surface, whose needles have more digits. Beyond the range of `Extended`,
-  // numbers with a wide exponent come closer to the minimum than `More_extended`, whose steps cost
-  // more. Returns whether the result is good.
+  // numbers with a wide exponent are tried before `More_extended`, because their steps cost less.
+  // Returns whether the result is good.
   bool search_on_exact_surface(Any_visitor& visitor)
   {
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
