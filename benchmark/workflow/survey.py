@@ -39,26 +39,29 @@ def read(path):
 
 
 def topology(path):
-    """Returns Euler characteristic and number of boundary loops of a mesh."""
+    """Returns the Euler characteristic of a mesh and the numbers of vertices of its boundary loops."""
     points, faces = read(path)
     sides = {side for a, b, c in faces for side in ((a, b), (b, c), (c, a))}
     border = {b: a for a, b in sides if (b, a) not in sides}
     characteristic = len(points) - (len(sides) + len(border)) // 2 + len(faces)
-    loops = 0
+    loops = []
     while border:
-        loops += 1
+        loops.append(len(border))
         vertex = next(iter(border))
         while vertex in border:
             vertex = border.pop(vertex)
+        loops[-1] -= len(border)
     return characteristic, loops
 
 
 def suitable_calls(path):
-    """Returns names of maps. Spheres and disks are uniformized by the map to the sphere."""
-    kind = topology(path)
-    if kind == (1, 1):
-        return ["plane", "circles", "disk", "rectangle", "sphere"]
-    return ["plane", "circles", "sphere" if kind == (2, 0) else "uniformize"]
+    """Returns names of maps. Spheres and disks are uniformized by the map to the sphere. A rectangle has
+    at least four vertices on its boundary."""
+    characteristic, loops = topology(path)
+    if characteristic == 1 and len(loops) == 1:
+        rectangle = ["rectangle"] if loops[0] >= 4 else []
+        return ["plane", "circles", "disk", *rectangle, "sphere"]
+    return ["plane", "circles", "sphere" if characteristic == 2 and not loops else "uniformize"]
 
 
 def distance_to_segment(p, q, r):

@@ -18,8 +18,10 @@
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 
 #include "../Intrinsic_triangulations/generators.h"
+#include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "../Intrinsic_triangulations/refined_meshes.h"
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/point_generators_3.h>
 
 namespace Test_crowding {
@@ -310,6 +312,35 @@ TEST(Crowding, spiral_in_a_rectangle)
   EXPECT_EQ(map.status(), DCM::Map_status::success);
   EXPECT_TRUE(map.crowded_faces().empty());
   check_layout(map);
+}
+
+double range_of_log_scales(const Mesh& mesh, const Planar_conformal_map& map)
+{
+  double least = map.log_scale(Mesh::Vertex_index(0)), greatest = least;
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    least = (std::min)(least, map.log_scale(v));
+    greatest = (std::max)(greatest, map.log_scale(v));
+  }
+  return greatest - least;
+}
+
+// Squares around a tube become rings of trapezoids with a common center. Their sides have the
+// scaled lengths if radii shrink by q = 1 - sqrt(q) from ring to ring, whatever the width of the
+// squares. Before it is scaled to the area of the tube, the area of the disk is beyond the range of
+// `double`.
+TEST(Crowding, closed_tubes_in_disks)
+{
+  const double shrinking = std::log((3 - std::sqrt(5.)) / 2);
+  std::vector<double> range;
+  for(std::size_t rings : {400u, 700u}) {
+    Mesh mesh = tube(rings, 7, 1, 0, Tube_ends::capped);
+    CGAL::Euler::remove_face(mesh.halfedge(*mesh.faces().begin()), mesh);
+    const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+    ASSERT_EQ(map.status(), DCM::Map_status::success) << rings << ' ' << map.cause();
+    EXPECT_LE(DCM::max_cross_ratio_error(map), 1e-8) << rings;
+    range.push_back(range_of_log_scales(mesh, map));
+  }
+  EXPECT_NEAR(range[0] - range[1], 300 * shrinking, 1e-8);
 }
 
 // Faces far from the center of a hyperbolic layout have no area in the Klein disk with coordinates

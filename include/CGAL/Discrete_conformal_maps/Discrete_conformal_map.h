@@ -68,13 +68,15 @@ struct Map_data
     return f.is_valid() && is_original(subdivision->parent_face(Layer::A, f));
   }
 
-  // Returns the scaled length of an edge of T_3.
-  double scaled_length(Halfedge_index h) const
+  // Returns the scaled length of an edge of T_3. Before scale factors are normalized, it can be
+  // beyond the range of `double`.
+  template <typename FT = double>
+  FT scaled_length(Halfedge_index h) const
   {
     if(bc.traits().has_radii())
-      return between_centers(scaled_decorated_length(h));
+      return FT(between_centers(scaled_decorated_length(h)));
     const double u = log_scale[bc.mesh().source(h).idx()] + log_scale[bc.mesh().target(h).idx()];
-    return internal::scaled_length(bc.length(bc.mesh().edge(h)), length_factor(u));
+    return internal::scaled_length(FT(bc.length(bc.mesh().edge(h))), length_factor(FT(u)));
   }
 
   // Returns the length of an edge between centers of circles.

@@ -211,15 +211,16 @@ private:
   std::vector<double> area_correction() const
   {
     const auto& Delaunay = m_builder.data().ab;
-    const std::vector<double> flat =
-      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length(h); });
+    typedef Wide_number<double> Wide;
+    const std::vector<Wide> flat =
+      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length<Wide>(h); });
     const std::vector<double> curved = m_problem.areas(
       Delaunay.mesh(), [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> result(m_problem.size(), 0);
     for(std::size_t v = 0; v < result.size(); ++v)
       if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
-        result[v] = std::log(curved[c] / flat[c]) / 2;
+        result[v] = static_cast<double>(log(curved[c] / flat[c])) / 2;
     return result;
   }
 

@@ -225,7 +225,11 @@ public:
   // Returns T_3.
   const Delta_complex& mesh() const { return m_data.bc.mesh(); }
 
-  double scaled_length(Halfedge_index h) const { return m_data.scaled_length(h); }
+  template <typename FT = double>
+  FT scaled_length(Halfedge_index h) const
+  {
+    return m_data.scaled_length<FT>(h);
+  }
 
   // Returns the scaled lengths of the edges of T_3, by the recorded flips in the precision of the
   // scale factors. `u` contains them for the vertices of the surface itself.

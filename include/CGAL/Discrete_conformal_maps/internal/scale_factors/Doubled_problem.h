@@ -296,13 +296,15 @@ public:
   // Returns the area of each component of the double in one of its triangulations, for these
   // lengths of halfedges.
   template <typename Length>
-  std::vector<double> areas(const Delta_complex& complex, const Length& length) const
+  auto areas(const Delta_complex& complex, const Length& length) const
   {
-    std::vector<double> result(components().size(), 0);
+    using std::sqrt;
+    typedef std::decay_t<decltype(length(Halfedge_index()))> FT;
+    std::vector<FT> result(components().size(), FT(0));
     for(Face_index f : complex.faces()) {
       const auto h = sides(f, complex);
       const std::size_t c = component(complex.target(h[0]));
-      const double quadrupled = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
+      const FT quadrupled = sqrt(Intrinsic_triangulations::squared_quadrupled_area(
         length(h[0]), length(h[1]), length(h[2])));
       result[c] += quadrupled / 4 * part(f) * (has_boundary(c) ? 2 : 1);
     }

@@ -88,13 +88,14 @@ private:
 };
 
 // Returns the lengths in the plane of the edges on the boundary of the surface, for these scale
-// factors, and zero for other edges. With `is_wide`, lengths may be beyond the range of `double`.
+// factors, and zero for other edges.
 inline std::vector<double> flat_boundary_lengths(Doubled_problem& problem,
-                                                 const Eigen::VectorXd& scale, bool is_wide)
+                                                 const Eigen::VectorXd& scale)
 {
   const Flat_strips strips =
-    is_wide ? Flat_strips(problem, std::vector<Wide_number<double>>(scale.begin(), scale.end()))
-            : Flat_strips(problem, std::vector<double>(scale.begin(), scale.end()));
+    scale.maxCoeff() - scale.minCoeff() > tolerance::narrow_log_scales
+      ? Flat_strips(problem, std::vector<Wide_number<double>>(scale.begin(), scale.end()))
+      : Flat_strips(problem, std::vector<double>(scale.begin(), scale.end()));
   std::vector<double> result(problem.surface().num_edges(), 0);
   for(Edge_index e : problem.surface().edges())
     if(const Halfedge_index h = problem.surface().halfedge(e); problem.surface().is_border(e))
