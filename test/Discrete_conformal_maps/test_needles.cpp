@@ -212,6 +212,18 @@ TEST(Needles, have_disks)
     }
 }
 
+// The angles of a circle follow from lengths in the plane. They have to be lengths of the surface
+// whose angles have been measured, with all its digits.
+TEST(Needles, on_terrains_have_disks)
+{
+  for(const double e : widths)
+    for(std::uint64_t seed : {1, 7, 13, 14}) {
+      SCOPED_TRACE(testing::Message() << e << ' ' << seed);
+      Portable_random random(seed);
+      check_success(DCM::flatten_to_disk(with_needles(terrain(2, random), e, 8, seed)));
+    }
+}
+
 // Rounded lengths do not determine the angles between such near vertices.
 TEST(Needles, near_vertices_have_maps)
 {

@@ -349,11 +349,10 @@ TEST(Flatten_to_disk, measures_the_boundary_in_strips)
       DCM::internal::Doubled_problem problem(
         input, std::vector<Vertex_condition>(input.mesh().num_vertices()),
         DCM::Flipping::to_Delaunay);
-      Eigen::VectorXd scale(Eigen::Index(problem.size()));
+      std::vector<double> scale;
       for(std::size_t v = 0; v < problem.size(); ++v)
-        scale[Eigen::Index(v)] = log_scale(map, v);
-      const std::vector<double> strips =
-                                  DCM::internal::flat_boundary_lengths(problem, scale, false),
+        scale.push_back(log_scale(map, v));
+      const std::vector<double> strips = DCM::internal::flat_boundary_lengths(problem, scale),
                                 plane = DCM::internal::flat_boundary_lengths(map);
       for(IT::Edge_index e : input.mesh().edges())
         EXPECT_NEAR(strips[e.idx()], plane[e.idx()], 1e-8 * (1 + plane[e.idx()])) << seed;
@@ -468,6 +467,7 @@ TEST(Flatten_to_disk, takes_components)
     expect_circle(b);
   expect_refused([] { DCM::flatten_to_disk(punctured(embedded_torus(6, 5), {0})); },
                  "Euler characteristic");
+  EXPECT_EQ(DCM::flatten_to_disk(Mesh()).status(), DCM::Map_status::success);
 }
 
 // With cones, the boundary need not close up in the plane, but its turning is the turning of a

@@ -138,7 +138,11 @@ public:
   std::size_t size() const { return m_edges.size(); }
 
   /// returns the length of the line. \pre `finish()` has been called
-  FT length() const { return CGAL::sqrt(m_squared_length); }
+  FT length() const
+  {
+    using CGAL::sqrt; // or the one of `FT`
+    return sqrt(m_squared_length);
+  }
 
   /// returns the angle at the start of the line, counterclockwise from the direction to the first
   /// \f$i\f$ to the line. `FT` is a floating-point type.

@@ -106,9 +106,7 @@ public:
   }
 
   // Returns the scale factors at the vertices of the surface.
-  const Eigen::VectorXd& log_scales() const { return m_scale.values(); }
-  // Returns whether lengths with these scale factors may be beyond the range of `double`.
-  bool is_wide() const { return m_scale.is_wide(); }
+  const Scale_values& scale_factors() const { return m_scale; }
   bool has_bounded_differences() const { return m_scale.has_bounded_differences(); }
 
   // Lays the faces out. `shape` has further promises about the image of the boundary.

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -37,6 +38,17 @@ struct Scale_state
   double m_max_curvature_error = 0;
   double m_rounding_error = 0; // of the curvatures
 };
+
+// Returns whether logarithmic scale factors differ so much that products of lengths may be beyond
+// the range of `double`.
+template <typename Range>
+bool are_far_apart(const Range& log_scale)
+{
+  if(log_scale.size() == 0)
+    return false;
+  const auto [least, greatest] = std::minmax_element(log_scale.begin(), log_scale.end());
+  return *greatest - *least > tolerance::narrow_log_scales;
+}
 
 // Represents scale factors at the vertices of the surface of a doubled problem.
 class Scale_values : protected Scale_state
@@ -91,8 +103,8 @@ protected:
   // of `double`.
   bool is_beyond_range() const
   {
-    return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() && m_u.size() > 0 &&
-           m_u.maxCoeff() - m_u.minCoeff() > tolerance::narrow_log_scales;
+    return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() &&
+           are_far_apart(m_u);
   }
 
   // Stores the scale factors of an energy, rounded to `double`, and measures their errors.

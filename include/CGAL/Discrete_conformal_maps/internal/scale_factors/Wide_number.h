@@ -174,6 +174,7 @@ public:
 
 private:
   static constexpr int window = 512;
+  static constexpr double least_mantissa = 0x1p-256;
 
   struct Window
   {
@@ -195,15 +196,24 @@ private:
     return Wide_number(mantissa, Window{k});
   }
 
-  // Normalizes the mantissa. In nearly all cases the mantissa is normalized already.
+  // Normalizes the mantissa. Products and quotients of normalized mantissas are in their window or
+  // in the next one.
   void normalize()
   {
     const double size = std::abs(leading_part());
-    if(!(size >= 0x1p-256 && size < 0x1p256))
-      move_window();
+    if(size >= least_mantissa && size < 1 / least_mantissa)
+      return;
+    if(size >= 1 / least_mantissa && size < 0x1p768) {
+      m_mantissa = in_next_window();
+      ++m_window;
+    } else if(size >= 0x1p-768 && size < least_mantissa) {
+      m_mantissa = m_mantissa * Mantissa(0x1p512);
+      --m_window;
+    } else
+      move_far();
   }
 
-  void move_window()
+  void move_far()
   {
     using std::ldexp;
     if(leading_part() == 0 || !is_finite()) {
@@ -217,11 +227,7 @@ private:
   }
 
   // Returns the mantissa for the window above.
-  Mantissa in_next_window() const
-  {
-    using std::ldexp;
-    return ldexp(m_mantissa, -window);
-  }
+  Mantissa in_next_window() const { return m_mantissa * Mantissa(0x1p-512); }
 
   // Returns whether a sum of both equals the other, in a different window.
   bool is_absorbed_by(const Wide_number& other) const

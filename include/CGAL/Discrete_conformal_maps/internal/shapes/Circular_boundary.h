@@ -222,9 +222,10 @@ private:
     for(std::size_t i = 0; i < m_rounds; ++i) {
       find();
       if(flattening.has_succeeded()) {
-        m_change = update(flat_boundary_lengths(problem, flattening.log_scales()));
+        m_change = update(flat_boundary_lengths(problem, flattening.scale_factors()));
         if(m_change <= tolerance::circle_angle || !std::isfinite(m_change) ||
-           (flattening.is_wide() && ++wide_rounds == greatest_number_of_wide_rounds))
+           (flattening.scale_factors().is_wide() &&
+            ++wide_rounds == greatest_number_of_wide_rounds))
           return;
       } else if(has_started_again)
         return;
