@@ -476,6 +476,28 @@ TEST(Flatten, finds_the_minimum_in_few_steps_from_a_start_near_cones)
   EXPECT_LT(3 * steps, 2 * steps_from_zero);
 }
 
+// The map does not depend on the start, even if lengths are beyond the range of any type there.
+TEST(Flatten, starts_anywhere)
+{
+  const Mesh mesh = random_sphere(40, 3);
+  const Planar_conformal_map map = DCM::flatten(mesh);
+  ASSERT_EQ(map.status(), DCM::Map_status::success);
+  Conditions condition(mesh.number_of_vertices());
+  for(Vertex_index v : map.cones())
+    condition[v] = Vertex_condition::log_scale(0);
+  std::vector<double> u;
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    u.push_back(log_scale(map, v));
+  for(const double size : {2., 100., 1e5, 1e300}) {
+    const auto start = boost::make_function_property_map<Vertex_index>(
+      [size](Vertex_index v) { return size * std::sin(double(v.idx())); });
+    const Planar_conformal_map other =
+      DCM::flatten(mesh, np::vertex_condition_map(as_map(condition)).initial_log_scale_map(start));
+    EXPECT_EQ(other.status(), DCM::Map_status::success) << size;
+    expect_scales(other, u, 1e-9);
+  }
+}
+
 TEST(Flatten, flattens_every_component)
 {
   const Mesh mesh = five_components();

@@ -75,7 +75,7 @@ namespace CGAL::Discrete_conformal_maps {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{initial_log_scale_map}
 ///     \cgalParamDescription{the start of the minimization; a start close to the result saves
-///       steps}
+///       steps. If no map is found from it, the minimization starts again from zero}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{zero everywhere}
 ///   \cgalParamNEnd

@@ -376,20 +376,40 @@ public:
 
   bool has_circles() const { return m_circles.exist(); }
 
-  // Returns the map. The start may be too imprecise for needles: if it leads to no map, the search
-  // restarts without it.
+  // Returns the map. The start may be too imprecise for needles, or too far from the map: if it
+  // leads to no map, the search restarts without it.
   Planar_conformal_map operator()(const Surface& surface, Exactness exactness)
   {
     const bool is_resumed = !m_found.empty();
     auto map = flattened(surface, exactness);
-    if(!is_resumed || map.status() == Map_status::success)
+    if(map.status() == Map_status::success || !(is_resumed || may_have_misled(map)))
       return map;
     m_found.clear();
     m_shape = m_first_shape;
+    if(!is_resumed)
+      forget_start();
     return flattened(surface, exactness);
   }
 
 private:
+  // Returns whether the start may be the reason for a failure. It is not if there is no map, or if
+  // a caller allows few steps.
+  bool may_have_misled(const Planar_conformal_map& map) const
+  {
+    const std::vector<double>& u = m_parameters.log_scale;
+    return std::any_of(u.begin(), u.end(), [](double x) { return x != 0; }) &&
+           map.status() != Map_status::no_minimum &&
+           map.status() != Map_status::triangle_inequality &&
+           map.minimization().status != Minimization_status::iteration_limit;
+  }
+
+  // Searches from scale factors of zero from now on, with the whole work of a search.
+  void forget_start()
+  {
+    std::fill(m_parameters.log_scale.begin(), m_parameters.log_scale.end(), 0);
+    m_work = std::make_shared<Search_work>();
+  }
+
   Planar_conformal_map flattened(Surface surface, Exactness exactness)
   {
     m_shape.prescribe(m_parameters.conditions);
