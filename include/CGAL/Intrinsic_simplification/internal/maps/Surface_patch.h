@@ -128,7 +128,7 @@ inline Patch_point between(const Patch_point& p, const Patch_point& q, double at
 
 // Returns a part of an edge or face, from 0 to 1. If rounding has made it or the rest zero, that
 // becomes `least`.
-inline double positive_part(double part, double least)
+inline double proper_part(double part, double least)
 {
   return part > 0 ? (part < 1 ? part : 1 - least) : least;
 }
@@ -149,8 +149,8 @@ public:
   {
     const auto& [left, right] = flip.corners;
     const Face_corner first(left.face(), 0), second(right.face(), 0);
-    const double s = positive_part(flip.crossing_before, least_part),
-                 t = positive_part(flip.crossing_after, least_part);
+    const double s = proper_part(flip.crossing_before, least_part),
+                 t = proper_part(flip.crossing_after, least_part);
     if(forward) {
       m_before = {left, right};
       m_after = {first, second};
@@ -272,9 +272,9 @@ public:
   Vertex_sectors(const Vertex_change& o, double least_part = 0)
     : m_is_border(o.is_border),
       m_is_insertion(o.is_insertion),
-      m_vertex{positive_part(o.weight[0], least_part),
-               o.is_border ? 0 : positive_part(o.weight[1], least_part),
-               positive_part(1 - o.weight[0] - o.weight[1], least_part)},
+      m_vertex{proper_part(o.weight[0], least_part),
+               o.is_border ? 0 : proper_part(o.weight[1], least_part),
+               proper_part(1 - o.weight[0] - o.weight[1], least_part)},
       m_whole(o.whole),
       m_sector(o.corners)
   {}

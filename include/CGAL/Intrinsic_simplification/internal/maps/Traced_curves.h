@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -348,26 +349,33 @@ private:
         if(const auto known = m_known.find(m_passed.back()); known != m_known.end())
           return known->second;
       }
-      const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
-      const Strand from_a = a, from_b = b;
-      if(!leave_face(a, n, turn, from_b.piece) || !leave_face(b, n, turn, from_a.piece))
-        return 0;
-      const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
-      const bool bends_a = exit_a == 0 && m_strands.is_on_same_way(a, from_a),
-                 bends_b = exit_b == 0 && m_strands.is_on_same_way(b, from_b);
-      if((bends_a || bends_b) && !(bends_a && bends_b && are_nested(from_a, a, from_b, b)))
-        return compare_starts(from_a, from_b, h);
-      if(!bends_a && (exit_a == 0 || exit_b == 0))
-        return (turn == Turn::left ? 1 : -1) * (int(exit_a == 0) - int(exit_b == 0));
-      if(exit_a == exit_b && (is_at_corner(m_strands.end(a)) || ends(a) || ends(b)))
-        return 0;
-      if(exit_a != exit_b)
-        return exit_a > exit_b ? -1 : 1;
+      if(const std::optional<int> order = order_in_face(a, b, h, turn))
+        return *order;
       h = opposite(side_of_end(a));
       m_strands.advance(a, turn);
       m_strands.advance(b, turn);
     } while(a.piece != start.piece && a.piece != b.piece && ways(a, b, turn) != before);
     return 0;
+  }
+
+  // Moves both curves from `h` to the sides through which they leave its face. Returns their order,
+  // or 0, unless they leave through the same side.
+  std::optional<int> order_in_face(Strand& a, Strand& b, Halfedge_index h, Turn turn)
+  {
+    const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
+    const Strand from_a = a, from_b = b;
+    if(!leave_face(a, n, turn, from_b.piece) || !leave_face(b, n, turn, from_a.piece))
+      return 0;
+    const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
+    const bool bends_a = exit_a == 0 && m_strands.is_on_same_way(a, from_a),
+               bends_b = exit_b == 0 && m_strands.is_on_same_way(b, from_b);
+    if((bends_a || bends_b) && !(bends_a && bends_b && are_nested(from_a, a, from_b, b)))
+      return compare_starts(from_a, from_b, h);
+    if(!bends_a && (exit_a == 0 || exit_b == 0))
+      return (turn == Turn::left ? 1 : -1) * (int(exit_a == 0) - int(exit_b == 0));
+    if(exit_a != exit_b)
+      return exit_a > exit_b ? -1 : 1;
+    return is_at_corner(m_strands.end(a)) || ends(a) || ends(b) ? std::optional(0) : std::nullopt;
   }
 
   double start_ratio(const Strand& s) const
