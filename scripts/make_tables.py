@@ -84,8 +84,8 @@ RUNS = [
     Run(f"{DCM}/maps_found",
         WORKFLOW + "count_maps.py {build}/intrinsic {meshes} " + SMALL, "meshes of " + SMALL, target="intrinsic"),
     Run(f"{DCM}/survey_families {DCM}/survey_maps",
-        WORKFLOW + "hard_surfaces.py {build}/surfaces --count 20 --seed 1 && "
-        + WORKFLOW + "survey.py {build}/intrinsic {build}/surfaces --timeout 40",
+        WORKFLOW + "hard_surfaces.py {build}/surfaces --count 100 --seed 404 && "
+        + WORKFLOW + "survey.py {build}/intrinsic {build}/surfaces --timeout 60",
         "surfaces of benchmark/workflow/hard_surfaces.py", target="intrinsic", long=True),
     Run(f"{IS}/simplify {IS}/resolutions", "benchmark_simplify", MIXED),
     Run(f"{IS}/quality {IS}/quality_means", "benchmark_simplify_quality", MIXED),

@@ -6,10 +6,11 @@
 // characteristic, to the hyperbolic plane. Radii are random parts of the greatest ones, half of the
 // distance to the nearest vertex of the surface or its mirror image. In a second set, half of the
 // radii are the greatest ones, so that circles touch. Each scale factor is found again from random
-// starts. Prints how many maps succeed, their greatest errors, and the greatest difference of
-// scale factors by the start, relative to 1 + |u|. Failures are printed as they occur. Arguments
-// are a number of starts and files of meshes. The table has a row for the surfaces of each family,
-// which precedes the number in the name of a file.
+// starts. A search in the plane that a start leads to no map begins again at zero. Prints how many
+// maps succeed, their greatest errors, and the greatest difference of scale factors by the start,
+// relative to 1 + |u|. Failures are printed as they occur. Arguments are a number of starts and
+// files of meshes. The table has a row for the surfaces of each family, which precedes the number
+// in the name of a file.
 
 #include "../Table.h"
 
