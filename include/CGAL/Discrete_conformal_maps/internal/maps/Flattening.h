@@ -204,21 +204,35 @@ private:
     return m_problem.component(mesh().target(mesh().halfedge(f)));
   }
 
+  // Returns the logarithm by which the area of each component must grow in the plane to be its area
+  // on the surface. `FT` has the range of squared areas in the plane.
+  template <typename FT>
+  std::vector<double> log_growths() const
+  {
+    using std::log;
+    const auto& Delaunay = m_builder.data().ab;
+    const std::vector<FT> flat =
+      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length<FT>(h); });
+    const std::vector<double> curved = m_problem.areas(
+      Delaunay.mesh(), [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
+    std::vector<double> result;
+    for(std::size_t c = 0; c < flat.size(); ++c)
+      result.push_back(static_cast<double>(log(curved[c] / flat[c])));
+    return result;
+  }
+
   // Returns the number to be added to the scale factors of each component. If no scale factors are
   // prescribed, it preserves the area of the component. Otherwise it is zero.
   std::vector<double> area_correction() const
   {
-    const auto& Delaunay = m_builder.data().ab;
-    typedef Wide_number<double> Wide;
-    const std::vector<Wide> flat =
-      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length<Wide>(h); });
-    const std::vector<double> curved = m_problem.areas(
-      Delaunay.mesh(), [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
+    const std::vector<double> log_growth = are_far_apart(m_builder.data().log_scale)
+                                             ? log_growths<Wide_number<double>>()
+                                             : log_growths<double>();
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> result(m_problem.size(), 0);
     for(std::size_t v = 0; v < result.size(); ++v)
       if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
-        result[v] = static_cast<double>(log(curved[c] / flat[c])) / 2;
+        result[v] = log_growth[c] / 2;
     return result;
   }
 
