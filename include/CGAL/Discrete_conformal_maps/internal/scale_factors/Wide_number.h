@@ -128,8 +128,7 @@ public:
     using std::exp;
     const Mantissa power = x.in_range_of_mantissa();
     const double quotient = std::round(static_cast<double>(power) / static_cast<double>(ln_two()));
-    const bool is_in_window = std::abs(quotient) < window / 2;
-    if(is_in_window || !(std::abs(quotient) < 0x1p52)) // beyond it, there are no such exponents
+    if(!(std::abs(quotient) < 0x1p52)) // nor are there such exponents
       return Wide_number(exp(power), 0);
     return Wide_number(exp(Mantissa(power - Mantissa(quotient) * ln_two())),
                        static_cast<std::int64_t>(quotient));
