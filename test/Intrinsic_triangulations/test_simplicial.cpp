@@ -70,6 +70,21 @@ TEST(Simplicial, pointed_pillows)
   }
 }
 
+// The tip of a thin cone has three neighbors only if they are equally far away, up to the square of
+// its angle.
+TEST(Simplicial, needle_pillows)
+{
+  const Delta_complex pillow = glue({{1, 2, 3}, {-3, -2, -1}});
+  for(double width : traced({1e-3, 1e-5, 1e-6, 1e-7}))
+    for(double difference : traced({0., 0.2, 0.5, 0.8, 0.95})) {
+      const Triangulation tri = triangulation(pillow, {1, 1 - difference * width, width});
+      expect_simplicial(tri, 0);
+      Triangulation few = tri;
+      IT::refine(few, IT::parameters::minimum_angle(0).simplicial(true));
+      EXPECT_LT(few.number_of_inserted_vertices(), 60u);
+    }
+}
+
 TEST(Simplicial, hard_meshes)
 {
   for(unsigned seed : traced({11u, 15u}))

@@ -170,21 +170,20 @@ public:
   template <typename Is_fixed, typename Layout>
   End walk(Face_index f, const Is_fixed& is_fixed, const Layout& layout)
   {
-    set_first_face(layout.first_side(f), layout);
-    if(!std::isfinite(m_center.imag()))
-      return End::lost;
-    const Vector start = (m_corner[0] + m_corner[1] + m_corner[2]) / FT(3);
-    std::size_t exit = first_exit(start);
-    for(std::size_t steps = 0; !is_left_of_side(exit); ++steps) {
-      m_halfedge = side(exit);
-      if(is_fixed(m_halfedge))
-        return End::blocked;
-      if(steps > m_mesh.number_of_faces())
-        return End::lost;
-      cross_side(exit, layout);
-      exit = cross(m_center - start, m_corner[2] - start) > 0 ? 1 : 2;
-    }
-    return place(is_fixed, layout);
+    const Halfedge_index h = layout.first_side(f);
+    set_first_face(h, layout, layout.circumcenter(h));
+    return walk_from((m_corner[0] + m_corner[1] + m_corner[2]) / FT(3), is_fixed, layout);
+  }
+
+  // Walks from the source of `h` to the point at `direction` from it, and does not move this point
+  // onto edges. The x-axis lies along `h`, and the walk begins in the face of `h`.
+  template <typename Is_fixed, typename Layout>
+  End walk(Halfedge_index h, const Vector& direction, const Is_fixed& is_fixed,
+           const Layout& layout)
+  {
+    set_first_face(h, layout, direction);
+    m_radius = 0;
+    return walk_from(Vector(0), is_fixed, layout);
   }
 
   Halfedge_index halfedge() const { return m_halfedge; }
@@ -200,19 +199,41 @@ public:
   }
 
   const FT& along() const { return m_along; }
+  Face_location<FT> location_on_edge() const
+  {
+    return face_location(Edge_point<FT>{m_halfedge, m_along}, m_mesh);
+  }
 
-  // Returns the distance by which the circumcenter may be moved onto an edge.
+  // Returns the distance by which the end may be moved onto an edge.
   FT closeness() const { return m_radius * circumcenter_tolerance<FT>(); }
 
 private:
+  template <typename Is_fixed, typename Layout>
+  End walk_from(const Vector& start, const Is_fixed& is_fixed, const Layout& layout)
+  {
+    if(!std::isfinite(m_center.imag()))
+      return End::lost;
+    std::size_t exit = first_exit(start);
+    for(std::size_t steps = 0; !is_left_of_side(exit); ++steps) {
+      m_halfedge = side(exit);
+      if(is_fixed(m_halfedge))
+        return End::blocked;
+      if(steps > m_mesh.number_of_faces())
+        return End::lost;
+      cross_side(exit, layout);
+      exit = cross(m_center - start, m_corner[2] - start) > 0 ? 1 : 2;
+    }
+    return place(is_fixed, layout);
+  }
+
   // Places corner 0 at the origin and corner 1 on the real axis.
   template <typename Layout>
-  void set_first_face(Halfedge_index h, const Layout& layout)
+  void set_first_face(Halfedge_index h, const Layout& layout, const Vector& center)
   {
     const FT base = edge_length(h, m_surface);
     m_halfedge = h;
     m_corner = {Vector(0), Vector(base), layout.apex(h, Vector(0), Vector(base))};
-    m_center = layout.circumcenter(h);
+    m_center = center;
     m_radius = CGAL::sqrt(dot(m_center, m_center));
   }
 

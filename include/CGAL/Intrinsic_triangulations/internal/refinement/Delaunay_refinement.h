@@ -19,8 +19,10 @@
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -162,13 +164,13 @@ private:
   {
     for(Halfedge_index h : sides(f, m_mesh)) {
       const Vertex_index v = m_mesh.source(h);
-      if(!m_mesh.is_border(v) && surroundings(v).is_pointed_without_neighbors())
+      if(!m_mesh.is_border(v) && with_surroundings(v, [](const auto& surroundings) {
+           return surroundings.is_pointed_without_neighbors();
+         }))
         return surround(v);
     }
-    const Halfedge_index h = side_to_split(f);
-    const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
-    add_vertex(m);
-    m_is_free[m.idx()] = false;
+    if(!split_at_middle(side_to_split(f), f).is_valid())
+      fail();
   }
 
   // Returns whether the edge of `h` is a loop, or longer than another edge with the same ends.
@@ -204,27 +206,74 @@ private:
     return has_twin || is_superfluous(first) ? first : Halfedge_index();
   }
 
-  auto surroundings(Vertex_index v) const
+  // Returns what `f` returns for the surroundings of `v`.
+  template <typename Function>
+  auto with_surroundings(Vertex_index v, const Function& f) const
   {
-    return Vertex_surroundings<Edge_length_map>(v, m_tri.intrinsic());
+    return with_layout([&](const auto& layout) {
+      return f(Vertex_surroundings<Edge_length_map, std::decay_t<decltype(layout)>>(
+        v, m_tri.intrinsic(), layout));
+    });
   }
 
   // Inserts three vertices around `v`, at angles of a third of its angle sum, nearer than all other
-  // vertices. So they are and remain its neighbors.
+  // vertices. So they are and remain its neighbors. An edge that cannot be crossed is split instead
+  // if it is as near.
   void surround(Vertex_index v)
   {
-    const FT distance = surroundings(v).shortest_outgoing() / 2;
+    const FT distance =
+      with_surroundings(v,
+                        [](const auto& surroundings) { return surroundings.shortest_outgoing(); }) /
+      2;
     Halfedge_index outgoing = first_outgoing_halfedge(v, m_mesh);
     for(FT part : {FT(1) / 6, FT(1) / 3, FT(1) / 3}) {
       if(m_result->insertions == m_limits.insertions)
         return;
-      const Vertex_index m = m_inserter.insert(surroundings(v).place(outgoing, part, distance));
+      const typename Walk::End end = walk_from(outgoing, part, distance);
+      if(end == Walk::End::blocked &&
+         split_at_middle(m_walk.halfedge(), m_mesh.face(outgoing)).is_valid())
+        return;
+      if(end == Walk::End::blocked || end == Walk::End::lost)
+        return fail();
+      const std::size_t before = m_mesh.number_of_vertices();
+      const Vertex_index m = m_inserter.insert(end == Walk::End::on_edge ? m_walk.location_on_edge()
+                                                                         : m_walk.location());
+      if(m_mesh.number_of_vertices() == before) // rounding has moved the point to a vertex
+        return fail();
       add_vertex(m);
       m_is_free[m.idx()] = false;
-      outgoing = surroundings(v).outgoing_to(m);
+      outgoing =
+        with_surroundings(v, [m](const auto& surroundings) { return surroundings.outgoing_to(m); });
       if(!outgoing.is_valid()) // rounding hides the vertex from its nearest neighbor
         return fail();
     }
+  }
+
+  // Walks over this distance from the source of `outgoing`. The direction is this part of the angle
+  // around the vertex, see `Vertex_surroundings::direction()`.
+  typename Walk::End walk_from(Halfedge_index outgoing, const FT& part, const FT& distance)
+  {
+    const auto is_fixed = [this](Halfedge_index h) { return this->is_fixed(h); };
+    const auto direction =
+      with_surroundings(m_mesh.source(outgoing), [&](const auto& surroundings) {
+        return surroundings.direction(outgoing, part);
+      });
+    return with_layout([&](const auto& layout) {
+      return m_walk.walk(direction.first, std::polar(distance, direction.second), is_fixed, layout);
+    });
+  }
+
+  // Splits the edge of `h` if this is possible, and tests `f` again. Returns the new vertex, or
+  // null.
+  Vertex_index split_at_middle(Halfedge_index h, Face_index f)
+  {
+    if(!m_inserter.can_be_split(h))
+      return {};
+    const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
+    m_changed.push_back(f);
+    add_vertex(m);
+    m_is_free[m.idx()] = false;
+    return m;
   }
 
   void insert_circumcenter(Face_index f)
@@ -258,9 +307,8 @@ private:
   void split(Halfedge_index h, const FT& t, Face_index f)
   {
     const FT& closeness = m_walk.closeness();
-    add_center(m_inserter.can_be_split(h)
-                 ? m_inserter.split_edge(h, t, closeness)
-                 : m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh), closeness),
+    add_center(m_inserter.can_be_split(h) ? m_inserter.split_edge(h, t, closeness)
+                                          : m_inserter.insert(m_walk.location_on_edge(), closeness),
                f);
   }
 
@@ -272,12 +320,9 @@ private:
     const FT radius = m_tri.length(m_mesh.edge(h));
     const bool is_too_short =
       !m_inserter.is_exact() && m_mesh.face(h) != f && radius <= m_walk.closeness();
-    if(is_too_short || !m_inserter.can_be_split(h))
+    const Vertex_index m = is_too_short ? Vertex_index() : split_at_middle(h, f);
+    if(!m.is_valid())
       return fail();
-    const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
-    m_changed.push_back(f);
-    add_vertex(m);
-    m_is_free[m.idx()] = false;
     if(!is_stopped())
       remove_free_vertices(m, radius);
   }

@@ -8,28 +8,29 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Describes the neighbors and corners of an interior vertex.
-template <typename EdgeLengthMap>
+// Describes the neighbors and corners of an interior vertex. `Layout` lays out the faces.
+template <typename EdgeLengthMap, typename Layout>
 class Vertex_surroundings
 {
   typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef std::complex<FT> Vector;
 
 public:
-  Vertex_surroundings(Vertex_index v, const Surface_view<EdgeLengthMap>& surface)
-    : m_surface(surface)
+  Vertex_surroundings(Vertex_index v, const Surface_view<EdgeLengthMap>& surface,
+                      const Layout& layout)
+    : m_surface(surface), m_layout(layout)
   {
     for_each_outgoing_halfedge(v, surface.mesh(),
                                [&](Halfedge_index h) { m_outgoing_halfedges.push_back(h); });
@@ -40,10 +41,7 @@ public:
   // all neighbors.
   bool is_pointed_without_neighbors() const
   {
-    FT sum(0);
-    for(Halfedge_index h : m_outgoing_halfedges)
-      sum += angle_at_source(h, m_surface);
-    return sum < pi<FT>() && number_of_neighbors() < 3;
+    return number_of_neighbors() < 3 && angle_sum() < pi<FT>();
   }
 
   FT shortest_outgoing() const
@@ -54,13 +52,17 @@ public:
     return least;
   }
 
-  // Returns the point at this distance in a direction given by `part`. The direction is this
+  // Returns a direction as a halfedge and the angle from it within its face. The direction is this
   // fraction of the angle around the vertex, counterclockwise from `outgoing`.
-  Face_location<FT> place(Halfedge_index outgoing, const FT& part, const FT& distance) const
+  std::pair<Halfedge_index, FT> direction(Halfedge_index outgoing, const FT& part) const
   {
-    const FT angle = Vertex_angles<FT>(outgoing, m_surface).normalized(FT(0)) + 2 * pi<FT>() * part;
-    return trace_geodesic(m_surface, m_surface.mesh().source(outgoing), std::polar(distance, angle))
-      .end;
+    FT rest = part * angle_sum(), angle = this->angle(outgoing);
+    for(std::size_t face = 1; rest > angle && face < m_outgoing_halfedges.size(); ++face) {
+      rest -= angle;
+      outgoing = next_around_source(outgoing, m_surface.mesh());
+      angle = this->angle(outgoing);
+    }
+    return {outgoing, (std::min)(rest, angle)};
   }
 
   // Returns the outgoing halfedge to `v`, or null if `v` is not a neighbor.
@@ -82,7 +84,24 @@ private:
     return std::size_t(std::unique(neighbors.begin(), neighbors.end()) - neighbors.begin());
   }
 
+  FT angle_sum() const
+  {
+    FT sum(0);
+    for(Halfedge_index h : m_outgoing_halfedges)
+      sum += angle(h);
+    return sum;
+  }
+
+  // Returns the angle at the source of `h` in its face.
+  FT angle(Halfedge_index h) const
+  {
+    using std::atan2;
+    const Vector apex = m_layout.apex(h, Vector(0), Vector(edge_length(h, m_surface)));
+    return atan2(apex.imag(), apex.real());
+  }
+
   Surface_view<EdgeLengthMap> m_surface;
+  const Layout& m_layout;
   std::vector<Halfedge_index> m_outgoing_halfedges;
 };
 
