@@ -385,7 +385,8 @@ public:
       m_shape(m_first_shape),
       m_parameters(parameters),
       m_circles(parameters.radii),
-      m_visitor(visitor)
+      m_visitor(visitor),
+      m_work(std::make_shared<Search_work>(has_start() ? tolerance::parts_of_work_from_start : 1))
   {}
 
   bool has_circles() const { return m_circles.exist(); }
@@ -406,13 +407,17 @@ public:
   }
 
 private:
+  bool has_start() const
+  {
+    const std::vector<double>& u = m_parameters.log_scale;
+    return std::any_of(u.begin(), u.end(), [](double x) { return x != 0; });
+  }
+
   // Returns whether the start may be the reason for a failure. It is not if there is no map, or if
   // a caller allows few steps.
   bool may_have_misled(const Planar_conformal_map& map) const
   {
-    const std::vector<double>& u = m_parameters.log_scale;
-    return std::any_of(u.begin(), u.end(), [](double x) { return x != 0; }) &&
-           map.status() != Map_status::no_minimum &&
+    return has_start() && map.status() != Map_status::no_minimum &&
            map.status() != Map_status::triangle_inequality &&
            map.minimization().status != Minimization_status::iteration_limit;
   }
@@ -451,7 +456,7 @@ private:
   Vertex_circles m_circles;
   Any_visitor& m_visitor;
   std::vector<Extended> m_found;
-  std::shared_ptr<Search_work> m_work = std::make_shared<Search_work>();
+  std::shared_ptr<Search_work> m_work;
 };
 
 template <typename Shape, typename Visitor>

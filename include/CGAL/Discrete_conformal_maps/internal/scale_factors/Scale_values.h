@@ -39,15 +39,22 @@ struct Scale_state
   double m_rounding_error = 0; // of the curvatures
 };
 
+// Returns the greatest difference of logarithmic scale factors.
+template <typename Range>
+double spread(const Range& log_scale)
+{
+  if(log_scale.size() == 0)
+    return 0;
+  const auto [least, greatest] = std::minmax_element(log_scale.begin(), log_scale.end());
+  return static_cast<double>(*greatest - *least);
+}
+
 // Returns whether logarithmic scale factors differ so much that products of lengths may be beyond
 // the range of `double`.
 template <typename Range>
 bool are_far_apart(const Range& log_scale)
 {
-  if(log_scale.size() == 0)
-    return false;
-  const auto [least, greatest] = std::minmax_element(log_scale.begin(), log_scale.end());
-  return *greatest - *least > tolerance::narrow_log_scales;
+  return spread(log_scale) > tolerance::narrow_log_scales;
 }
 
 // Represents scale factors at the vertices of the surface of a doubled problem.

@@ -22,6 +22,9 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Search_work
 {
 public:
+  // The limit is divided by `parts`.
+  explicit Search_work(double parts = 1) : m_done(tolerance::work_for_map * (1 - 1 / parts)) {}
+
   // Adds faces and flips that were measured in numbers of type `FT`.
   template <typename FT>
   void add(std::size_t measured)
@@ -54,7 +57,7 @@ public:
 private:
   static constexpr double cost_of_double = 0.17;
 
-  double m_done = 0;
+  double m_done;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -172,8 +172,10 @@ public:
   }
 
 private:
+  // Numbers in neighboring windows differ by this power of two. A mantissa is at least the root of
+  // its inverse, and less than the root.
   static constexpr int window = 512;
-  static constexpr double least_mantissa = 0x1p-256;
+  static constexpr double step_of_window = 0x1p512, least_mantissa = 0x1p-256;
 
   struct Window
   {
@@ -202,11 +204,11 @@ private:
     const double size = std::abs(leading_part());
     if(size >= least_mantissa && size < 1 / least_mantissa)
       return;
-    if(size >= 1 / least_mantissa && size < 0x1p768) {
+    if(size >= 1 / least_mantissa && size < step_of_window / least_mantissa) {
       m_mantissa = in_next_window();
       ++m_window;
-    } else if(size >= 0x1p-768 && size < least_mantissa) {
-      m_mantissa = m_mantissa * Mantissa(0x1p512);
+    } else if(size >= least_mantissa / step_of_window && size < least_mantissa) {
+      m_mantissa = m_mantissa * Mantissa(step_of_window);
       --m_window;
     } else
       move_far();
@@ -226,7 +228,7 @@ private:
   }
 
   // Returns the mantissa for the window above.
-  Mantissa in_next_window() const { return m_mantissa * Mantissa(0x1p-512); }
+  Mantissa in_next_window() const { return m_mantissa * Mantissa(1 / step_of_window); }
 
   // Returns whether a sum of both equals the other, in a different window.
   bool is_absorbed_by(const Wide_number& other) const

@@ -114,8 +114,8 @@ private:
   // hemisphere are close enough to the angles of the circle.
   static constexpr std::size_t greatest_number_of_wide_rounds = 10;
 
-  // Beyond this range of scale factors, faces lose their shape in the picture.
-  static constexpr double usual_range = 18;
+  // Beyond this spread of scale factors, faces lose their shape in the picture.
+  static constexpr double usual_spread = 18;
 
   // Returns whether the first angles are far from the angles of the surface. Then the next angles
   // are also far from them. Searches with bounded differences take long, and searches for a
@@ -123,13 +123,6 @@ private:
   static bool is_far_off(const Flattening& flattening)
   {
     return flattening.minimization().iterations > 16 && !flattening.has_bounded_differences();
-  }
-
-  template <typename FT>
-  static double range(const std::vector<FT>& log_scale)
-  {
-    const auto [least, greatest] = std::minmax_element(log_scale.begin(), log_scale.end());
-    return static_cast<double>(*greatest - *least);
   }
 
   bool is_disk(const Doubled_problem& problem) const
@@ -158,7 +151,7 @@ private:
     if(!is_polygon(problem))
       return false;
     const auto polygon = round_polygon<Extended>(problem, sources());
-    return !polygon || range(polygon->log_scale) > usual_range;
+    return !polygon || spread(polygon->log_scale) > usual_spread;
   }
 
   // Returns the vertices of the only circle.
@@ -253,7 +246,7 @@ private:
                                    : round_polygon<Extended>(problem, sources());
     if(!disk)
       return false;
-    const bool is_usual = !is_flat(problem) || range(disk->log_scale) <= usual_range;
+    const bool is_usual = !is_flat(problem) || spread(disk->log_scale) <= usual_spread;
     if((flattening.has_succeeded() && is_usual) || !take_angles(*disk))
       return false;
     std::vector<double> log_scale;
