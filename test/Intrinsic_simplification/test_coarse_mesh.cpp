@@ -12,6 +12,8 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
+#include <optional>
+
 namespace Test_coarse_mesh {
 
 using namespace Test_surfaces;
@@ -75,6 +77,56 @@ TEST(Coarse_mesh, is_ordinary_with_vertices_of_the_input)
       }
       EXPECT_EQ(inserted, written.quality.inserted_vertices);
     }
+}
+
+// Vertices are inserted, and neither the topology nor the area changes.
+TEST(Coarse_mesh, simplicial_triangulations)
+{
+  const auto characteristic = [](const Delta_complex& mesh) {
+    return int(mesh.number_of_vertices() + mesh.number_of_faces()) - int(mesh.number_of_edges());
+  };
+  for(unsigned seed : seeds(20))
+    for(const Named_complex& c : traced(complexes())) {
+      Evolving_surface surface(triangulation(c.mesh, random_lengths(c.mesh, seed)));
+      const double area = area_of(surface);
+      const std::size_t inserted = IS::internal::make_simplicial(surface);
+      EXPECT_TRUE(has_distinct_simplices(surface.mesh()));
+      EXPECT_EQ(surface.mesh().number_of_vertices(), c.mesh.number_of_vertices() + inserted);
+      EXPECT_EQ(characteristic(surface.mesh()), characteristic(c.mesh));
+      EXPECT_NEAR(area_of(surface), area, 1e-12 * area);
+      EXPECT_LE(inserted, 5 * c.mesh.number_of_edges());
+    }
+}
+
+// Returns a surface with a third of the vertices, or nothing if rounding leaves no angles at a vertex
+// of the input.
+std::optional<Evolving_surface> simplified_Delaunay(const Mesh& input)
+{
+  IT::Intrinsic_triangulation<> tri(input);
+  IT::make_Delaunay(tri);
+  try {
+    Evolving_surface result(tri);
+    simplify(result, number_of_vertices(input.number_of_vertices() / 3));
+    return result;
+  } catch(const IT::Numerical_error&) {
+    return {};
+  }
+}
+
+// Faces are so thin that rounding hides the positions of circumcenters.
+TEST(Coarse_mesh, of_hard_meshes)
+{
+  std::size_t inserted = 0, simplified = 0, meshes = 0;
+  for_each_hard_mesh([&](const Mesh& input) {
+    ++meshes;
+    if(std::optional<Evolving_surface> surface = simplified_Delaunay(input)) {
+      ++simplified;
+      inserted += IS::internal::make_simplicial(*surface);
+      EXPECT_TRUE(has_distinct_simplices(surface->mesh()));
+    }
+  });
+  EXPECT_GT(inserted, 100u);
+  EXPECT_GE(simplified + 2, meshes);
 }
 
 // No vertices, or only flat ones, are removed.

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_simplification/named_parameters.h>
 #include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_part.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -25,7 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
+#include <deque>
 #include <type_traits>
 #include <vector>
 
@@ -65,16 +66,56 @@ struct Whole_triangulation
   const Delta_complex& m_mesh;
 };
 
-// Inserts vertices until the surface is simplicial. Returns their number.
+// Returns the edges in the order of decreasing lengths.
+inline std::deque<Edge_index> longest_edges_first(const Evolving_surface::Triangulation& tri)
+{
+  std::deque<Edge_index> result(tri.mesh().edges_begin(), tri.mesh().edges_end());
+  std::stable_sort(result.begin(), result.end(),
+                   [&](Edge_index e, Edge_index f) { return tri.length(e) > tri.length(f); });
+  return result;
+}
+
+// Splits the edge of `h` in the middle, or near it: the third corner of a face without area can lie
+// in the middle. The edge has two faces, so three points suffice.
+inline Vertex_index split_near_middle(Halfedge_index h,
+                                      Intrinsic_triangulations::Vertex_inserter<>& inserter)
+{
+  for(double t : {0.5, 0.375})
+    try {
+      return inserter.split_edge(h, t);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+    }
+  return inserter.split_edge(h, 0.625);
+}
+
+// Inserts vertices until the surface is simplicial, and returns their number. Splits loops in the
+// middle, and of several edges with the same ends all but the shortest. Then a face whose corners
+// another face has gets a vertex inside. No edge is flipped, so new vertices have simple
+// coordinates, however thin a face is. A new edge is a loop, or has the ends of another edge, only
+// if corners of split faces coincide, so few splits suffice.
 inline std::size_t make_simplicial(Evolving_surface& surface)
 {
-  const Intrinsic_triangulations::Refinement_result result =
-    refine(surface, parameters::minimum_angle(0).simplicial(true));
-  if(!Intrinsic_triangulations::is_simplicial(Surface_level(surface).mesh()))
-    throw Intrinsic_triangulations::Numerical_error(
-      std::string("the coarse triangulation has loops or several edges with the same ends: ") +
-      to_string(result.status));
-  return result.insertions - result.removals;
+  namespace IT = Intrinsic_triangulations;
+  Evolving_surface::Triangulation tri =
+    constrained_triangulation(Surface_level(surface), surface.surface());
+  const Delta_complex& mesh = tri.mesh();
+  IT::Default_refinement_visitor silent;
+  Refinement_follower<IT::Default_refinement_visitor> follower(tri, surface, silent);
+  IT::Vertex_inserter<> inserter(tri);
+  std::deque<Edge_index> edges = longest_edges_first(tri);
+  for(; !edges.empty(); edges.pop_front())
+    if(const Halfedge_index h = mesh.halfedge(edges.front()); !is_simplicial(h, mesh)) {
+      const Vertex_index m = split_near_middle(h, inserter);
+      follower.after_insertion(m, inserter);
+      for_each_outgoing_halfedge(m, mesh, [&](Halfedge_index x) { edges.push_back(mesh.edge(x)); });
+    }
+  const std::vector<Face_index> faces(mesh.faces_begin(), mesh.faces_end());
+  for(Face_index f : faces)
+    if(!is_simplicial(f, mesh))
+      follower.after_insertion(
+        inserter.insert(IT::Face_location<double>(f, {1. / 3, 1. / 3, 1. / 3})), inserter);
+  follower.take_lengths();
+  return tri.number_of_inserted_vertices();
 }
 
 inline bool is_fine_vertex(Vertex_index v, const Surface_map& map)
@@ -147,9 +188,10 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 /// adds the coarse triangulation to a mesh of any type, as an ordinary mesh in space. Vertices are
 /// at their positions on the fine level, edges are straight, and faces are flat.
 ///
-/// The triangulation may have loops or several edges with the same ends. Then vertices are inserted
-/// into a copy of the surface until it is simplicial, as by `refine()` with
-/// `minimum_angle(0).simplicial(true)`. They follow the other vertices and lie on the fine level.
+/// The triangulation may have loops or several edges with the same ends. Then a copy of it is made
+/// simplicial. Loops are split in the middle, and of several edges with the same ends all but the
+/// shortest. Of two faces with the same corners, one gets a vertex inside. New vertices follow the
+/// other vertices and lie on the fine level.
 ///
 /// The coarse triangulation is close to the fine level in its lengths, not in space. Its faces can
 /// be flipped, intersect, or have no area. The result counts such faces.
@@ -191,10 +233,8 @@ inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fi
 ///
 /// Complexity: linear in the elements and the history, and \f$O(n \log n)\f$ for distances and
 /// intersections.
-/// \throws Intrinsic_triangulations::Numerical_error if rounding prevents an insertion of vertices;
-///   then `out` is not changed
-///
-/// Further exceptions are the exceptions of `refine()`.
+/// \throws Intrinsic_triangulations::Numerical_error if a new edge has no length because of
+///   rounding; then `out` is not changed
 template <typename Graph, typename NamedParameters>
 Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_level& fine,
                                 Graph& out, const NamedParameters& np)
