@@ -98,8 +98,8 @@ TEST(Coarse_mesh, simplicial_triangulations)
     }
 }
 
-// Returns a surface with a third of the vertices, or nothing if rounding leaves no angles at a vertex
-// of the input.
+// Returns a surface with a third of the vertices. Returns nothing if rounding leaves no angles at a
+// vertex of the input.
 std::optional<Evolving_surface> simplified_Delaunay(const Mesh& input)
 {
   IT::Intrinsic_triangulation<> tri(input);
