@@ -17,7 +17,8 @@ double distance(const Plane_vector& p, const Plane_vector& q)
   return std::hypot(p[0] - q[0], p[1] - q[1]);
 }
 
-// Represents a needle from (0, 0) to (1, -u) and (1, v), beginning with any corner.
+// Represents a needle from (0, 0) to (1, -u) and (1, v), beginning with any corner. A second face is
+// its other side.
 struct Needle
 {
   std::vector<Plane_vector> points;
@@ -25,12 +26,22 @@ struct Needle
 
   Needle(double u, double v, std::size_t first)
     : points{{0, 0}, {1, -u}, {1, v}},
-      triangulation(
-        make_mesh({{0, 0, 0}, {1, -u, 0}, {1, v, 0}}, {{first, (first + 1) % 3, (first + 2) % 3}}))
+      triangulation(make_mesh({{0, 0, 0}, {1, -u, 0}, {1, v, 0}},
+                              {{first, (first + 1) % 3, (first + 2) % 3}, {0, 2, 1}}))
   {}
 
   // Returns the circumcenter from the equations of the bisectors.
   static Plane_vector circumcenter(double u, double v) { return {(1 + u * v) / 2, (v - u) / 2}; }
+
+  Plane_vector at(const IT::Face_location<double>& location) const
+  {
+    const auto corner = IT::sides(location.first, triangulation.mesh());
+    Plane_vector result{0, 0};
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t c = 0; c < 2; ++c)
+        result[c] += location.second[k] * points[triangulation.mesh().source(corner[k]).idx()][c];
+    return result;
+  }
 
   Plane_vector at(Halfedge_index h, double t) const
   {
@@ -59,6 +70,7 @@ TEST(Circumcenter_walk, moves_the_center_across_a_needle_only)
     ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed, layout(needle)), Walk::End::on_edge);
     const Plane_vector center = Needle::circumcenter(u, v);
     EXPECT_LE(distance(needle.at(walk.halfedge(), walk.along()), center), walk.closeness());
+    EXPECT_LE(distance(needle.at(walk.location()), center), walk.closeness());
     EXPECT_NEAR(walk.along(), 0.5, 1e-9);
   }
 }
@@ -78,13 +90,7 @@ TEST(Circumcenter_walk, leaves_the_center_inside_a_good_face)
   const Needle needle(0.6, 0.5, 0);
   Walk walk(needle.triangulation.intrinsic());
   ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed, layout(needle)), Walk::End::inside);
-  const auto corner = IT::sides(Face_index(0), needle.triangulation.mesh());
-  Plane_vector p{0, 0};
-  for(std::size_t k = 0; k < 3; ++k)
-    for(std::size_t c = 0; c < 2; ++c)
-      p[c] += walk.location().second[k] *
-              needle.points[needle.triangulation.mesh().source(corner[k]).idx()][c];
-  EXPECT_LT(distance(p, Needle::circumcenter(0.6, 0.5)), 1e-15);
+  EXPECT_LT(distance(needle.at(walk.location()), Needle::circumcenter(0.6, 0.5)), 1e-15);
 }
 
 } // namespace Test_circumcenter_walk

@@ -188,7 +188,7 @@ public:
 
   Halfedge_index halfedge() const { return m_halfedge; }
 
-  // Returns the location in the face of `halfedge()`, as its barycentric coordinates are ordered.
+  // Returns the location in the face of `halfedge()`. The end on an edge has not been moved here.
   Face_location<FT> location() const
   {
     const std::size_t first = side_number(m_halfedge, m_mesh);
@@ -306,6 +306,7 @@ private:
     if(!(along > 0 && along < 1))
       return End::inside;
     m_halfedge = side(s);
+    std::rotate(m_weight.begin(), m_weight.begin() + s, m_weight.end());
     m_along = along;
     return End::on_edge;
   }

@@ -229,29 +229,35 @@ private:
     for(FT part : {FT(1) / 6, FT(1) / 3, FT(1) / 3}) {
       if(m_result->insertions == m_limits.insertions)
         return;
-      const typename Walk::End end = walk_from(outgoing, part, distance);
+      const typename Walk::End end = walk_at_angle(outgoing, part, distance);
       if(end == Walk::End::blocked &&
          split_at_middle(m_walk.halfedge(), m_mesh.face(outgoing)).is_valid())
         return;
-      if(end == Walk::End::blocked || end == Walk::End::lost)
-        return fail();
-      const std::size_t before = m_mesh.number_of_vertices();
-      const Vertex_index m = m_inserter.insert(end == Walk::End::on_edge ? m_walk.location_on_edge()
-                                                                         : m_walk.location());
-      if(m_mesh.number_of_vertices() == before) // rounding has moved the point to a vertex
-        return fail();
-      add_vertex(m);
-      m_is_free[m.idx()] = false;
-      outgoing =
-        with_surroundings(v, [m](const auto& surroundings) { return surroundings.outgoing_to(m); });
-      if(!outgoing.is_valid()) // rounding hides the vertex from its nearest neighbor
+      outgoing = end == Walk::End::blocked || end == Walk::End::lost ? Halfedge_index()
+                                                                     : insert_neighbor(v, end);
+      if(!outgoing.is_valid())
         return fail();
     }
   }
 
+  // Inserts a vertex where the walk from `v` has ended. Returns the halfedge to it, or null if
+  // rounding has moved the point to a vertex, or hides it from `v`, its nearest neighbor.
+  Halfedge_index insert_neighbor(Vertex_index v, typename Walk::End end)
+  {
+    const std::size_t before = m_mesh.number_of_vertices();
+    const Vertex_index m =
+      m_inserter.insert(end == Walk::End::on_edge ? m_walk.location_on_edge() : m_walk.location());
+    if(m_mesh.number_of_vertices() == before)
+      return {};
+    add_vertex(m);
+    m_is_free[m.idx()] = false;
+    return with_surroundings(v,
+                             [m](const auto& surroundings) { return surroundings.outgoing_to(m); });
+  }
+
   // Walks over this distance from the source of `outgoing`. The direction is this part of the angle
   // around the vertex, see `Vertex_surroundings::direction()`.
-  typename Walk::End walk_from(Halfedge_index outgoing, const FT& part, const FT& distance)
+  typename Walk::End walk_at_angle(Halfedge_index outgoing, const FT& part, const FT& distance)
   {
     const auto is_fixed = [this](Halfedge_index h) { return this->is_fixed(h); };
     const auto direction =
