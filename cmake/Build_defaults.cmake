@@ -20,6 +20,9 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()
 
+# By default, g++ collects garbage whenever 128 MB are in use, which takes 6 % of its time here.
+add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
+
 # Where scripts/set_up.sh unpacks CGAL's data files.
 if(NOT CGAL_DATA_DIR AND EXISTS "${PROJECT_BINARY_DIR}/cgal_data/meshes")
   set(CGAL_DATA_DIR "${PROJECT_BINARY_DIR}/cgal_data")

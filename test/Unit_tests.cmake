@@ -78,14 +78,20 @@ function(add_unit_tests name)
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/test/Intrinsic_triangulations/test_exact_truth.cpp"
     PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # it asks CGAL for CORE
+  # Templates are instantiated once for several files, each of which has its own namespace: in two
+  # halves where there are many.
+  list(LENGTH sources number)
+  math(EXPR half "(${number} + 1) / 2")
+  if(number LESS 24)
+    set(half ${number})
+  endif()
   add_executable(${name} ${sources})
   add_library(${name}_syntax OBJECT EXCLUDE_FROM_ALL ${sources})
   target_compile_options(${name}_syntax PRIVATE -fsyntax-only)
   foreach(target IN ITEMS ${name} ${name}_syntax)
     target_link_libraries(${target} PRIVATE unit_test_surfaces unit_test_dependencies)
     target_precompile_headers(${target} REUSE_FROM unit_tests_precompiled)
-    # Templates are instantiated once for several files, each of which has its own namespace.
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 21)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${half})
   endforeach()
   add_dependencies(unit_tests ${name})
   add_dependencies(unit_tests_syntax ${name}_syntax)
