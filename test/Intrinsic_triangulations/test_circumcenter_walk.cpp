@@ -17,8 +17,8 @@ double distance(const Plane_vector& p, const Plane_vector& q)
   return std::hypot(p[0] - q[0], p[1] - q[1]);
 }
 
-// Represents a needle from (0, 0) to (1, -u) and (1, v), beginning with any corner. A second face is
-// its other side.
+// Represents a needle from (0, 0) to (1, -u) and (1, v), beginning with any corner. Its other side
+// is a second face.
 struct Needle
 {
   std::vector<Plane_vector> points;
