@@ -14,7 +14,7 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>

@@ -19,7 +19,7 @@
 
 #include <CGAL/property_map.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 

@@ -17,7 +17,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>

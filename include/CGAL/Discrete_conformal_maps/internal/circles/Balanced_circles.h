@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <array>

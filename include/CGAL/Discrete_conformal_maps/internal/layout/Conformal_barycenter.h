@@ -12,7 +12,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <array>

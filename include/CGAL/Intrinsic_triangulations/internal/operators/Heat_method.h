@@ -20,7 +20,7 @@
 
 #include <CGAL/number_utils.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <boost/property_map/function_property_map.hpp>
 

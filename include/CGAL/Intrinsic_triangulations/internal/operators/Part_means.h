@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <boost/pending/disjoint_sets.hpp>
 
