@@ -43,6 +43,7 @@ from .errors import (
     NumericalError,
     UnderflowError,
 )
+from .frames import TangentFrames, tangent_frames
 from .maps import (
     ConformalMap,
     FlatMap,
@@ -106,6 +107,7 @@ __all__ = [
     "Simplification",
     "SoupOperators",
     "SphereMap",
+    "TangentFrames",
     "Triangulation",
     "UnderflowError",
     "Uniformization",
@@ -135,6 +137,7 @@ __all__ = [
     "simplify",
     "soup_distance",
     "soup_operators",
+    "tangent_frames",
     "to_hyperbolic",
     "to_sphere",
     "transport",

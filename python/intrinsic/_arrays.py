@@ -68,9 +68,19 @@ def unchecked_floats(values: ArrayLike, shape: tuple[int | None, ...], name: str
 def floats(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
     """Return finite numbers of type float64, stored by rows; a copy only if it is needed."""
     result = unchecked_floats(values, shape, name)
-    if not np.isfinite(result).all():
-        row = _first_row(~np.isfinite(result))
-        error = InputError(f"row {row} of {name} is not finite: {array_of(values, name)[row]}")
+    return _checked(np.isfinite(result), "finite", result, values, name)
+
+
+def floats_or_infinity(values: ArrayLike, shape: tuple[int | None, ...], name: str) -> Floats:
+    """Return numbers as `floats()` does, which may be infinite."""
+    result = unchecked_floats(values, shape, name)
+    return _checked(~np.isnan(result), "a number", result, values, name)
+
+
+def _checked(is_good: Any, what: str, result: Floats, values: ArrayLike, name: str) -> Floats:
+    if not is_good.all():
+        row = _first_row(~is_good)
+        error = InputError(f"row {row} of {name} is not {what}: {array_of(values, name)[row]}")
         error.row = row
         raise error
     return result
@@ -140,9 +150,9 @@ def number(
     except OverflowError:  # of a huge integer
         result = np.inf
     if not (least <= result <= greatest) or not np.isfinite(result) or is_open and result == least:
-        bound = f" and at most {greatest:g}" if np.isfinite(greatest) else ""
-        raise InputError(f"{name} is {result}; it must be finite, "
-                         f"{'more than' if is_open else 'at least'} {least:g}{bound}")
+        bounds = f", {'more than' if is_open else 'at least'} {least:g}" if least > -np.inf else ""
+        bounds += f" and at most {greatest:g}" if np.isfinite(greatest) else ""
+        raise InputError(f"{name} is {result}; it must be finite{bounds}")
     return result
 
 

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, count, flag, floats,
-                      integers, number, points_on, shortened)
+from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, count, flag,
+                      floats_or_infinity, integers, number, points_on, shortened)
 from ._arrays import vertices as vertices_of
 from ._meshes import Result, check_progress, level_of_caller, surface
 from .errors import AccuracyWarning, ArrayError, InputError
@@ -35,6 +35,9 @@ Sources = tuple[Integers, Integers, Floats]
 def _sources(sources: Any, T: Triangulation) -> Sources:
     """Return vertices, and faces with coordinates: sources are the one or the other."""
     if isinstance(sources, tuple):
+        if len(sources) != 2 or np.ndim(sources[1]) == 0:
+            raise ArrayError(f"sources is {shortened(sources)}; a tuple is a pair of faces and "
+                             "barycentric coordinates, and vertices are a list or an array")
         faces, coordinates = points_on(sources, T._core.number_of_faces(True), "sources")
         result = _NO_VERTICES, faces, coordinates
     else:
@@ -113,7 +116,8 @@ def distance(
     Returns
     -------
     (n,) float array, or Distances if `full`
-        In the unit of V; infinite where no source can reach a vertex.
+        In the unit of V; infinite where no source can reach a vertex. On a Triangulation, vertices
+        of its input have distances, and inserted ones do not.
 
     Examples
     --------
@@ -209,6 +213,9 @@ def _given_factor(factor: float) -> float:
 
 class DistanceSolver:
     """Distances from many sets of sources on one surface, after one factorization.
+
+    Distances by heat are those of `distance()` with the same time step. Their errors are not
+    estimated, so there is no `AccuracyWarning`.
 
     Parameters
     ----------
@@ -352,7 +359,7 @@ def _distances_between_all(
     return result
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Path:
     """A line on a surface.
 
@@ -478,7 +485,8 @@ def geodesic(
     Returns
     -------
     Path
-        Complete, unless it touches itself. A loop that contracts has no points.
+        Complete, unless it touches itself. A loop that contracts, or a path from a vertex to itself,
+        has no points and length 0.
 
     Examples
     --------
@@ -523,7 +531,7 @@ def geodesics(
     -------
     list of Path
         Complete, unless they touch themselves. The length of a path is infinite, and it has no
-        points, if there is none.
+        points, if there is none. A path from a vertex to itself has no points and length 0.
 
     Examples
     --------
@@ -585,7 +593,8 @@ def level_set(
     V, F, lengths, mollify
         As of `laplacian()`.
     values : (n,) floats
-        The value at each vertex, such as a distance.
+        The value at each vertex, such as a distance. They may be infinite on whole components,
+        which then have no curves.
     level : float
         The value on the curves. A vertex with this value counts as above it.
 
@@ -599,7 +608,7 @@ def level_set(
     --------
     A circle of latitude on a sphere:
 
-    >>> import intrinsic
+    >>> import intrinsic, numpy as np
     >>> V, F = intrinsic.shapes.icosphere(4)
     >>> circle, = intrinsic.level_set(V, F, V[:, 2], 0.6)
     >>> bool(abs(circle.length - 1.6 * np.pi) < 0.01)
@@ -608,10 +617,24 @@ def level_set(
     at = number(level, "level", -np.inf, np.inf)
 
     def compute(T: Triangulation) -> list[Path]:
-        given = floats(values, (T._core.number_of_input_vertices(),), "values")
-        return [_path(T, *found) for found in _core.level_set(T._core, given, at)]
+        given = floats_or_infinity(values, (T._core.number_of_input_vertices(),), "values")
+        return [_path(T, *found)
+                for found in _core.level_set(T._core, _finite_on_components(given, T), at)]
 
     return _on_input(V, F, lengths, mollify, compute)
+
+
+def _finite_on_components(values: Floats, T: Triangulation) -> Floats:
+    """Return values with a constant on components where all are infinite."""
+    is_infinite = np.isinf(values)
+    corners = is_infinite[T.input_F]
+    mixed = corners.any(axis=1) & ~corners.all(axis=1)
+    if mixed.any():
+        face = int(np.argmax(mixed))
+        error = InputError(f"values are infinite at some vertices of face {face}, and finite at others")
+        error.face, error.row = face, int(T.input_F[face][corners[face]][0])
+        raise error
+    return np.where(is_infinite, 0.0, values)
 
 
 def signed_distance(
@@ -699,7 +722,7 @@ def _polyline(part: Any, T: Triangulation) -> SurfacePoints:
     return (place // 3).astype(np.int64), np.eye(3)[place % 3]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LogMap:
     """The logarithmic map at a vertex.
 
@@ -707,8 +730,8 @@ class LogMap:
     ----------
     vectors : (n,) complex array
         For each vertex, a tangent vector with the first direction and the length of the shortest
-        path; infinite without a path. Lengths are in the unit of `V`. Angles start at the
-        first edge of the source, and are scaled such that a full turn is 2 pi.
+        path; infinite without a path. Lengths are in the unit of `V`. Angles are those of
+        `tangent_frames()`.
     is_straight : (n,) bool array
         Whether the shortest path is straight. Then `exp_map()` leads to the vertex, unless the path
         touches the boundary or a vertex of more than 360 degrees.
@@ -802,7 +825,7 @@ def transport(
     vertices : (k,) integers
         The vertices of the given vectors.
     vectors : (k,) complex numbers
-        The vectors, with the angles of `connection_laplacian()`.
+        The vectors, with the angles of `tangent_frames()`.
     time_step_factor : float
         The time for which heat flows, in squared mean edge lengths.
 
@@ -810,7 +833,7 @@ def transport(
     -------
     (n,) complex array
         At each vertex, the vector of the nearest source, transported. Near vertices with two
-        nearest sources, it is a smooth mixture of both.
+        nearest sources, it is a smooth mixture of both. It is zero where no source can reach.
 
     Examples
     --------

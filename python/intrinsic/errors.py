@@ -4,8 +4,8 @@
 
 """The exceptions of the package.
 
-All are derived from `IntrinsicError`. If an element of the input causes the error, an attribute has
-its index, counted from zero; otherwise the attribute is None.
+All are derived from `IntrinsicError`. If an element of the arrays is wrong, an attribute has its
+index, counted from zero; otherwise the attribute is None. Messages name elements too.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ from .errors import InputError, MapError
 from .triangulation import Progress, _fan
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MapSubdivision:
     """The pieces into which the input is cut so that the map is projective on each of them.
 
@@ -340,13 +340,15 @@ def flatten(
         "curvature" prescribe logarithms of scale factors, or exterior angles in radians. "disk"
         and "rectangle" give each component this shape.
     boundary_values : mapping or (n,) floats
-        With "scale" and "curvature": values at vertices on the boundary.
+        With "scale" and "curvature": values at vertices on the boundary. Others of a mapping are
+        straight, with exterior angle 0.
     radii : mapping or (n,) floats
         Radii of circles around the vertices, which are mapped to circles. The map then keeps
         inversive distances instead of lengths. Circles of neighbors may touch, but not meet: they
         may overlap by 1e-8 of the distance of their centers.
     max_log_scale : float
-        The bound of absolute logarithmic scale factors for greedy cones; 5 if not given.
+        The bound of absolute logarithmic scale factors, at inner vertices, for greedy and exchanged
+        cones; 5 if not given.
     max_area_distortion : float
         The same bound as the factor, above 1, by which areas may grow or shrink. If both are
         given, the stricter bound counts.
@@ -390,12 +392,14 @@ def flatten(
     cuts_overlaps, is_scaled = flag(no_overlap, "no_overlap"), flag(unit_square, "unit_square")
     if (boundary_values is not None) != (boundary in ("scale", "curvature")):
         raise InputError("boundary_values are for the boundaries 'scale' and 'curvature'")
+    has_bound = max_log_scale is not None or max_area_distortion is not None
     if cones is None:
-        has_bound = max_log_scale is not None or max_area_distortion is not None
         cones = "greedy" if has_bound or boundary not in _SHAPES else "none"
     if isinstance(cones, str) and cones not in ("greedy", "exchanged", "none"):
         raise InputError(
             f"cones is {shortened(cones)}; it must be 'greedy', 'exchanged', 'none' or have values")
+    if has_bound and not (isinstance(cones, str) and cones != "none"):
+        raise InputError("max_log_scale and max_area_distortion are for greedy and exchanged cones")
     log_scale = area_distortion = np.inf
     if max_log_scale is not None:
         log_scale = number(max_log_scale, "max_log_scale", 0, is_open=True)
@@ -481,7 +485,7 @@ def to_hyperbolic(
         "to_hyperbolic"))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Uniformization:
     """The metric of constant curvature of a surface.
 

@@ -37,7 +37,8 @@ def laplacian(
         Instead of V: the length of the side opposite to each corner. Both faces of an edge give
         exactly the same length. Indices in F are then less than 3 m.
     mollify : float or "auto"
-        As of `Triangulation`; "auto" lengthens edges only if there is no result otherwise.
+        As of `Triangulation`; "auto" lengthens edges only if rounding leaves no result otherwise.
+        An edge between equal positions needs a number. A Triangulation is as it is.
     progress : callable
         As of `Triangulation.delaunay()`.
 
@@ -129,8 +130,7 @@ def connection_laplacian(
     Returns
     -------
     (n, n) sparse matrix of complex numbers
-        Hermitian. Tangent vectors are complex numbers, with angles that are scaled to a full turn
-        at each vertex.
+        Hermitian. Tangent vectors are complex numbers in the frames of `tangent_frames()`.
     """
     return sparse(computed_on(V, F, lengths, mollify, lambda T: _core.connection_laplacian(T._core),
                               check_progress(progress)))

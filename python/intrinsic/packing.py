@@ -17,7 +17,7 @@ from ._arrays import Floats, integers
 from ._meshes import surface
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CirclePacking:
     """Circles at the vertices of a sphere or a disk.
 

@@ -17,7 +17,7 @@ from ._meshes import surface
 from .triangulation import Triangulation
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ConvexPolyhedron:
     """A convex polyhedron, or a polygon with two sides.
 

@@ -17,7 +17,7 @@ from ._arrays import Floats, Integers, number
 from ._meshes import arrays
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Info:
     """Numbers about a mesh, and its defects.
 
@@ -77,7 +77,7 @@ def info(V: Any, F: ArrayLike | None = None) -> Info:
     return Info(**_core.diagnose(*arrays(V, F)))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Repair:
     """A repaired mesh.
 

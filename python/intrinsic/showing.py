@@ -16,7 +16,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, count, flag, floats
+from ._arrays import Floats, count, flag, floats_or_infinity
 from ._meshes import arrays
 from .errors import InputError, MissingPartError
 from .maps import ConformalMap, HyperbolicMap, SphereMap
@@ -50,7 +50,7 @@ class Page:
 
 
 def _named(functions: dict[str, ArrayLike], n: int) -> list[tuple[str, Floats]]:
-    return [(name, floats(f, (n,), name)) for name, f in functions.items()]
+    return [(name, floats_or_infinity(f, (n,), name)) for name, f in functions.items()]
 
 
 def _page_of_map(shown: ConformalMap, functions: dict[str, ArrayLike]) -> str:
@@ -86,8 +86,8 @@ def show(
         Whether the page finds the intrinsic edges of a Triangulation while it draws, without the
         common subdivision. It does this beyond 200,000 polygons, but not for mollified lengths.
     **functions : (n,) arrays of floats
-        Values at vertices, by name, among which the page lets you choose. Functions on a
-        Triangulation may have values at its inserted vertices too.
+        Values at vertices, by name, among which the page lets you choose. They may be infinite, as
+        some distances. Functions on a Triangulation may have values at its inserted vertices too.
 
     Returns
     -------

@@ -20,7 +20,7 @@ from .errors import ArrayError, InputError
 from .triangulation import Progress, SurfacePoints, Triangulation
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CoarseMesh:
     """The coarse triangulation as an ordinary mesh in space.
 

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import (Floats, Integers, array_of, choice, count, flag, floats, integers, number,
-                      points_on, sparse)
-from ._meshes import Result, attempt, check_progress, surface
+from ._arrays import (Floats, Integers, array_of, choice, count, flag, floats, floats_or_infinity,
+                      integers, number, points_on, sparse)
+from ._meshes import Result, attempt, check_progress, mollification, surface
 from .errors import ArrayError, InputError
 
 Progress = Callable[[str, int], Any]
@@ -49,7 +49,7 @@ def _fan(starts: Integers) -> tuple[Integers, Integers]:
     return np.stack([base, base + k + 1, base + k + 2], axis=1), polygon
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Curves:
     """Polylines on a triangulation, one for each edge of another one.
 
@@ -96,7 +96,7 @@ class Curves:
         return int(self.starts[i]), int(self.starts[i + 1])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CommonSubdivision:
     """The polygons into which the edges of both triangulations cut the surface.
 
@@ -135,7 +135,7 @@ class CommonSubdivision:
         return _fan(self.starts)[1]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Refinement:
     """What a refinement has done.
 
@@ -162,7 +162,7 @@ class Refinement:
     is_exact: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Certificate:
     """What exact arithmetic has found about a triangulation.
 
@@ -212,7 +212,8 @@ class Triangulation:
         exactly the same length. Indices in F are then less than 3 m.
     mollify : float or "auto"
         Lengthens all edges until triangle inequalities have this slack, relative to the mean edge
-        length. "auto" does that only if the triangulation cannot be made otherwise.
+        length. "auto" does that only if rounding leaves no triangulation otherwise; an edge between
+        equal positions needs a number.
 
     Raises
     ------
@@ -468,7 +469,8 @@ class Triangulation:
 
     def _positions(self) -> Floats:
         if self._surface is None or not self._surface.has_positions():
-            raise InputError("the surface has no positions; give V instead of lengths")
+            raise InputError("the surface has no positions: it was made from lengths, read without V, "
+                             "or simplified")
         return self._surface.positions()
 
     def positions(self, points: tuple[ArrayLike, ArrayLike]) -> Floats:
@@ -524,7 +526,7 @@ class Triangulation:
         self._positions()
         n, n2 = self._core.number_of_input_vertices(), self._core.number_of_vertices()
         return _core.page_of_triangulation(self._core, [
-            (name, floats(f, (n2 if array_of(f, name).shape == (n2,) else n,), name))
+            (name, floats_or_infinity(f, (n2 if array_of(f, name).shape == (n2,) else n,), name))
             for name, f in functions.items()], direct)
 
     @_locked
@@ -648,6 +650,7 @@ def computed_on(
         if F is not None or lengths is not None:
             raise ArrayError("a Triangulation has faces and lengths; leave F and lengths out, and name "
                              "all further arguments, as in distance(T, sources=0)")
+        mollification(mollify)
         with V._lock:
             return compute(V)
     on = surface(V, F, lengths, mollify)

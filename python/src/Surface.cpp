@@ -4,6 +4,7 @@
 
 #include "Surface.h"
 
+#include <CGAL/Intrinsic_triangulations/angle_on_input.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -52,6 +53,13 @@ bool is_about_manifolds(Defect_kind kind)
          kind == Defect_kind::INCONSISTENT_ORIENTATION;
 }
 
+std::string advice(Defect_kind kind)
+{
+  return kind == Defect_kind::ZERO_LENGTH_EDGE
+           ? "; repair() merges equal points, and mollify=1e-8 lengthens the edge"
+           : "";
+}
+
 // Throws the first fatal defect, unless `is_ignored(kind)`.
 template <class Predicate>
 void check(const Input_diagnosis& diagnosis, const Predicate& is_ignored)
@@ -59,7 +67,7 @@ void check(const Input_diagnosis& diagnosis, const Predicate& is_ignored)
   for(const IT::Defect_description& d : IT::defect_descriptions)
     if(d.is_fatal && diagnosis.count(d.kind) > 0 && !is_ignored(d.kind))
       throw Element_error(is_about_manifolds(d.kind) ? "NotAManifoldError" : "InputError",
-                          diagnosis.message(d.kind) + " - " + d.sentence,
+                          diagnosis.message(d.kind) + " - " + d.sentence + advice(d.kind),
                           elements_of(diagnosis.occurrences(d.kind).front(), d.element));
 }
 
@@ -157,6 +165,18 @@ Polygon_soup soup_of(const Number_array& points, const Index_array& faces)
   return result;
 }
 
+Polygon_soup checked_soup_of(const Number_array& points, const Index_array& faces,
+                             bool are_zero_lengths_allowed)
+{
+  check_finite(points);
+  Polygon_soup soup = soup_of(points, faces);
+  check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {
+    return is_about_manifolds(kind) ||
+           (are_zero_lengths_allowed && kind == Defect_kind::ZERO_LENGTH_EDGE);
+  });
+  return soup;
+}
+
 Surface surface_of_points(const Number_array& points, const Index_array& faces,
                           bool are_zero_lengths_allowed)
 {
@@ -203,6 +223,17 @@ Triangulation triangulation_from(Surface& surface, double mollification)
 {
   return with_lengths(surface, IT::parameters::mollification(mollification),
                       [&](const auto& np) { return Triangulation(std::move(surface.mesh), np); });
+}
+
+std::vector<std::complex<double>> rotations_to_input(const Triangulation& triangulation)
+{
+  const IT::Delta_complex& mesh = triangulation.mesh();
+  std::vector<std::complex<double>> result(mesh.num_vertices(), 1.);
+  for(const IT::Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v))
+      result[v.idx()] =
+        std::polar(1., IT::angle_on_input(triangulation, IT::first_outgoing_halfedge(v, mesh)));
+  return result;
 }
 
 std::vector<Location> locations_of(const Index_array& faces, const Number_array& coordinates,

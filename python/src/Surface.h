@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
+#include <complex>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -62,6 +63,12 @@ struct Surface
 // Returns positions (n, 3) and corners (m, 3), unchecked. Negative indices name no point.
 Polygon_soup soup_of(const Number_array& points, const Index_array& faces);
 
+// Returns positions (n, 3) and corners (m, 3) that need not form a surface. With
+// `are_zero_lengths_allowed`, sides may have the length zero.
+// Throws Element_error that names an element if an index, a position or a length is wrong.
+Polygon_soup checked_soup_of(const Number_array& points, const Index_array& faces,
+                             bool are_zero_lengths_allowed);
+
 // Makes a surface of positions (n, 3) and corners (m, 3). With `are_zero_lengths_allowed`, edges
 // may have the length zero.
 // Throws Element_error that names an element if the arrays are no surface.
@@ -87,6 +94,10 @@ Triangulation triangulation_of(const Surface& surface, double mollification);
 
 // Returns the same triangulation, and leaves the surface without its mesh, which is not copied.
 Triangulation triangulation_from(Surface& surface, double mollification);
+
+// Returns factors for the tangent vectors at each vertex. They turn the frame of the intrinsic
+// triangulation to the frame of the input, see `IT::angle_on_input()`.
+std::vector<std::complex<double>> rotations_to_input(const Triangulation& triangulation);
 
 // Returns points on a surface: faces (k) and barycentric coordinates (k, 3), in the order of
 // corners. Sums are normalized to one.

@@ -227,6 +227,8 @@ py::tuple distances(const Bound_triangulation& self, const py::tuple& arrays,
 
 class Bound_heat
 {
+  typedef IT::internal::Positions<double> Positions;
+
 public:
   Bound_heat(const Bound_triangulation& triangulation, double time_step_factor)
     : m_heat(triangulation.triangulation().intrinsic(),
@@ -237,8 +239,8 @@ public:
   {
     const Source_arrays given(arrays);
     return array_of(released([&] {
-      const auto values = m_heat.distances(sources_across(on, given.on(on)));
-      return std::vector<double>(values.begin(), values.end());
+      const auto sources = sources_across(on, given.on(on));
+      return raised(m_heat.distances(sources), on.triangulation(), sources, positions_on(on));
     }));
   }
 
@@ -250,13 +252,40 @@ public:
       const auto sources =
         separated(sources_of(vertices, faces, coordinates, on.triangulation()),
                   [&](auto source) { return sources_across(on, one_source(source)); });
-      return with_concurrency(is_parallel, [&](const auto& tag) {
+      auto columns = with_concurrency(is_parallel, [&](const auto& tag) {
         return m_heat.distances_from_each(sources, IT::parameters::concurrency_tag(tag));
       });
+      const Positions positions = positions_on(on);
+      for(std::size_t k = 0; k < sources.size(); ++k) {
+        const auto values =
+          raised(columns.col(Eigen::Index(k)), on.triangulation(), sources[k], positions);
+        std::copy(values.begin(), values.end(), columns.col(Eigen::Index(k)).begin());
+      }
+      return columns;
     }));
   }
 
 private:
+  static Positions positions_on(const Bound_triangulation& on)
+  {
+    Positions result;
+    for(const Point& p : vertex_positions(on))
+      result.push_back({p.x(), p.y(), p.z()});
+    return result;
+  }
+
+  // Returns the distances after all that `IT::geodesic_distances()` does with distances by heat.
+  template <class Values>
+  static std::vector<double> raised(const Values& values, const Triangulation& triangulation,
+                                    const IT::Distance_sources<Triangulation>& sources,
+                                    const Positions& positions)
+  {
+    IT::Geodesic_distances<double> result{{values.begin(), values.end()},
+                                          IT::Distance_method::heat};
+    IT::internal::raise_to_bounds(triangulation, sources, positions, result);
+    return std::move(result.distance);
+  }
+
   IT::Heat_distance<double> m_heat;
 };
 
@@ -462,20 +491,38 @@ py::tuple exponential(const Bound_triangulation& self, std::int64_t source,
   return geodesic_from(self, v, start, vector);
 }
 
-// Returns vectors at all vertices, from the nearest of some vertices by parallel transport.
+// Returns the vertex at the end of the first edge of each vertex of the input, or -1 at isolated
+// vertices.
+py::array first_neighbors(const Bound_triangulation& self)
+{
+  const IT::Delta_complex& mesh = self.triangulation().input_mesh();
+  return array_over(mesh.vertices(), [&](IT::Vertex_index v) {
+    return mesh.is_isolated(v)
+             ? std::int64_t(-1)
+             : std::int64_t(mesh.target(IT::first_outgoing_halfedge(v, mesh)).idx());
+  });
+}
+
+// Returns vectors at all vertices, from the nearest of some vertices by parallel transport. They are
+// in the frames of the input.
 py::array transported(const Bound_triangulation& self, const Index_array& vertices,
                       const py::array_t<std::complex<double>, py::array::c_style>& vectors,
                       double time_step_factor)
 {
   return array_of(released([&] {
+    const std::vector<std::complex<double>> rotation = rotations_to_input(self.triangulation());
     std::vector<IT::Vector_heat<double>::Source> sources;
-    for(std::size_t i = 0; i < std::size_t(vertices.size()); ++i)
-      sources.emplace_back(checked_vertex(vertices.data()[i], self.triangulation()),
-                           vectors.data()[i]);
+    for(std::size_t i = 0; i < std::size_t(vertices.size()); ++i) {
+      const IT::Vertex_index v = checked_vertex(vertices.data()[i], self.triangulation());
+      sources.emplace_back(v, vectors.data()[i] * std::conj(rotation[v.idx()]));
+    }
     const IT::Vector_heat<double> heat(self.triangulation().intrinsic(),
                                        IT::parameters::time_step_factor(time_step_factor));
     const auto field = heat.transport(sources);
-    return std::vector<std::complex<double>>(field.begin(), field.end());
+    std::vector<std::complex<double>> result(field.begin(), field.end());
+    std::transform(result.begin(), result.end(), rotation.begin(), result.begin(),
+                   std::multiplies<>());
+    return result;
   }));
 }
 
@@ -492,6 +539,7 @@ void bind_distances(py::module_& module)
   module.def("level_set", &level_set);
   module.def("signed_distances", &signed_distances);
   module.def("transported", &transported);
+  module.def("first_neighbors", &first_neighbors);
   module.def("logarithms", &logarithms);
   module.def("exponential", &exponential);
   py::class_<Bound_heat>(module, "Heat")

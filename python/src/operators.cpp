@@ -21,9 +21,11 @@
 
 #include <pybind11/stl.h>
 
+#include <complex>
 #include <functional>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace {
 
@@ -52,13 +54,20 @@ py::tuple operator_of(const Bound_triangulation& self, const std::string& name)
   }));
 }
 
+// Returns the matrix in the frames of the input.
 py::tuple connection_laplacian(const Bound_triangulation& self)
 {
   return sparse_arrays(released([&] {
-    return IT::with_resolved_areas(self.triangulation(), [&](const auto& surface) {
-      const IT::Tangent_frames<IT::Length_of<std::decay_t<decltype(surface)>>> frames(surface);
-      return IT::rounded_values(IT::connection_laplacian(surface, frames));
-    });
+    Eigen::SparseMatrix<std::complex<double>> result =
+      IT::with_resolved_areas(self.triangulation(), [&](const auto& surface) {
+        const IT::Tangent_frames<IT::Length_of<std::decay_t<decltype(surface)>>> frames(surface);
+        return IT::rounded_values(IT::connection_laplacian(surface, frames));
+      });
+    const std::vector<std::complex<double>> rotation = rotations_to_input(self.triangulation());
+    for(Eigen::Index j = 0; j < result.cols(); ++j)
+      for(decltype(result)::InnerIterator i(result, j); i; ++i)
+        i.valueRef() *= rotation[std::size_t(i.row())] * std::conj(rotation[std::size_t(j)]);
+    return result;
   }));
 }
 
@@ -71,7 +80,7 @@ public:
   Bound_soup(const Number_array& points, const Index_array& faces, std::size_t neighbors,
              double mollification, Watch& watch)
   {
-    Polygon_soup soup = soup_of(points, faces);
+    Polygon_soup soup = checked_soup_of(points, faces, mollification > 0);
     m_points = soup.points;
     m_share = faces.size() == 0 ? 1. / 6 : 1. / 2;
     if(faces.size() == 0)

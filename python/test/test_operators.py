@@ -73,6 +73,19 @@ class Operators(unittest.TestCase):
         L = intrinsic.laplacian(None, F, lengths=lengths)
         self.assertEqual(abs(L - intrinsic.laplacian(V, F)).max(), 0)
 
+    def test_equal_points(self):
+        V, F = [[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 3], [1, 2, 3]]
+        for call in (intrinsic.soup_operators, intrinsic.laplacian, intrinsic.Triangulation):
+            with self.assertRaisesRegex(intrinsic.InputError, "vertices 1 and 2.*mollify") as caught:
+                call(V, F)
+            self.assertEqual((caught.exception.edge, caught.exception.face), ((1, 2), 1))
+        with self.assertRaisesRegex(intrinsic.InputError, "vertices 1 and 2"):
+            intrinsic.soup_distance(V, F, 0)
+        L = intrinsic.soup_operators(V, F, mollify=1e-8).laplacian
+        self.assertTrue(np.isfinite(L.toarray()).all())
+        with self.assertRaises(intrinsic.InputError):
+            intrinsic.laplacian(intrinsic.Triangulation(V, F, mollify=1e-8), mollify=-5)
+
     def test_surfaces_are_soups(self):
         V, F = support.meshes()["bumpy_grid"]
         soup = intrinsic.soup_operators(V, F)

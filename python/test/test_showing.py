@@ -77,6 +77,13 @@ class ShowingTest(unittest.TestCase):
             self.assertEqual(surface["picture"]["kind"], kind)
             self.assertLessEqual({"f", "log_scale"}, set(surface["point_data"]))
 
+    def test_infinite_values(self):
+        V, F = np.vstack([self.V, self.V + 9]), np.vstack([self.F, self.F + len(self.V)])
+        _, surface = shown(V, F, d=intrinsic.distance(V, F, 0))
+        self.assertIn("d", json.dumps(surface))
+        with self.assertRaisesRegex(intrinsic.InputError, "row 1 of d is not a number"):
+            shown(V, F, d=np.where(np.arange(len(V)) == 1, np.nan, 0))
+
     def test_errors(self):
         lengths = np.ones((4, 3))
         F = np.array([[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]])

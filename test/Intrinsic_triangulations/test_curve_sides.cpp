@@ -208,6 +208,29 @@ TEST(Signed_distance, components_and_coarse_meshes)
   EXPECT_EQ(IT::signed_distance(t, Curve()).distance[0], std::numeric_limits<double>::infinity());
 }
 
+// A segment without length on a second component is no source there.
+TEST(Curve_sides, segments_without_length_are_ignored)
+{
+  const Mesh part = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  Mesh two = part;
+  two += part;
+  const Triangulation t(two);
+  const auto diagonal = t.mesh().halfedge(Vertex_index(0), Vertex_index(2));
+  Curve curve = IT::curve_along_edges(t.intrinsic(), std::array{diagonal});
+  const Curve point{{Face_index(2), {1, 0, 0}, {1, 0, 0}}};
+  const auto alone = IT::signed_distance(t, curve);
+  curve.insert(curve.end(), point.begin(), point.end());
+  const auto both = IT::signed_distance(t, curve);
+  EXPECT_EQ(both.method, IT::Distance_method::exact);
+  EXPECT_EQ(both.distance, alone.distance);
+  EXPECT_EQ(both.distance[4], std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(std::abs(both.distance[1]), std::sqrt(0.5), 1e-15);
+  for(auto method :
+      {IT::Distance_method::automatic, IT::Distance_method::exact, IT::Distance_method::heat})
+    EXPECT_THROW(IT::signed_distance(t, point, IT::parameters::distance_method(method)),
+                 IT::Invalid_input);
+}
+
 } // namespace Test_curve_sides
 
 #endif // CGAL_EIGEN3_ENABLED

@@ -21,14 +21,33 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Returns the segments that have a left and a right side.
+// \throws Invalid_input if there are only others
+template <typename FT>
+Surface_curve<FT> segments_with_length(const Surface_curve<FT>& curve)
+{
+  Surface_curve<FT> result;
+  std::copy_if(curve.begin(), curve.end(), std::back_inserter(result),
+               [](const Curve_segment<FT>& s) { return s.source != s.target; });
+  if(result.empty() && !curve.empty())
+    throw Invalid_input("the curve has no length, so it has no left and no right side");
+  return result;
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the signed distance of every vertex to a curve: negative on its left, positive on its
@@ -37,8 +56,8 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// A curve separates a component of the surface if each of its regions is on one side of all
 /// segments around it. Loops around regions and lines from boundary to boundary are examples. Exact
-/// distances are zero at vertices of the curve, and infinite on components without it. They are
-/// cheap as in `geodesic_distances()`.
+/// distances are zero at vertices of the curve. They are cheap as in `geodesic_distances()`. All
+/// distances are infinite on components without a segment of positive length.
 ///
 /// By heat, gaps of a curve are bridged, and distances on the curve are zero on average. If the
 /// curve does not separate the surface, no signed distance exists. Then the result is only smooth.
@@ -48,7 +67,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// \param surface a model of `IntrinsicSurface` with floating-point lengths, or an
 ///   `Intrinsic_triangulation`, on which heat flows in the exact metric if lengths do not determine
 ///   it (`with_resolved_areas()`). Errors of heat are smaller on Delaunay triangulations
-/// \param curve segments, with the negative side on their left
+/// \param given_curve segments, with the negative side on their left. Segments without length are
+///   ignored
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{distance_method}
@@ -70,12 +90,13 @@ namespace CGAL::Intrinsic_triangulations {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if exact distances are requested and the curve does not separate a
-///   component, or if the factor is not positive, or greater than \f$1.6 \cdot 10^{13}\f$
+///   component, if no segment has a length, or if the factor is not positive, or greater than
+///   \f$1.6 \cdot 10^{13}\f$
 /// \throws Numerical_error, Underflow_error as `Signed_heat_distance` if heat is used, or
 ///   `Numerical_error` as `Shortest_paths::run()` if exact distances are requested
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Geodesic_distances<Length_of<Surface>>
-signed_distance(const Surface& surface, const Surface_curve<Length_of<Surface>>& curve,
+signed_distance(const Surface& surface, const Surface_curve<Length_of<Surface>>& given_curve,
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   using std::abs;
@@ -85,6 +106,7 @@ signed_distance(const Surface& surface, const Surface_curve<Length_of<Surface>>&
   Default_window_visitor silent;
   auto&& visitor = internal::visitor_of(np, silent);
   const Distance_method wanted = internal::method_of(np);
+  const Surface_curve<FT> curve = internal::segments_with_length(given_curve);
   Distance_sources<Surface> sources(surface);
   sources.add(curve);
   internal::Exact_distances<Surface> exact(surface, sources);
