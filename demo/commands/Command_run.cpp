@@ -154,6 +154,14 @@ void Command_run::describe_cover()
                            {"faces", m_input.mesh.number_of_faces()}};
 }
 
+void Command_run::refuse_isolated_vertices() const
+{
+  for(const Mesh::Vertex_index v : m_input.mesh.vertices())
+    if(m_input.mesh.is_isolated(v))
+      throw Program_error(m_options.input + ": vertex " + std::to_string(v.idx()) +
+                          " has no face; --repair removes such vertices");
+}
+
 void Command_run::keep_points_only()
 {
   if(m_page)

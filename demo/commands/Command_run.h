@@ -45,6 +45,8 @@ public:
   const Input_mesh& input() const { return m_input; }
   // Frees all data of the input except for points, unless a page or a picture is requested.
   void keep_points_only();
+  // Throws Program_error if a vertex has no face.
+  void refuse_isolated_vertices() const;
   // Returns the index of the component that the options choose, or zero.
   std::size_t index_of_component() const { return m_component; }
   // Returns the points and faces of the input, without the faces of its cover.

@@ -173,6 +173,7 @@ int convex(const Common_options& common, const Convex_options& options)
       ? std::nullopt
       : std::optional<Mesh_format>(output_format(options.subdivision, options));
   Command_run run("convex", common, {options.output, options.subdivision});
+  run.refuse_isolated_vertices();
   run.plan({{"build", "fold"}, subdivision_format ? subdivision_stages : Stages{}});
   std::optional<IT::Glued_surface> net = run.timed("build", [&] { return net_of(run, options); });
   const IT::Convex_polyhedron polyhedron = run.timed("fold", [&] {

@@ -43,6 +43,7 @@ struct Common_options
   bool is_quiet = false;
   std::size_t threads = 0;        // 0 for as many as there are processors
   bool are_soups_allowed = false; // by the command: edges and vertices that are not manifold
+  bool are_positions_used = true; // by the command
 
   bool is_repaired() const { return is_repair_wanted || weld_distance > 0; }
   bool is_shown() const { return !view.empty() || !picture.empty(); } // on a page or in a picture

@@ -67,7 +67,10 @@ int pack(const Common_options& common, const Pack_options& options)
 {
   const Mesh_format format = output_format(options.output, options);
   check_picture_available("--circles", options.picture);
-  Command_run run("pack", common, {options.output, options.picture});
+  Common_options combinatorial = common;
+  combinatorial.are_positions_used = false;
+  Command_run run("pack", combinatorial, {options.output, options.picture});
+  run.refuse_isolated_vertices();
   run.plan({{"pack"}});
   const DCM::Circle_packing packing =
     run.timed("pack", [&] { return DCM::pack_circles(run.input().mesh); });

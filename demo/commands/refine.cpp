@@ -10,8 +10,11 @@
 #include "commands/triangulation_stages.h"
 #include "writing/Mesh_writer.h"
 
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <cstddef>
 #include <sstream>
@@ -57,7 +60,8 @@ a crossing of an input edge with an intrinsic edge, and 2 for an inserted vertex
 
 With --simplicial, the output is an ordinary mesh for other programs. Its vertices lie on the
 surface, and its edges are straight in space. The property "length" of an edge is its length on the
-surface. Seams of a texture stay edges, unless the output is .off.
+surface. Seams of a texture stay edges, unless the output is .off. Flat faces have other areas and
+angles than faces on the surface: the last line and "flat_faces" in the statistics state them.
 
 Examples:
   intrinsic refine scan.ply -o mesh.ply --simplicial
@@ -70,6 +74,10 @@ std::string summary_of_refinement(Command_run& run)
   text << summary_of_changes(run) << ", " << s["faces_below_bound"] << " faces below the bound, "
        << s["faces_excused"] << " of them excused, " << s["subdivision"]["faces"]
        << " faces in the common subdivision";
+  if(s.contains("flat_faces"))
+    text << ", written as " << s["flat_faces"]["faces"] << " flat faces with area times "
+         << s["flat_faces"]["area_ratio"].get<double>() << " and smallest angle "
+         << s["flat_faces"]["min_angle_degrees"].get<double>() << " degrees";
   return text.str();
 }
 
@@ -102,10 +110,22 @@ Placement placement_of(const Triangulation& triangulation)
   return {own.number_of_vertices(), weights, face};
 }
 
-// Returns the faces of the triangulation itself, flat in space.
-Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& input)
+// Describes faces that are flat in space. Their edges are chords of intrinsic edges, so areas and
+// angles differ. `area` is the area of the surface.
+void describe_flat_faces(Command_run& run, const Mesh& mesh, double area)
 {
-  const Mesh mesh = IT::extrinsic_mesh(triangulation, input.mesh.points());
+  const auto flat = IT::diagnose(mesh).statistics();
+  run.statistics()["flat_faces"] = {
+    {"vertices", flat.vertices},
+    {"edges", flat.edges},
+    {"faces", flat.faces},
+    {"min_angle_degrees", flat.min_angle},
+    {"area_ratio", CGAL::Polygon_mesh_processing::area(mesh) / area}};
+}
+
+// Returns the faces of the triangulation itself, flat in space.
+Output_mesh own_faces(const Triangulation& triangulation, const Mesh& mesh, const Input_mesh& input)
+{
   Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
   result.point_data.emplace_back("kind", result.points.size(), [&](std::size_t i) {
     const IT::Vertex_index v(static_cast<Mesh::size_type>(i));
@@ -134,6 +154,7 @@ int write_refinement(Command_run& run, const Refine_options& options, Mesh_forma
   const bool have_seams = options.bounds.is_simplicial && has_texture(format);
   Triangulation triangulation =
     make_delaunay_triangulation(run, {options.constrained_angle, have_seams});
+  const double area = CGAL::Polygon_mesh_processing::area(run.input().mesh);
   run.keep_points_only();
   const auto refinement = refine_triangulation(run, triangulation, options.bounds);
   if(options.bounds.is_simplicial && refinement.status == IT::Refinement_status::insertion_limit)
@@ -147,9 +168,11 @@ int write_refinement(Command_run& run, const Refine_options& options, Mesh_forma
       develop_if_large(page, run, triangulation, subdivision);
       page.add_marks(faces_below_bounds(refinement, mesh));
     });
-    if(options.bounds.is_simplicial)
-      mesh = own_faces(triangulation, run.input());
-    else
+    if(options.bounds.is_simplicial) {
+      const Mesh flat = IT::extrinsic_mesh(triangulation, run.input().mesh.points());
+      describe_flat_faces(run, flat, area);
+      mesh = own_faces(triangulation, flat, run.input());
+    } else
       add_input_data(run.input(), mesh);
     run.add_output(options.output, mesh, format);
     save(run, triangulation);

@@ -97,7 +97,9 @@ Cost_weights::Cost_weights(const std::vector<std::string>& texts)
     const std::size_t length = text.rfind('=');
     if(length == std::string::npos || length == 0)
       throw Program_error("--weight " + text + ": is not NAME=W, as in curvature=1");
-    m_weights[text.substr(0, length)] = weight_value(text, text.substr(length + 1));
+    const double weight = weight_value(text, text.substr(length + 1));
+    if(!m_weights.emplace(text.substr(0, length), weight).second)
+      throw Program_error("--weight: " + text.substr(0, length) + " has two weights; give one");
   }
   for(auto w = m_weights.begin(); w != m_weights.end();)
     w = w->second > 0 ? std::next(w) : m_weights.erase(w);

@@ -12,7 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/local_triangulations.h>
 
 #include <iostream>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
@@ -50,7 +52,9 @@ bool is_allowed(IT::Defect_kind kind, const Common_options& options)
     case IT::Defect_kind::NON_MANIFOLD_VERTEX:
     case IT::Defect_kind::NON_ORIENTABLE_COMPONENT:
     case IT::Defect_kind::INCONSISTENT_ORIENTATION: return options.are_soups_allowed;
-    case IT::Defect_kind::ZERO_LENGTH_EDGE: return options.mollification > 0;
+    case IT::Defect_kind::ZERO_LENGTH_EDGE:
+      return options.mollification > 0 || !options.are_positions_used;
+    case IT::Defect_kind::LENGTH_OUT_OF_RANGE: return !options.are_positions_used;
     case IT::Defect_kind::NON_TRIANGULAR_FACE: return !options.is_strict;
     default: return false;
   }
@@ -84,14 +88,20 @@ void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagno
   throw Program_error(path + ": " + message + advice(diagnosis, options));
 }
 
+void print_repairs(const std::string& path, const Repair_report& report)
+{
+  for(const auto& [what, count] : report)
+    std::cerr << path << ": repaired: " << what << ": " << count << '\n';
+}
+
 Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double weld_distance)
 {
   const Repair_report report = repair(soup, weld_distance);
-  for(const auto& [what, count] : report)
-    std::cerr << path << ": repaired: " << what << ": " << count << '\n';
+  print_repairs(path, report);
   if(soup.polygons.empty())
-    throw Program_error(path +
-                        ": has no faces after the repair; `intrinsic info` lists their defects");
+    throw Program_error(path + ": has no faces after the repair; " +
+                        (weld_distance > 0 ? "use --weld with a distance less than the edge lengths"
+                                           : "`intrinsic info` lists their defects"));
   return report;
 }
 
@@ -106,6 +116,40 @@ void check_cloud(const Common_options& options)
                         ": has points only; exact distances and curves need a surface");
 }
 
+// Removes points at the position of an earlier point, and returns their number.
+std::size_t remove_copies(Polygon_soup& soup)
+{
+  std::map<Point, std::size_t> first;
+  std::vector<std::size_t> kept;
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    if(first.emplace(soup.points[i], i).second)
+      kept.push_back(i);
+  const std::size_t copies = soup.points.size() - kept.size();
+  const auto keep = [&](auto& values) {
+    for(std::size_t i = 0; i < kept.size(); ++i)
+      values[i] = values[kept[i]];
+    values.resize(kept.size(), values.front());
+  };
+  if(copies == 0)
+    return 0;
+  keep(soup.points);
+  for(Point_function& f : soup.data.functions)
+    keep(f.values);
+  return copies;
+}
+
+// Copies of points would count as neighbors.
+void check_copies(const std::string& path, const Polygon_soup& soup)
+{
+  std::map<Point, std::size_t> first;
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    if(const auto [place, is_new] = first.emplace(soup.points[i], i); !is_new)
+      throw Program_error(path + ": points " + std::to_string(place->second) + " and " +
+                          std::to_string(i) +
+                          " are at the same position; --repair merges such "
+                          "points");
+}
+
 void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t neighbors)
 {
   for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
@@ -114,6 +158,18 @@ void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t 
     throw Program_error(path +
                         ": no point has neighbors in two directions; raise --neighbors unless all "
                         "points are on a line");
+}
+
+// Triangulates a cloud of points, without copies of points.
+void prepare_cloud(const Common_options& options, Polygon_soup& soup, Repair_report& repairs)
+{
+  const std::size_t copies = options.is_repaired() ? remove_copies(soup) : 0;
+  if(copies > 0) {
+    repairs.emplace_back("points merged with an equal one", copies);
+    print_repairs(options.input, repairs);
+  }
+  check_copies(options.input, soup);
+  triangulate_cloud(options.input, soup, options.number_of_neighbors);
 }
 
 void print_notes(const std::string& path, const Polygon_soup& soup,
@@ -168,7 +224,7 @@ Input_mesh read_input(const Common_options& options, bool is_quiet)
   }
   check_acceptable(path, result.diagnosis, options);
   if(is_cloud)
-    triangulate_cloud(path, soup, options.number_of_neighbors);
+    prepare_cloud(options, soup, result.repairs);
   else if(number_of_polygons(result.diagnosis) > 0)
     split_polygons(path, soup,
                    {options.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,

@@ -17,7 +17,7 @@ bool is_byte(double x) { return x >= 0 && x <= 255 && x == std::floor(x); }
 
 bool is_color_name(const std::string& name)
 {
-  return name == "red" || name == "green" || name == "blue" || name == "alpha";
+  return name == "red" || name == "green" || name == "blue";
 }
 
 // Returns the value of a linear function. Constants are reproduced exactly for all weights.
@@ -37,7 +37,7 @@ double linear_value(const Point_weights& w, const Value& value)
 
 Point_function carried(const Point_function& from, const Placed_mesh& mesh)
 {
-  Point_function result{from.name, {}, from.is_color};
+  Point_function result{from.name, {}, from.has_fractions, from.is_color};
   result.values.reserve(mesh.number_of_points);
   for(std::size_t i = 0; i < mesh.number_of_points; ++i) {
     const Point_weights w = mesh.weights(i);
@@ -186,14 +186,35 @@ void add_corner_data(const std::string& name, std::size_t dimension, const Polyg
   add_functions(normals, polygons, data);
 }
 
+void make_bytes(std::vector<std::vector<double>>& colors)
+{
+  double greatest = 0;
+  bool are_integers = true;
+  for(const std::vector<double>& component : colors)
+    for(const double x : component) {
+      greatest = (std::max)(greatest, x);
+      are_integers = are_integers && x == std::floor(x);
+    }
+  const double unit = greatest > 1 && (are_integers || greatest >= 2) ? 1 : 255;
+  for(std::vector<double>& component : colors)
+    for(double& x : component)
+      x = std::round(std::clamp(unit * x, 0., 255.));
+}
+
 void clean(Mesh_data& data, std::size_t points)
 {
   auto& all = data.functions;
   all.erase(std::remove_if(all.begin(), all.end(),
                            [&](const Point_function& f) { return f.values.size() != points; }),
             all.end());
+  const auto has_bytes = [](const Point_function& f) {
+    return !f.has_fractions && std::all_of(f.values.begin(), f.values.end(), is_byte);
+  };
+  const bool are_colors = std::all_of(all.begin(), all.end(), [&](const Point_function& f) {
+    return !is_color_name(f.name) || has_bytes(f);
+  });
   for(Point_function& f : all)
-    f.is_color = is_color_name(f.name) && std::all_of(f.values.begin(), f.values.end(), is_byte);
+    f.is_color = are_colors && (is_color_name(f.name) || (f.name == "alpha" && has_bytes(f)));
 }
 
 Corner_data texture_on(const Polygons& polygons, const std::vector<Corner_data>& all)

@@ -25,7 +25,8 @@ struct Point_function
 {
   std::string name;
   std::vector<double> values;
-  bool is_color = false; // an integer up to 255, and interpolated as one
+  bool has_fractions = false; // its numbers are of a type with fractions
+  bool is_color = false;      // an integer up to 255, and interpolated as one
 };
 
 // Stores coordinates at the corners of polygons, which may differ at one point: a texture, or
@@ -119,7 +120,12 @@ void add_corner_data(
   const std::string& name, std::size_t dimension, const Polygons& polygons, std::size_t points,
   const std::function<Corner_data_builder::Coordinates(std::size_t)>& coordinates, Mesh_data& data);
 
-// Removes functions without a value at each of `points` points, and finds the colors.
+// Converts the components of the colors of a file to integers up to 255. They are fractions if no
+// number is greater than one, or some are no integers and none is two or greater.
+void make_bytes(std::vector<std::vector<double>>& colors);
+
+// Removes functions without a value at each of `points` points, and finds the colors. Red, green
+// and blue are colors only together: if one of them has fractions, or is out of range, none is.
 void clean(Mesh_data& data, std::size_t points);
 
 // Stores data of triangles, which are the triangles of the input or parts of them.

@@ -37,7 +37,7 @@ void read_xyz(Scanner& in, Polygon_soup& soup)
 
 Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowed)
 {
-  Scanner in(path);
+  Scanner in(path == "-" ? "/dev/stdin" : path);
   Polygon_soup soup;
   try {
     const File_format format = file_format(in);

@@ -5,11 +5,13 @@
 #include "reading/Soup_repair.h"
 
 #include "reading/close_points.h"
+#include "reading/polygon_splitting.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -117,6 +119,7 @@ private:
 
   void clean()
   {
+    split_keyholes();
     note("isolated points removed",
          PMP::remove_isolated_points_in_polygon_soup(m_soup.points, m_polygons));
     const std::size_t points = m_soup.points.size();
@@ -131,6 +134,36 @@ private:
     note("faces added by splitting pinched ones", left > faces ? left - faces : 0);
     note("corners of faces simplified", left == faces ? corners - number_of_corners() : 0);
     note("points without a face left removed", points - m_soup.points.size());
+  }
+
+  // Replaces polygons with holes by triangles. Otherwise they would be split where they are
+  // pinched, into an outer part and the reversed holes.
+  void split_keyholes()
+  {
+    std::vector<std::vector<Corner>> result;
+    std::size_t count = 0;
+    for(std::vector<Corner>& polygon : m_polygons) {
+      const std::vector<std::size_t> vertices(polygon.begin(), polygon.end());
+      std::vector<std::array<std::size_t, 3>> triangles;
+      if(std::set<std::size_t>(vertices.begin(), vertices.end()).size() < vertices.size())
+        triangles = triangles_of_keyhole(vertices, points_of(vertices));
+      for(const auto& [a, b, c] : triangles)
+        result.push_back({polygon[a], polygon[b], polygon[c]});
+      if(triangles.empty())
+        result.push_back(std::move(polygon));
+      else
+        ++count;
+    }
+    m_polygons = std::move(result);
+    note("polygons with holes split into triangles", count);
+  }
+
+  std::vector<Point> points_of(const std::vector<std::size_t>& vertices) const
+  {
+    std::vector<Point> result;
+    for(const std::size_t v : vertices)
+      result.push_back(m_soup.points[v]);
+    return result;
   }
 
   typedef std::vector<std::size_t> Cycle;

@@ -19,10 +19,13 @@ namespace {
 // Reads the number of a vertex.
 Mesh::Vertex_index vertex(Scanner& in, const Mesh& mesh)
 {
+  const Scanner::Place start = in.place();
   const std::size_t i = in.count();
-  if(i >= mesh.number_of_vertices())
+  if(i >= mesh.number_of_vertices()) {
+    in.return_to(start);
     in.fail("vertex " + std::to_string(i) + ": the mesh has " +
             std::to_string(mesh.number_of_vertices()) + ", counted from 0");
+  }
   return Mesh::Vertex_index(static_cast<Mesh::size_type>(i));
 }
 
@@ -36,12 +39,14 @@ read_glued_sides(const std::string& path, const Mesh& mesh,
   IT::Paired_sides sides(mesh, length);
   bool has_lines = false;
   for(in.skip_comments('#'); !in.at_end(); in.skip_comments('#')) {
+    const Scanner::Place start = in.place();
     std::array<Mesh::Vertex_index, 4> v;
     for(Mesh::Vertex_index& corner : v)
       corner = vertex(in, mesh);
     try {
       sides.add(v[0], v[1], v[2], v[3]);
     } catch(const IT::Invalid_input& error) {
+      in.return_to(start);
       in.fail(error.what());
     }
     if(!in.at_line_end('#'))

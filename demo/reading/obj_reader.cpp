@@ -239,19 +239,12 @@ private:
     add_colors();
   }
 
-  // Adds the colors, which are fractions, or integers up to 255 if one is greater than one.
   void add_colors()
   {
-    double greatest = 0;
-    for(const std::vector<double>& component : m_colors)
-      for(const double x : component)
-        greatest = (std::max)(greatest, x);
+    make_bytes(m_colors);
     const char* const names[] = {"red", "green", "blue"};
-    for(std::size_t k = 0; k < 3; ++k) {
-      for(double& x : m_colors[k])
-        x = std::round(std::clamp(greatest > 1 ? x : 255 * x, 0., 255.));
+    for(std::size_t k = 0; k < 3; ++k)
       m_soup.data.functions.push_back({names[k], std::move(m_colors[k])});
-    }
   }
 
   Scanner& m_in;
@@ -259,7 +252,7 @@ private:
   Polygons* m_lines;
   Indexed_coordinates m_texture, m_normals;
   Groups_reader m_groups;
-  std::array<std::vector<double>, 3> m_colors;
+  std::vector<std::vector<double>> m_colors = std::vector<std::vector<double>>(3);
 };
 
 } // namespace

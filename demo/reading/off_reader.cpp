@@ -242,22 +242,12 @@ private:
         static_cast<int>(std::clamp(numbers[0], 0., 148.)));
       add_components({double(color.red()), double(color.green()), double(color.blue())});
     } else if(numbers.size() >= 3)
-      add_components(in_bytes(numbers));
-  }
-
-  static std::vector<double> in_bytes(std::vector<double> numbers)
-  {
-    const bool are_integers = std::all_of(numbers.begin(), numbers.begin() + 3,
-                                          [](double x) { return x == std::floor(x); });
-    numbers.resize((std::min)(numbers.size(), std::size_t(4)));
-    for(double& x : numbers)
-      x = std::floor(std::clamp(are_integers ? x : 255 * x, 0., 255.));
-    return numbers;
+      add_components(numbers);
   }
 
   void add_components(const std::vector<double>& components)
   {
-    for(std::size_t k = 0; k < components.size(); ++k)
+    for(std::size_t k = 0; k < (std::min)(components.size(), m_colors.size()); ++k)
       m_colors[k].push_back(components[k]);
   }
 
@@ -268,6 +258,7 @@ private:
     const char* const normals[] = {"nx", "ny", "nz"};
     for(std::size_t k = 0; k < 3; ++k)
       m_soup.data.functions.push_back({normals[k], std::move(m_normals[k])});
+    make_bytes(m_colors);
     const char* const colors[] = {"red", "green", "blue", "alpha"};
     for(std::size_t k = 0; k < 4; ++k)
       m_soup.data.functions.push_back({colors[k], std::move(m_colors[k])});
@@ -323,7 +314,8 @@ private:
   Polygon_soup& m_soup;
   Off_header m_header;
   Scanner::Place m_break = nullptr; // the first end of a line inside a vertex or a face
-  std::vector<double> m_normals[3], m_colors[4];
+  std::vector<double> m_normals[3];
+  std::vector<std::vector<double>> m_colors = std::vector<std::vector<double>>(4);
   std::vector<Corner_data_builder::Coordinates> m_texture; // of vertices
 };
 

@@ -373,7 +373,7 @@ private:
       const Point_function* known = m_soup.data.function(name);
       result.push_back({p, known == nullptr ? all.size() : std::size_t(known - all.data())});
       if(known == nullptr)
-        all.push_back({name, {}});
+        all.push_back({name, {}, element.properties[p].type >= Number_type::FLOAT});
     }
     return result;
   }

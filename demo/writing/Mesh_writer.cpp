@@ -74,6 +74,8 @@ public:
   Obj_writer(Text& text, const Output_mesh& mesh)
     : m_text(text), m_mesh(mesh), m_colors(components(mesh, true, {"red", "green", "blue"}))
   {
+    if(m_colors.empty())
+      set_fractions();
     for(const Corner_data* data : all_corner_data(mesh)) {
       const Corner_data*& place = data->name == "normal" ? m_normals : m_texture;
       if(place == nullptr)
@@ -100,11 +102,22 @@ public:
   }
 
 private:
+  // Takes colors that are fractions.
+  void set_fractions()
+  {
+    m_colors = components(m_mesh, false, {"red", "green", "blue"});
+    m_greatest_component = 1;
+    for(const Attribute* component : m_colors)
+      for(std::size_t i = 0; i < component->size(); ++i)
+        if(!((*component)[i] >= 0 && (*component)[i] <= 1))
+          return m_colors.clear();
+  }
+
   void add_point(std::size_t i)
   {
     m_text << "v " << m_mesh.points[i];
     for(const Attribute* component : m_colors)
-      m_text << ' ' << (*component)[i] / 255;
+      m_text << ' ' << (*component)[i] / m_greatest_component;
     m_text << '\n';
   }
 
@@ -161,6 +174,7 @@ private:
   Text& m_text;
   const Output_mesh& m_mesh;
   std::vector<const Attribute*> m_colors; // none if empty
+  double m_greatest_component = 255;
   const Corner_data *m_texture = nullptr, *m_normals = nullptr;
   std::vector<const Attribute*> m_point_normals; // none if empty
   Polygons::Index m_group = Polygons::none;      // of the last face

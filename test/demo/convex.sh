@@ -56,3 +56,12 @@ off saddle '0 0 0,2 0 0,2 1 0,1 1 0,1 2 0,0 2 0,0 0 1,2 0 1,2 1 1,1 1 1,1 2 1,0 
   '6 7 8 9 10 11,5 4 3 2 1 0,0 1 7 6,1 2 8 7,2 3 9 8,3 4 10 9,4 5 11 10,5 0 6 11'
 refuses 'negative curvature' convex saddle.mesh.off -o x.off
 expect_files cross.txt wrong.txt
+
+# An error in a last line without an end is an error in this line.
+grid net 1 0
+for line in '0 1 2 99' '0 1 2'; do
+  printf '%s' "$line" >sides.txt
+  refuses "$([ "$line" = '0 1 2' ] && echo 'ends too early' || echo 'line 1 cannot be understood: vertex 99')" \
+    convex net.mesh.off --glue sides.txt -o a.off
+done
+expect_files

@@ -242,3 +242,30 @@ claim "sorted(g['usemtl'][0] for g in obj('a.obj').groups) == ['quad', 'quad', '
 sed '/f 1 1 2/d' a.mesh.obj >b.mesh.obj
 expect 0 delaunay b.mesh.obj -o a.obj
 claim "sorted(g['usemtl'][0] for g in obj('a.obj').groups) == ['quad', 'quad', 'triangle']"
+
+# Colors are fractions or integers, for all vertices and components together.
+triangle='0 0 0,1 0 0,0 1 0'
+printf 'COFF\n3 1 0\n0 0 0 0.5 0 0 1.0\n1 0 0 1.0 0 0 1.0\n0 1 0 1.0 0 0 1.0\n3 0 1 2\n' >f.off
+printf 'COFF\n3 1 0\n0 0 0 1 0 0 255\n1 0 0 255 0 0 255\n0 1 0 2 0 0 255\n3 0 1 2\n' >i.off
+printf 'v 0 0 0 0.1 0.2 0.3\nv 1 0 0 1.0000001 0 0\nv 0 1 0 0.6 0.4 0.2\nf 1 2 3\n' >f.obj
+expect 0 delaunay f.off -o a.ply
+claim "v = ply('a.ply').vertex" "v['red'] == [128, 255, 255]" "v['alpha'] == [255] * 3"
+expect 0 delaunay i.off -o a.ply
+claim "ply('a.ply').vertex['red'] == [1, 255, 2]"
+expect 0 delaunay f.obj -o a.ply
+claim "ply('a.ply').vertex['red'] == [26, 255, 153]"
+for blue in 0.25 1; do
+  {
+    printf 'ply\nformat ascii 1.0\nelement vertex 3\n'
+    printf 'property float %s\n' x y z red green blue
+    printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n'
+    tr , '\n' <<<"$triangle" | while read -r p; do echo "$p 1 0 $blue"; done
+    echo '3 0 1 2'
+  } >f.ply
+  expect 0 delaunay f.ply -o a.ply
+  claim "v = ply('a.ply').vertex" "v['red'] == [1] * 3" "v['blue'] == [$blue] * 3"
+  [ "$(grep -c '^property double \(red\|green\|blue\)' a.ply)" -eq 3 ] || fail 'colors have several types'
+  expect 0 delaunay f.ply -o a.obj
+  grep -q "^v 1 0 0 1 0 $blue\$" a.obj || fail 'fractions are no colors in .obj'
+done
+rm f.* i.off a.ply a.obj

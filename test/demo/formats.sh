@@ -280,3 +280,9 @@ wrong a.mesh.stl 'solid a\nfacets\n' "line 2 $bad 'facet' or 'endsolid' expected
 
 mesh a.mesh.ply "ply\n${header}element face 2\n$list${rows}3 0 1 7 9\n3 0 1 -1 9\n"
 refuses 'face index out of range: 2, first at face 0' info a.mesh.ply
+
+# "-" is standard input.
+"$program" delaunay - -o - <good.mesh.off >a.off
+"$program" delaunay good.mesh.off -o - >b.off
+cmp a.off b.off
+rm a.off b.off

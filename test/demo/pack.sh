@@ -51,3 +51,16 @@ awk 'BEGIN {
 expect 1 pack nested.mesh.off -o nested.ply
 says 'circles do not touch: '
 expect_files
+
+# Positions do not matter.
+off point '0 0 0,0 0 0,0 0 0,0 0 0' '0 2 1,0 1 3,1 2 3,2 0 3'
+off huge '0 0 0,1e100 0 0,0 1e100 0,0 0 1e100' '0 2 1,0 1 3,1 2 3,2 0 3'
+for mesh in point huge; do
+  expect 0 pack $mesh.mesh.off -o a.ply
+  claim "near(list(ply('a.ply').vertex['radius']), [0.9553166181245093] * 4, 1e-10)"
+done
+rm a.ply
+off isolated '0 0 0,1 0 0,0 1 0,0 0 1,5 5 5' '0 2 1,0 1 3,1 2 3,2 0 3'
+refuses 'isolated.mesh.off: vertex 4 has no face; --repair removes' pack isolated.mesh.off -o a.ply
+refuses 'isolated.mesh.off: vertex 4 has no face; --repair removes' convex isolated.mesh.off -o a.ply
+expect_files

@@ -60,3 +60,12 @@ refuses 'line 2 cannot be understood' operators wrong.mesh.xyz --prefix a --neig
 : >nothing.mesh.xyz
 expect 2 operators nothing.mesh.xyz --prefix a --neighbors 5
 expect_files
+
+# Copies of points would count as neighbors.
+printf '0 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n' >copies.mesh.xyz
+refuses 'copies.mesh.xyz: points 0 and 1 are at the same position; --repair merges such points' \
+  distance copies.mesh.xyz --neighbors 3 --source 0 -o a.ply
+expect 0 distance copies.mesh.xyz --neighbors 3 --source 0 -o a.ply --repair
+says 'repaired: points merged with an equal one: 1'
+claim "near(sorted(ply('a.ply').vertex['distance']), [0, 1, 1, 2 ** .5], 0.2)"
+rm a.ply

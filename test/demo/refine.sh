@@ -186,7 +186,11 @@ expect 0 refine pillow.mesh.off -o a.ply --simplicial --min-angle 0 --stats a.js
 claim "s = json('a.json')" "m = ply('a.ply')" "s.status == 'bounds_met'" \
   "m.vertex['kind'] == [0] * 3 + [2] * s.inserted_vertices" \
   'len({frozenset(f) for f in m.faces}) == len(m.faces) > 2' \
-  'len({frozenset(e) for e in m.edges}) == len(m.edges)' 'all(len(set(e)) == 2 for e in m.edges)'
+  'len({frozenset(e) for e in m.edges}) == len(m.edges)' 'all(len(set(e)) == 2 for e in m.edges)' \
+  's.flat_faces.faces == len(m.faces)' 's.flat_faces.edges == len(m.edges)' \
+  "near(s.flat_faces.area_ratio, area(m) / area(off('pillow.mesh.off')), 1e-9)"
+expect 0 info a.ply --json
+claim "near(json('a.json').flat_faces.min_angle_degrees, json('out').min_angle_degrees, 1e-9)"
 for format in off obj vtp; do
   expect 0 refine slivers.mesh.off -o "a.$format" --simplicial
 done

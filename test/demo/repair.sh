@@ -57,3 +57,22 @@ if [ -n "$data" ]; then
     expect 0 delaunay "$data/meshes/$mesh" -o result.off --repair
   done
 fi
+
+# Polygons with holes: bridges to two holes, and a hole with a corner on the boundary.
+off keyhole '0 0 0,5 0 0,5 3 0,0 3 0,1 1 0,2 1 0,2 2 0,1 2 0,3 1 0,4 1 0,4 2 0,3 2 0' \
+  '0 1 2 3 0 4 7 11 10 9 8 11 7 6 5 4'
+off touching '0 0 0,3 0 0,3 3 0,0 3 0,2 1 0,1 2 0' '0 1 2 3 0 5 4'
+for expected in 'keyhole 13' 'touching 7.5'; do
+  read -r mesh area <<<"$expected"
+  refuses 'face with a repeated vertex' delaunay "$mesh.mesh.off" -o a.ply
+  expect 0 delaunay "$mesh.mesh.off" -o a.ply --repair --stats a.json
+  says 'repaired: polygons with holes split into triangles: 1'
+  claim "m = ply('a.ply')" "near(area(m), $area, 1e-12)"
+  claim "json('a.json').components == 1" "json('a.json').boundary_loops == (3 if '$mesh' == 'keyhole' else 1)"
+done
+rm a.ply a.json
+# Parts beside each other are no holes.
+off pinched '0 0 0,2 0 0,1 1 0,-2 0 0,-1 1 0' '0 1 2 0 4 3'
+expect 0 delaunay pinched.mesh.off -o a.ply --repair
+says 'faces added by splitting pinched ones: 1'
+rm a.ply
