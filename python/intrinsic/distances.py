@@ -214,7 +214,7 @@ def _given_factor(factor: float) -> float:
 class DistanceSolver:
     """Distances from many sets of sources on one surface, after one factorization.
 
-    Distances by heat are those of `distance()` with the same time step. Their errors are not
+    `distance()` gives the same distances by heat with the same time step. Here their errors are not
     estimated, so there is no `AccuracyWarning`.
 
     Parameters
@@ -730,7 +730,7 @@ class LogMap:
     ----------
     vectors : (n,) complex array
         For each vertex, a tangent vector with the first direction and the length of the shortest
-        path; infinite without a path. Lengths are in the unit of `V`. Angles are those of
+        path; infinite without a path. Lengths are in the unit of `V`. Angles refer to
         `tangent_frames()`.
     is_straight : (n,) bool array
         Whether the shortest path is straight. Then `exp_map()` leads to the vertex, unless the path

@@ -22,17 +22,17 @@ class TangentFrames(NamedTuple):
 
     A tangent vector is a complex number. Its angle starts at the first edge of the vertex,
     counterclockwise, and is scaled such that a full turn is 2 pi. At a boundary vertex, the first
-    edge is on the boundary, with the surface on its left. There, the angle from one boundary edge
-    to the other is scaled to pi.
+    edge is on the boundary, with the surface on its left. At such a vertex, the angle from one
+    boundary edge to the other is scaled to pi.
 
     Attributes
     ----------
     neighbors : (n,) int array
         The vertex at the other end of the first edge; -1 for vertices without faces.
     x, y : (n, 3) float arrays
-        The directions of 1 and of 1j in space: the first edge without its part along the normal, and
-        the cross product of the normal with it. A vector z is `z.real * x + z.imag * y`, as if
-        the surface were its tangent plane.
+        The directions of 1 and of 1j in space. `x` is the first edge without its part along the
+        normal, and `y` is the cross product of the normal with `x`. In the tangent plane, a vector
+        z is `z.real * x + z.imag * y`.
     normals : (n, 3) float array
         The sums of the normals of faces at each vertex, weighted by areas, with length 1.
     """

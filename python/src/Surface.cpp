@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -93,6 +94,18 @@ void check_finite(const Number_array& points)
     }
 }
 
+// Throws if two points of a cloud coincide: copies would count as neighbors.
+void check_different(const std::vector<Point>& points)
+{
+  std::map<Point, std::size_t> first;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(const auto [place, is_new] = first.emplace(points[i], i); !is_new)
+      throw Element_error("InputError",
+                          "points " + std::to_string(place->second) + " and " + std::to_string(i) +
+                            " are at the same position; np.unique(V, axis=0) leaves one of each",
+                          {{"row", {i}}});
+}
+
 Polygons triangles_of(const Index_array& faces)
 {
   return Polygons::of_triangles(faces.data(), faces.data() + faces.size());
@@ -170,6 +183,8 @@ Polygon_soup checked_soup_of(const Number_array& points, const Index_array& face
 {
   check_finite(points);
   Polygon_soup soup = soup_of(points, faces);
+  if(faces.size() == 0)
+    check_different(soup.points);
   check(IT::diagnose_polygon_soup(soup.points, soup.polygons), [&](Defect_kind kind) {
     return is_about_manifolds(kind) ||
            (are_zero_lengths_allowed && kind == Defect_kind::ZERO_LENGTH_EDGE);

@@ -503,8 +503,8 @@ py::array first_neighbors(const Bound_triangulation& self)
   });
 }
 
-// Returns vectors at all vertices, from the nearest of some vertices by parallel transport. They are
-// in the frames of the input.
+// Returns vectors at all vertices, from the nearest of some vertices by parallel transport. They
+// are in the frames of the input.
 py::array transported(const Bound_triangulation& self, const Index_array& vertices,
                       const py::array_t<std::complex<double>, py::array::c_style>& vectors,
                       double time_step_factor)

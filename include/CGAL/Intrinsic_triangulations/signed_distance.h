@@ -90,7 +90,7 @@ Surface_curve<FT> segments_with_length(const Surface_curve<FT>& curve)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if exact distances are requested and the curve does not separate a
-///   component, if no segment has a length, or if the factor is not positive, or greater than
+///   component, or if no segment has a length. The factor must be positive, and at most
 ///   \f$1.6 \cdot 10^{13}\f$
 /// \throws Numerical_error, Underflow_error as `Signed_heat_distance` if heat is used, or
 ///   `Numerical_error` as `Shortest_paths::run()` if exact distances are requested
