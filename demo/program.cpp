@@ -76,7 +76,7 @@ int run(Command_line& line)
   } catch(const Program_error& e) {
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {
-    return report(e, 2);
+    return report(std::runtime_error(line.common().input + ": " + e.what()), 2);
   } catch(const Map_failure& e) {
     return report(e, 1);
   } catch(const CGAL::Intrinsic_triangulations::Error& e) {

@@ -59,8 +59,8 @@ class Frames(unittest.TestCase):
         inside = ((V[:, :2] > 0) & (V[:, :2] < 1)).all(axis=1)
         V = np.where(inside[:, None], support.noisy(V, [0.01, 0.01, 0]), V) @ [[1, 0, 0], [3, 1, 0], [0, 0, 1]]
         self.V, self.F = support.turned(V, F)
-        corners = np.sort(np.vstack([self.F, np.roll(self.F, 1, axis=1)])[:, :2], axis=1)
-        edges, number = np.unique(corners, axis=0, return_counts=True)
+        sides = np.vstack([self.F[:, [0, 1]], self.F[:, [1, 2]], self.F[:, [2, 0]]])
+        edges, number = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
         self.inner = np.setdiff1d(np.arange(len(V)), edges[number == 1])
         self.frames = intrinsic.tangent_frames(self.V, self.F)
         self.axis = self.frames.x[:, 0] + 1j * self.frames.x[:, 1]  # of each vertex, in the plane
@@ -95,8 +95,7 @@ class Frames(unittest.TestCase):
         source = self.inner[np.argmin(abs(self.V[self.inner] - self.V.mean(axis=0)).sum(axis=1))]
         field = intrinsic.transport(self.V, self.F, source, 1j / self.axis[source],
                                     time_step_factor=0.01) * self.axis
-        near = self.inner[np.linalg.norm(self.V[self.inner] - self.V[source], axis=1) < 0.2]
-        self.assertGreater(len(near), 4)
+        near = self.inner[np.argsort(np.linalg.norm(self.V[self.inner] - self.V[source], axis=1))[:6]]
         np.testing.assert_allclose(field[near], 1j, atol=1e-3)
 
     def test_missing(self):
