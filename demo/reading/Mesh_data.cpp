@@ -188,17 +188,31 @@ void add_corner_data(const std::string& name, std::size_t dimension, const Polyg
 
 void make_bytes(std::vector<std::vector<double>>& colors)
 {
-  double greatest = 0;
-  bool are_integers = true;
-  for(const std::vector<double>& component : colors)
-    for(const double x : component) {
-      greatest = (std::max)(greatest, x);
-      are_integers = are_integers && x == std::floor(x);
+  enum Kind
+  {
+    fractions,
+    bytes,
+    both
+  };
+  const auto kind_of = [&](std::size_t i) {
+    double greatest = 0;
+    bool are_integers = true;
+    for(std::size_t k = 0; k < 3; ++k) {
+      greatest = (std::max)(greatest, colors[k][i]);
+      are_integers = are_integers && colors[k][i] == std::floor(colors[k][i]);
     }
-  const double unit = greatest > 1 && (are_integers || greatest >= 2) ? 1 : 255;
+    return are_integers ? (greatest > 1 ? bytes : both) : (greatest < 2 ? fractions : bytes);
+  };
+  std::vector<Kind> kinds;
+  for(std::size_t i = 0; i < colors[0].size(); ++i)
+    kinds.push_back(kind_of(i));
+  const auto have = [&](Kind k) { return std::count(kinds.begin(), kinds.end(), k) > 0; };
+  const Kind doubtful = have(bytes) && !have(fractions) ? bytes : fractions;
   for(std::vector<double>& component : colors)
-    for(double& x : component)
-      x = std::round(std::clamp(unit * x, 0., 255.));
+    for(std::size_t i = 0; i < component.size() && i < kinds.size(); ++i) {
+      const bool is_byte = (kinds[i] == both ? doubtful : kinds[i]) == bytes;
+      component[i] = std::ceil(std::clamp((is_byte ? 1 : 255) * component[i], 0., 255.) - 0.5);
+    }
 }
 
 void clean(Mesh_data& data, std::size_t points)

@@ -120,8 +120,10 @@ void add_corner_data(
   const std::string& name, std::size_t dimension, const Polygons& polygons, std::size_t points,
   const std::function<Corner_data_builder::Coordinates(std::size_t)>& coordinates, Mesh_data& data);
 
-// Converts the components of the colors of a file to integers up to 255. They are fractions if no
-// number is greater than one, or some are no integers and none is two or greater.
+// Converts colors to integers up to 255. `colors` has all values of each component, also of alpha.
+// A color is in fractions if it has others than integers, and all are below 2. It is in integers up
+// to 255 if one is greater than 1. If neither holds, it is like the other colors. Halves are
+// rounded down, as CGAL does.
 void make_bytes(std::vector<std::vector<double>>& colors);
 
 // Removes functions without a value at each of `points` points, and finds the colors. Red, green

@@ -5,7 +5,7 @@
 #include "reading/Soup_repair.h"
 
 #include "reading/close_points.h"
-#include "reading/polygon_splitting.h"
+#include "reading/polygons_with_holes.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>

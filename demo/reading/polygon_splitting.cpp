@@ -5,21 +5,16 @@
 #include "reading/polygon_splitting.h"
 
 #include "Program_error.h"
+#include "reading/flat_polygons.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/utility.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,13 +25,6 @@
 namespace {
 
 using Index = Polygons::Index;
-using Flat_point = Kernel::Point_2;
-using Flat_points = std::vector<Flat_point>;
-using Corners = std::array<std::size_t, 3>; // of a triangle, among those of its polygon
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-  Kernel, CGAL::Triangulation_data_structure_2<
-            CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>,
-            CGAL::Constrained_triangulation_face_base_2<Kernel>>>;
 
 // ---- One polygon ----
 
@@ -57,23 +45,6 @@ Flat_points projection(const std::vector<Point>& points, int x)
   return flat((x + 2) % 3, (x + 1) % 3);
 }
 
-// Returns the axes. The axis along which the polygon has the largest projection comes first.
-std::array<int, 3> axes_by_area(const std::vector<Point>& points)
-{
-  std::array<double, 3> area{};
-  for(std::size_t i = 1; i + 1 < points.size(); ++i)
-    for(int x = 0; x < 3; ++x) {
-      const auto v = points[i] - points[0], w = points[i + 1] - points[0];
-      area[static_cast<std::size_t>(x)] += CGAL::cross_product(v, w)[x];
-    }
-  std::array<int, 3> result{0, 1, 2};
-  std::stable_sort(result.begin(), result.end(), [&](int x, int y) {
-    return std::abs(area[static_cast<std::size_t>(x)]) >
-           std::abs(area[static_cast<std::size_t>(y)]);
-  });
-  return result;
-}
-
 // Returns the best projection, or nothing if the polygon is simple in none.
 Flat_points best_projection(const std::vector<Point>& points)
 {
@@ -84,10 +55,10 @@ Flat_points best_projection(const std::vector<Point>& points)
 }
 
 // Returns the faces of a triangulation inside the polygon of its constraints, which is simple.
-std::vector<Corners> inner_faces(const Triangulation& triangulation)
+std::vector<Corners> inner_faces(const Flat_triangulation& triangulation)
 {
-  std::set<Triangulation::Face_handle> outside{triangulation.infinite_face()};
-  std::vector<Triangulation::Face_handle> stack(outside.begin(), outside.end());
+  std::set<Flat_triangulation::Face_handle> outside{triangulation.infinite_face()};
+  std::vector<Flat_triangulation::Face_handle> stack(outside.begin(), outside.end());
   while(!stack.empty()) {
     const auto f = stack.back();
     stack.pop_back();
@@ -104,8 +75,8 @@ std::vector<Corners> inner_faces(const Triangulation& triangulation)
 
 std::vector<Corners> triangles_of(const Flat_points& points)
 {
-  Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> vertices;
+  Flat_triangulation triangulation;
+  std::vector<Flat_triangulation::Vertex_handle> vertices;
   for(const Flat_point& p : points) {
     vertices.push_back(triangulation.insert(p));
     vertices.back()->info() = vertices.size() - 1;
@@ -319,155 +290,7 @@ private:
   std::vector<bool> m_is_reversed;
 };
 
-// ---- Polygons with holes ----
-
-// Represents the boundaries of a polygon with holes: its sides, without those that run in both
-// directions.
-class Keyhole
-{
-public:
-  Keyhole(const std::vector<std::size_t>& vertices, const std::vector<Point>& points)
-    : m_vertices(vertices)
-  {
-    std::multiset<std::pair<std::size_t, std::size_t>> sides;
-    for(std::size_t i = 0; i < vertices.size(); ++i)
-      sides.emplace(vertices[i], target(i));
-    for(std::size_t i = 0; i < vertices.size(); ++i)
-      if(sides.count({target(i), vertices[i]}) == 0)
-        m_sides.push_back(i);
-    project(points);
-  }
-
-  // Returns the triangles, or nothing if the polygon has no holes, or boundaries cross.
-  std::vector<Corners> triangles() const
-  {
-    double area = 0, all = 0;
-    for(const std::vector<std::size_t>& loop : loops()) {
-      area += doubled_area(loop);
-      all += std::abs(doubled_area(loop));
-    }
-    Triangulation triangulation;
-    if(is_near(area, all) || !insert_sides(triangulation))
-      return {};
-    std::vector<Corners> result = faces_between(triangulation);
-    double found = 0;
-    for(const Corners& t : result)
-      found += doubled_area({t[0], t[1], t[2]});
-    if(!is_near(found, area)) // some holes turn like the outer boundary
-      result.clear();
-    return result;
-  }
-
-private:
-  static bool is_near(double area, double other)
-  {
-    constexpr double greatest_error = 1e-6;
-    return std::abs(area - other) <= greatest_error * other;
-  }
-
-  std::size_t target(std::size_t i) const { return m_vertices[(i + 1) % m_vertices.size()]; }
-
-  // Projects along the axis of the largest projection, so that the area is positive.
-  void project(const std::vector<Point>& points)
-  {
-    const int axis = axes_by_area(points)[0];
-    std::vector<std::size_t> all;
-    for(std::size_t i = 0; i < points.size(); ++i) {
-      m_flat.emplace_back(points[i][(axis + 1) % 3], points[i][(axis + 2) % 3]);
-      all.push_back(i);
-    }
-    if(doubled_area(all) < 0)
-      for(Flat_point& p : m_flat)
-        p = Flat_point(p.y(), p.x());
-  }
-
-  double doubled_area(const std::vector<std::size_t>& corners) const
-  {
-    double result = 0;
-    for(std::size_t i = 1; i + 1 < corners.size(); ++i) {
-      const auto v = m_flat[corners[i]] - m_flat[corners[0]],
-                 w = m_flat[corners[i + 1]] - m_flat[corners[0]];
-      result += v.x() * w.y() - v.y() * w.x();
-    }
-    return result;
-  }
-
-  // Returns the corners of closed loops of sides, in which no vertex is repeated.
-  std::vector<std::vector<std::size_t>> loops() const
-  {
-    std::multimap<std::size_t, std::size_t> outgoing;
-    for(const std::size_t i : m_sides)
-      outgoing.emplace(m_vertices[i], i);
-    std::vector<std::vector<std::size_t>> result;
-    std::vector<std::size_t> path;
-    std::map<std::size_t, std::size_t> place; // of the vertices on the path
-    while(!outgoing.empty()) {
-      const auto side = outgoing.find(path.empty() ? outgoing.begin()->first : target(path.back()));
-      place.emplace(m_vertices[side->second], path.size());
-      path.push_back(side->second);
-      outgoing.erase(side);
-      const auto closed = place.find(target(path.back()));
-      if(closed == place.end())
-        continue;
-      const auto first = path.begin() + static_cast<std::ptrdiff_t>(closed->second);
-      result.emplace_back(first, path.end());
-      for(const std::size_t i : result.back())
-        place.erase(m_vertices[i]);
-      path.erase(first, path.end());
-    }
-    return result;
-  }
-
-  // Returns whether sides cross neither themselves nor each other.
-  bool insert_sides(Triangulation& triangulation) const
-  {
-    std::map<std::size_t, Triangulation::Vertex_handle> vertex;
-    for(const std::size_t i : m_sides) {
-      vertex[m_vertices[i]] = triangulation.insert(m_flat[i]);
-      vertex[m_vertices[i]]->info() = i;
-    }
-    if(triangulation.number_of_vertices() != vertex.size())
-      return false;
-    try {
-      for(const std::size_t i : m_sides)
-        triangulation.insert_constraint(vertex.at(m_vertices[i]), vertex.at(target(i)));
-    } catch(const Triangulation::Intersection_of_constraints_exception&) {
-      return false;
-    }
-    return true;
-  }
-
-  // Returns the faces that an odd number of sides separates from infinity.
-  static std::vector<Corners> faces_between(const Triangulation& triangulation)
-  {
-    std::map<Triangulation::Face_handle, bool> is_inside{{triangulation.infinite_face(), false}};
-    std::vector<Triangulation::Face_handle> stack{triangulation.infinite_face()};
-    while(!stack.empty()) {
-      const auto f = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 3; ++i)
-        if(is_inside.emplace(f->neighbor(i), is_inside.at(f) != f->is_constrained(i)).second)
-          stack.push_back(f->neighbor(i));
-    }
-    std::vector<Corners> result;
-    for(const auto f : triangulation.finite_face_handles())
-      if(is_inside.at(f))
-        result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-    return result;
-  }
-
-  const std::vector<std::size_t>& m_vertices;
-  std::vector<std::size_t> m_sides; // by the corners at which they start
-  Flat_points m_flat;               // of each corner
-};
-
 } // namespace
-
-std::vector<std::array<std::size_t, 3>>
-triangles_of_keyhole(const std::vector<std::size_t>& vertices, const std::vector<Point>& points)
-{
-  return Keyhole(vertices, points).triangles();
-}
 
 void split_polygons(const std::string& path, Polygon_soup& soup, const Polygon_tolerance& tolerance)
 {

@@ -7,10 +7,7 @@
 
 #include "reading/Polygon_soup.h"
 
-#include <array>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 struct Polygon_tolerance
 {
@@ -28,12 +25,5 @@ struct Polygon_tolerance
 // Precondition: coordinates are finite, indices are in range, no face has a corner twice.
 void split_polygons(const std::string& path, Polygon_soup& soup,
                     const Polygon_tolerance& tolerance);
-
-// Returns the triangles of a polygon with holes, as positions in `vertices`. Its outer boundary and
-// its holes have common vertices, or are joined by sides that run in both directions. Returns
-// nothing if the polygon has no holes, or if its boundaries cross each other, seen along the axis
-// of its largest projection. `points` has the point of each corner.
-std::vector<std::array<std::size_t, 3>>
-triangles_of_keyhole(const std::vector<std::size_t>& vertices, const std::vector<Point>& points);
 
 #endif // INTRINSIC_POLYGON_SPLITTING_H

@@ -64,4 +64,4 @@ for line in '0 1 2 99' '0 1 2'; do
   refuses "$([ "$line" = '0 1 2' ] && echo 'ends too early' || echo 'line 1 cannot be understood: vertex 99')" \
     convex net.mesh.off --glue sides.txt -o a.off
 done
-expect_files
+expect_files cross.txt wrong.txt sides.txt

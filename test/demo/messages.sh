@@ -216,6 +216,8 @@ calls <<'TABLE'
 2 | --max-insertions is for --refine and --min-angle; add one of them | simplify flat.mesh.off -o a.ply --vertices 9 --max-insertions 9
 2 | --levels is for --prolongation, --save and --stats; add one of them | simplify flat.mesh.off -o a.ply --vertices 9 --levels 3
 2 | a.mesh.xyz: has points only; exact distances and curves need a surface | distance a.mesh.xyz --neighbors 3 --source 0 --method exact -o a.ply
+2 | flat.mesh.off: has no faces after the repair; use --weld with a distance less than the edge lengths | delaunay flat.mesh.off -o a.off --weld 100
+2 | --weight: curvature has two weights; give one | simplify flat.mesh.off --vertices 5 -o a.ply --weight curvature=1 --weight curvature=2
 2 | a.mesh.xyz: has points only, and --weld merges points of faces; leave it out | operators a.mesh.xyz --neighbors 3 --weld 0.1 --prefix a
 2 | intrinsic: --mollify: '2' is not a number from 1e-16 to 1 | delaunay flat.mesh.off -o a.ply --mollify 2
 2 | intrinsic: Exactly 1 option from [--vertices,--ratio,--error] is required | simplify flat.mesh.off -o a.obj

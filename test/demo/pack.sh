@@ -61,6 +61,6 @@ for mesh in point huge; do
 done
 rm a.ply
 off isolated '0 0 0,1 0 0,0 1 0,0 0 1,5 5 5' '0 2 1,0 1 3,1 2 3,2 0 3'
-refuses 'isolated.mesh.off: vertex 4 has no face; --repair removes' pack isolated.mesh.off -o a.ply
-refuses 'isolated.mesh.off: vertex 4 has no face; --repair removes' convex isolated.mesh.off -o a.ply
+refuses 'isolated.mesh.off: vertex 4 has no face; --repair removes such vertices' pack isolated.mesh.off -o a.ply
+refuses 'isolated.mesh.off: vertex 4 has no face; --repair removes such vertices' convex isolated.mesh.off -o a.ply
 expect_files
