@@ -6,13 +6,13 @@
 
 #include "Program_error.h"
 #include "reading/Mesh_reader.h"
+#include "reading/close_points.h"
 #include "reading/polygon_splitting.h"
 
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/local_triangulations.h>
 
 #include <iostream>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -116,38 +116,37 @@ void check_cloud(const Common_options& options)
                         ": has points only; exact distances and curves need a surface");
 }
 
-// Removes points at the position of an earlier point, and returns their number.
-std::size_t remove_copies(Polygon_soup& soup)
+// Removes all points except those at the indices `kept`, which are ascending.
+void keep_points(const std::vector<std::size_t>& kept, Polygon_soup& soup)
 {
-  std::map<Point, std::size_t> first;
-  std::vector<std::size_t> kept;
-  for(std::size_t i = 0; i < soup.points.size(); ++i)
-    if(first.emplace(soup.points[i], i).second)
-      kept.push_back(i);
-  const std::size_t copies = soup.points.size() - kept.size();
   const auto keep = [&](auto& values) {
     for(std::size_t i = 0; i < kept.size(); ++i)
       values[i] = values[kept[i]];
     values.resize(kept.size(), values.front());
   };
-  if(copies == 0)
-    return 0;
   keep(soup.points);
   for(Point_function& f : soup.data.functions)
     keep(f.values);
-  return copies;
 }
 
-// Copies of points would count as neighbors.
-void check_copies(const std::string& path, const Polygon_soup& soup)
+// Removes points at the position of an earlier point, which would count as neighbors.
+// Throws Program_error if there are such points, but no repair is wanted.
+void remove_copies(const Common_options& options, Polygon_soup& soup, Repair_report& repairs)
 {
-  std::map<Point, std::size_t> first;
-  for(std::size_t i = 0; i < soup.points.size(); ++i)
-    if(const auto [place, is_new] = first.emplace(soup.points[i], i); !is_new)
-      throw Program_error(path + ": points " + std::to_string(place->second) + " and " +
+  const std::vector<std::size_t> first = first_equal_points(soup.points);
+  std::vector<std::size_t> kept;
+  for(std::size_t i = 0; i < first.size(); ++i)
+    if(first[i] == i)
+      kept.push_back(i);
+    else if(!options.is_repaired())
+      throw Program_error(options.input + ": points " + std::to_string(first[i]) + " and " +
                           std::to_string(i) +
-                          " are at the same position; --repair merges such "
-                          "points");
+                          " are at the same position; --repair merges such points");
+  if(kept.size() == first.size())
+    return;
+  keep_points(kept, soup);
+  repairs.emplace_back("points merged with an equal one", first.size() - kept.size());
+  print_repairs(options.input, repairs);
 }
 
 void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t neighbors)
@@ -158,18 +157,6 @@ void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t 
     throw Program_error(path +
                         ": no point has neighbors in two directions; raise --neighbors unless all "
                         "points are on a line");
-}
-
-// Triangulates a cloud of points, without copies of points.
-void prepare_cloud(const Common_options& options, Polygon_soup& soup, Repair_report& repairs)
-{
-  const std::size_t copies = options.is_repaired() ? remove_copies(soup) : 0;
-  if(copies > 0) {
-    repairs.emplace_back("points merged with an equal one", copies);
-    print_repairs(options.input, repairs);
-  }
-  check_copies(options.input, soup);
-  triangulate_cloud(options.input, soup, options.number_of_neighbors);
 }
 
 void print_notes(const std::string& path, const Polygon_soup& soup,
@@ -223,9 +210,10 @@ Input_mesh read_input(const Common_options& options, bool is_quiet)
     result.diagnosis = diagnose(soup);
   }
   check_acceptable(path, result.diagnosis, options);
-  if(is_cloud)
-    prepare_cloud(options, soup, result.repairs);
-  else if(number_of_polygons(result.diagnosis) > 0)
+  if(is_cloud) {
+    remove_copies(options, soup, result.repairs);
+    triangulate_cloud(path, soup, options.number_of_neighbors);
+  } else if(number_of_polygons(result.diagnosis) > 0)
     split_polygons(path, soup,
                    {options.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
                     options.is_repaired()});

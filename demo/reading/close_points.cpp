@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -169,4 +170,13 @@ std::size_t weld(std::vector<Point>& points, double distance)
     } else
       grid.insert(i);
   return moved;
+}
+
+std::vector<std::size_t> first_equal_points(const std::vector<Point>& points)
+{
+  std::map<Point, std::size_t> first;
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result.push_back(first.emplace(points[i], i).first->second);
+  return result;
 }

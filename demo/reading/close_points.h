@@ -32,6 +32,9 @@ struct Cracks
 // other.
 Cracks cracks(const Mesh& mesh);
 
+// Returns, for each point, the first point at its position.
+std::vector<std::size_t> first_equal_points(const std::vector<Point>& points);
+
 // Moves each point to the nearest previous point that has not been moved, if its distance is at
 // most `distance`. Returns how many points have changed their coordinates.
 std::size_t weld(std::vector<Point>& points, double distance);

@@ -4,6 +4,8 @@
 
 #include "Surface.h"
 
+#include "reading/close_points.h"
+
 #include <CGAL/Intrinsic_triangulations/angle_on_input.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -97,11 +98,11 @@ void check_finite(const Number_array& points)
 // Throws if two points of a cloud coincide: copies would count as neighbors.
 void check_different(const std::vector<Point>& points)
 {
-  std::map<Point, std::size_t> first;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    if(const auto [place, is_new] = first.emplace(points[i], i); !is_new)
+  const std::vector<std::size_t> first = first_equal_points(points);
+  for(std::size_t i = 0; i < first.size(); ++i)
+    if(first[i] != i)
       throw Element_error("InputError",
-                          "points " + std::to_string(place->second) + " and " + std::to_string(i) +
+                          "points " + std::to_string(first[i]) + " and " + std::to_string(i) +
                             " are at the same position; np.unique(V, axis=0) leaves one of each",
                           {{"row", {i}}});
 }
