@@ -414,12 +414,13 @@ private:
   }
 
   // Returns whether the start may be the reason for a failure. It is not if there is no map, or if
-  // a caller allows few steps.
+  // the minimizer of a caller allows few steps.
   bool may_have_misled(const Planar_conformal_map& map) const
   {
     return has_start() && map.status() != Map_status::no_minimum &&
            map.status() != Map_status::triangle_inequality &&
-           map.minimization().status != Minimization_status::iteration_limit;
+           (!m_parameters.minimizer ||
+            map.minimization().status != Minimization_status::iteration_limit);
   }
 
   // Searches from scale factors of zero from now on, with the whole work of a search.
