@@ -23,16 +23,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Adapts Eigen's Cholesky factorization of Hermitian matrices given by their upper triangles. Rows
-// are not permuted.
-template <typename Scalar>
-class Simplicial_Cholesky
-  : Eigen::SimplicialLLT<Eigen::SparseMatrix<Scalar>, Eigen::Upper, Eigen::NaturalOrdering<int>>
+// Adapts one of Eigen's Cholesky factorizations of Hermitian matrices given by their upper
+// triangles, by default the one for positive definite matrices. Rows are not permuted.
+template <typename Scalar,
+          typename Base = Eigen::SimplicialLLT<Eigen::SparseMatrix<Scalar>, Eigen::Upper,
+                                               Eigen::NaturalOrdering<int>>>
+class Simplicial_Cholesky : Base
 {
-  typedef Eigen::SimplicialLLT<Eigen::SparseMatrix<Scalar>, Eigen::Upper,
-                               Eigen::NaturalOrdering<int>>
-    Base;
-
 public:
   typedef Eigen::SparseMatrix<Scalar> Matrix;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
@@ -52,7 +49,7 @@ public:
     Base::analyzePattern(upper);
   }
 
-  // Returns false if the matrix is not positive definite.
+  // Returns false if the factorization does not exist.
   bool factorize(const Matrix& upper)
   {
     Base::factorize(upper);
@@ -66,6 +63,13 @@ public:
   // public function for it.
   double size() const { return static_cast<double>(Base::m_matrix.nonZeros()); }
 };
+
+// Factorizes matrices that may be indefinite as L D L^T. The signs of D are the signs of the
+// eigenvalues.
+template <typename Scalar>
+using Indefinite_Cholesky =
+  Simplicial_Cholesky<Scalar, Eigen::SimplicialLDLT<Eigen::SparseMatrix<Scalar>, Eigen::Upper,
+                                                    Eigen::NaturalOrdering<int>>>;
 
 // Selects the factorization for numbers of this type. Types unknown to Eigen have specializations.
 template <typename Scalar>

@@ -104,7 +104,10 @@ public:
 
   friend Self ldexp(Self x, int exponent)
   {
-    return {std::ldexp(x.m_high, exponent), std::ldexp(x.m_low, exponent)};
+    if(std::abs(exponent) > 1000)
+      return {std::ldexp(x.m_high, exponent), std::ldexp(x.m_low, exponent)};
+    const double factor = std::ldexp(1., exponent);
+    return {factor * x.m_high, factor * x.m_low};
   }
 
 private:

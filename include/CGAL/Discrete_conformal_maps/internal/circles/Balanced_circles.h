@@ -62,23 +62,11 @@ public:
   // space. A move ends early if a circle would otherwise reach the size of a hemisphere.
   void balance()
   {
-    for(int i = 0; i < most_steps; ++i) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      Eigen::Matrix3d Hessian = tolerance::least_curvature * Eigen::Matrix3d::Identity();
-      for(std::size_t v = 0; v < m_mass.size(); ++v) {
-        const Eigen::Vector3d q(m_pole[v][0].high(), m_pole[v][1].high(), m_pole[v][2].high());
-        const Eigen::Vector3d p = q.normalized();
-        sum += m_mass[v] * p;
-        Hessian += m_mass[v] / q.norm() * (Eigen::Matrix3d::Identity() - p * p.transpose());
-      }
-      const Eigen::Vector3d step = Hessian.ldlt().solve(sum);
-      double length = (std::min)(longest_step, step.norm());
-      while(length > tolerance::center && !can_move(step.normalized(), length))
-        length /= 2;
-      if(!(length > tolerance::center))
-        return;
-      move(step.normalized(), length);
+    std::vector<Extended> shrinkage(m_pole.size(), Extended(1));
+    for(int i = 0; i < most_steps && balance_step(shrinkage); ++i) {
     }
+    for(std::size_t v = 0; v < shrinkage.size(); ++v)
+      m_log_scale[v] -= log(shrinkage[v]);
   }
 
   // Applies the orthogonal map whose matrix has these rows.
@@ -99,6 +87,28 @@ private:
   static constexpr double longest_step = 1, least_cosine = 0.05;
   static constexpr int most_steps = 200;
 
+  // Makes one step of `balance()`, and multiplies the factors by which circles have shrunk by
+  // theirs. Returns whether a step has been necessary.
+  bool balance_step(std::vector<Extended>& shrinkage)
+  {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d Hessian = tolerance::least_curvature * Eigen::Matrix3d::Identity();
+    for(std::size_t v = 0; v < m_mass.size(); ++v) {
+      const Eigen::Vector3d q(m_pole[v][0].high(), m_pole[v][1].high(), m_pole[v][2].high());
+      const Eigen::Vector3d p = q.normalized();
+      sum += m_mass[v] * p;
+      Hessian += m_mass[v] / q.norm() * (Eigen::Matrix3d::Identity() - p * p.transpose());
+    }
+    const Eigen::Vector3d step = Hessian.ldlt().solve(sum);
+    double length = (std::min)(longest_step, step.norm());
+    while(length > tolerance::center && !can_move(step.normalized(), length))
+      length /= 2;
+    if(!(length > tolerance::center))
+      return false;
+    move(step.normalized(), length, shrinkage);
+    return true;
+  }
+
   // Returns whether all circles stay smaller than a hemisphere if the point at this distance
   // becomes the center.
   bool can_move(const Eigen::Vector3d& direction, double length) const
@@ -111,18 +121,18 @@ private:
     });
   }
 
-  void move(const Eigen::Vector3d& direction, double length)
+  void move(const Eigen::Vector3d& direction, double length, std::vector<Extended>& shrinkage)
   {
     const Point d{direction[0], direction[1], direction[2]};
     const Extended x = Extended(length), e = exp(x), cosh = (e + 1 / e) / 2, unit = dot(d, d),
-                   sinh = (e - 1 / e) / 2 / sqrt(unit);
+                   sinh = (e - 1 / e) / 2 / sqrt(unit), along_factor = (cosh - 1) / unit;
     for(std::size_t v = 0; v < m_pole.size(); ++v) {
       Point& q = m_pole[v];
       const Extended along = dot(d, q), time = cosh - sinh * along,
-                     shift = (cosh - 1) * along / unit - sinh;
+                     shift = along_factor * along - sinh, inverse = 1 / time;
       for(std::size_t c = 0; c < 3; ++c)
-        q[c] = (q[c] + shift * d[c]) / time;
-      m_log_scale[v] += -log(time);
+        q[c] = inverse * (q[c] + shift * d[c]);
+      shrinkage[v] *= time;
     }
   }
 

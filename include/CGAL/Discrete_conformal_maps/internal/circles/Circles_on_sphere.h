@@ -10,10 +10,13 @@
 #include <CGAL/Discrete_conformal_maps/internal/circles/Balanced_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/Cholesky.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -21,6 +24,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,8 +37,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // polyhedron is rigid, and unique up to Moebius transformations (Schlenker 1998). Radii grow from
 // zero, for which the ideal polyhedron is known, to their values. Newton's method corrects the
 // angle defects on this path. The Moebius transformations form the kernel of the Hessian. They are
-// excluded by fixed circles at the corners of a face. Then the Hessian agrees with the Hessian in
-// the plane, as seen from a point inside the face.
+// excluded by fixed circles at the corners of a face. One eigenvalue of the Hessian is negative, as
+// for equal scale factors on a smooth sphere.
 class Circles_on_sphere
 {
   typedef Eigen::VectorXd Vector;
@@ -42,21 +47,29 @@ public:
   typedef Balanced_circles::Point Point;
 
   // `mesh` is T_2 with the lengths of its tangents and the radii. `circles` contains the scale
-  // factors and positions of the ideal polyhedron, and the masses of vertices.
+  // factors and positions of the ideal polyhedron, and the masses of vertices. `order` is an
+  // elimination order of the vertices, if it is known.
   Circles_on_sphere(const Delta_complex& mesh, std::vector<Extended> tangent,
-                    std::vector<Extended> radius, Balanced_circles circles)
+                    std::vector<Extended> radius, Balanced_circles circles,
+                    std::shared_ptr<Shared_order> order)
     : m_mesh(mesh),
       m_tangent(std::move(tangent)),
       m_radius(std::move(radius)),
-      m_circles(std::move(circles))
+      m_circles(std::move(circles)),
+      m_newton(std::move(order))
   {}
 
-  // Follows the polyhedra to the final radii with numbers of this type. Returns whether it has
-  // reached the radii. The balanced circles have the final digits.
+  // Follows the polyhedra to the final radii with numbers of this type. If they suffice and the
+  // layout is good, the last polyhedron has their digits, and otherwise the digits of `Extended`.
+  // Returns whether the search has reached the radii.
   template <typename FT>
-  bool run(Any_visitor& visitor)
+  bool run(bool digits_suffice, Any_visitor& visitor)
   {
-    return grow<FT>(visitor) && reach<Extended>(1, visitor);
+    const bool is_reached =
+      grow<FT>(visitor) && ((digits_suffice && has_good_layout()) || reach<Extended>(1, visitor));
+    if(is_reached)
+      m_circles.balance();
+    return is_reached;
   }
 
   // Returns why the radii have not been reached.
@@ -65,13 +78,12 @@ public:
     if(m_part > 0)
       return "circles grow only to the part " + std::to_string(m_part) +
              " of the squares of their radii";
-    auto ideal = surface_with<Extended>(0);
-    const bool has_lengths = ideal.scale(m_circles.log_scale());
-    const double error = has_lengths ? ideal.defects().lpNorm<Eigen::Infinity>() : 0;
-    return !has_lengths            ? "lengths on the sphere exceed the range of numbers"
-           : !std::isfinite(error) ? "a face of the polyhedron without circles contains the center "
-                                     "within rounding"
-           : error > tolerance::layout_angle
+    const std::optional<double> error = ideal_error<Extended>();
+    return !error ? "lengths on the sphere exceed the range of numbers"
+           : !std::isfinite(*error)
+             ? "a face of the polyhedron without circles contains the center "
+               "within rounding"
+           : *error > tolerance::layout_angle
              ? "rounding of lengths exceeds angles of the polyhedron without circles"
              : "circles do not grow";
   }
@@ -85,21 +97,49 @@ public:
   std::size_t newton_steps() const { return m_steps; }
 
 private:
-  static constexpr double least_step = 1e-5, greatest_change = 2;
+  static constexpr double least_step = 1e-5, greatest_change = 2, greatest_start_error = 1;
   static constexpr std::size_t most_steps = 1000, steps_of_Newton = 25;
+  template <typename FT>
+  static constexpr double enough =
+    std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
 
   // Grows the radii, starting from the fraction of their squares that has been reached.
   template <typename FT>
   bool grow(Any_visitor& visitor)
   {
+    if(m_part == 0 && !is_near_ideal<FT>())
+      return false;
     for(double step = 1; m_part < 1 && step > least_step && m_steps < most_steps;) {
       const double next = (std::min)(1., m_part + step);
       const bool is_reached = reach<FT>(next, visitor);
       m_part = is_reached ? next : m_part;
       step *= is_reached ? 2 : 0.25;
+      if(is_reached && m_part < 1)
+        m_circles.balance();
     }
     return m_part == 1;
   }
+
+  // Returns the greatest angle defect without circles, or nothing if lengths exceed their range.
+  template <typename FT>
+  std::optional<double> ideal_error() const
+  {
+    auto ideal = surface_with<FT>(0);
+    if(!ideal.scale(m_circles.log_scale()))
+      return {};
+    return ideal.defects().template lpNorm<Eigen::Infinity>();
+  }
+
+  // Returns whether circles can start to grow with numbers of this type.
+  template <typename FT>
+  bool is_near_ideal() const
+  {
+    const std::optional<double> error = ideal_error<FT>();
+    return error && *error < greatest_start_error;
+  }
+
+  // Returns whether positions agree with lengths. A length cross ratio has four lengths.
+  bool has_good_layout() const { return 4 * m_layout_error < tolerance::good_cross_ratio; }
 
   // Returns the surface whose squared radii are this fraction of the final ones.
   template <typename FT>
@@ -124,7 +164,7 @@ private:
   {
     auto surface = surface_with<FT>(part);
     std::vector<Extended> u = m_circles.log_scale();
-    Fixed_face newton;
+    m_newton.restart();
     double before = std::numeric_limits<double>::infinity();
     for(std::size_t step = 0; step < steps_of_Newton && surface.scale(u); ++step) {
       const Vector defect = surface.defects();
@@ -136,13 +176,13 @@ private:
         keep(surface, u, error);
         return true;
       }
-      if(!newton.contracts(error, before)) {
+      if(!m_newton.leads_to(enough<FT>, error, before)) {
         ++m_steps;
-        if(!newton.factorize(surface))
+        if(!m_newton.factorize(surface))
           return false;
       }
       before = error;
-      if(!move(u, newton.direction(defect, surface)))
+      if(!move(u, m_newton.direction(defect, surface)))
         return false;
     }
     return false;
@@ -152,9 +192,7 @@ private:
   template <typename FT>
   static bool is_enough(double error, double before)
   {
-    constexpr double enough =
-      std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
-    return error < enough ||
+    return error < enough<FT> ||
            (error < tolerance::curvature && error > tolerance::contraction * before);
   }
 
@@ -162,28 +200,37 @@ private:
   class Fixed_face
   {
   public:
-    // Returns whether the last step was good enough to use its factorization again.
-    bool contracts(double error, double before)
+    explicit Fixed_face(std::shared_ptr<Shared_order> order) : m_order(std::move(order)) {}
+
+    // Forgets the factorization, but not the order of its variables.
+    void restart() { m_is_used = false; }
+
+    // Returns whether the factorization is used again. A new factorization takes as long as some
+    // steps. So the steps that are left must be fewer if they reduce errors like the last one.
+    bool leads_to(double enough, double error, double before)
     {
-      return m_corrections++ < tolerance::corrections && error <= tolerance::contraction * before;
+      const double contraction = error / before;
+      return m_is_used && contraction <= tolerance::contraction &&
+             error * std::pow(contraction, tolerance::corrections) <= enough;
     }
 
+    // Returns false if the matrix is singular.
     template <typename Surface>
     bool factorize(const Surface& surface)
     {
-      m_corrections = 0;
-      m_corner = surface.corners_of_greatest_face();
-      m_solver.compute(surface.matrix(m_corner));
-      return m_solver.info() == Eigen::Success;
+      m_is_used = true;
+      const auto corner = surface.corners_of_greatest_face();
+      if(!m_solver || corner != m_corner)
+        m_solver.emplace(rows_without(corner, surface.mesh()), m_order);
+      m_corner = corner;
+      return m_solver->factorize(surface.matrix(), Vector::Zero(surface.mesh().num_vertices()));
     }
 
     // Returns the changes of scale factors. The variables w satisfy dw = cos R du.
     template <typename Surface>
-    Vector direction(Vector defect, const Surface& surface) const
+    Vector direction(const Vector& defect, const Surface& surface)
     {
-      for(Vertex_index v : m_corner)
-        defect[Eigen::Index(v.idx())] = 0;
-      Vector result = -m_solver.solve(defect);
+      Vector result = -m_solver->solve(defect);
       for(Vertex_index v : surface.mesh().vertices())
         result[Eigen::Index(v.idx())] *=
           std::hypot(1, static_cast<double>(surface.scaled_radius(v)));
@@ -191,9 +238,22 @@ private:
     }
 
   private:
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_solver;
+    typedef Hessian_solver<Intrinsic_triangulations::internal::Indefinite_Cholesky<double>> Solver;
+
+    static Solver::Order rows_without(const std::array<Vertex_index, 3>& corner,
+                                      const Delta_complex& mesh)
+    {
+      Solver::Order result;
+      for(Vertex_index v : mesh.vertices())
+        if(!mesh.is_isolated(v) && std::find(corner.begin(), corner.end(), v) == corner.end())
+          result.push_back(Eigen::Index(v.idx()));
+      return result;
+    }
+
+    std::shared_ptr<Shared_order> m_order;
+    std::optional<Solver> m_solver;
     std::array<Vertex_index, 3> m_corner;
-    std::size_t m_corrections = tolerance::corrections;
+    bool m_is_used = false;
   };
 
   static bool move(std::vector<Extended>& u, const Vector& change)
@@ -213,8 +273,9 @@ private:
     std::vector<Extended> radii;
     for(Vertex_index v : surface.mesh().vertices())
       radii.emplace_back(surface.scaled_radius(v));
-    m_circles.assign(u, radii, surface.centers());
-    m_circles.balance();
+    const std::vector<Point> centers = surface.centers();
+    m_layout_error = surface.layout_error(centers);
+    m_circles.assign(u, radii, centers);
     m_flips = surface.flips();
     m_angle_error = error;
   }
@@ -223,8 +284,10 @@ private:
   std::vector<Extended> m_tangent, m_radius;
   Balanced_circles m_circles;
   std::vector<Halfedge_index> m_flips;
+  Fixed_face m_newton;
   double m_part = 0; // the fraction of the squared radii
-  double m_angle_error = std::numeric_limits<double>::infinity();
+  // These are errors of the last polyhedron.
+  double m_angle_error = std::numeric_limits<double>::infinity(), m_layout_error = m_angle_error;
   std::size_t m_steps = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
@@ -123,19 +124,13 @@ public:
     return result;
   }
 
-  // Returns the negative derivatives of the sums of angles. Rows and columns of fixed and isolated
-  // vertices are the rows and columns of the identity.
-  Matrix matrix(const std::array<Vertex_index, 3>& fixed) const
+  // Returns the negative derivatives of the sums of angles.
+  Matrix matrix() const
   {
-    std::vector<char> is_free(mesh().num_vertices(), 1);
-    for(Vertex_index v : mesh().vertices())
-      is_free[v.idx()] = !mesh().is_isolated(v);
-    for(Vertex_index v : fixed)
-      is_free[v.idx()] = 0;
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(12 * mesh().num_faces());
     const auto add = [&](Vertex_index v, Vertex_index w, double x) {
-      if(is_free[v.idx()] && is_free[w.idx()])
-        entries.emplace_back(int(v.idx()), int(w.idx()), x);
+      entries.emplace_back(int(v.idx()), int(w.idx()), x);
     };
     for(Face_index f : mesh().faces()) {
       const auto side = sides(f, mesh());
@@ -150,10 +145,8 @@ public:
         add(j, j, own);
       }
     }
-    for(std::size_t v = 0; v < is_free.size(); ++v)
-      if(!is_free[v])
-        entries.emplace_back(int(v), int(v), 1);
-    Matrix result(Eigen::Index(is_free.size()), Eigen::Index(is_free.size()));
+    const auto n = static_cast<Eigen::Index>(mesh().num_vertices());
+    Matrix result(n, n);
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
   }
@@ -180,24 +173,47 @@ public:
   {
     std::vector<std::array<Extended, 3>> result(mesh().num_vertices(), {0, 0, 1});
     std::vector<char> is_placed(mesh().num_vertices(), 0), is_done(mesh().num_faces(), 0);
-    std::queue<std::pair<Halfedge_index, Frame>> next;
-    const auto visit = [&](Halfedge_index h, const Frame& at_source) {
-      const auto& p = at_source.position;
-      if(!std::exchange(is_placed[mesh().source(h).idx()], char(1)))
-        result[mesh().source(h).idx()] = {Extended(p[0]), Extended(p[1]), Extended(p[2])};
-      next.emplace(h, at_source);
+    const auto place = [&](Vertex_index v, const auto& frame) {
+      if(std::exchange(is_placed[v.idx()], char(1)))
+        return;
+      const auto p = frame().position;
+      result[v.idx()] = {Extended(p[0]), Extended(p[1]), Extended(p[2])};
     };
-    visit(mesh().halfedge(*mesh().faces().begin()), {{0, 0, 1}, {1, 0, 0}});
+    std::queue<std::pair<Halfedge_index, Frame>> next;
+    const auto visit = [&](Halfedge_index h, const auto& at_source) {
+      if(!is_done[mesh().face(h).idx()])
+        next.emplace(h, at_source());
+    };
+    visit(mesh().halfedge(*mesh().faces().begin()), [] { return Frame{{0, 0, 1}, {1, 0, 0}}; });
     for(; !next.empty(); next.pop()) {
       const auto [h, at_source] = next.front();
       if(std::exchange(is_done[mesh().face(h).idx()], char(1)))
         continue;
       const std::array<Halfedge_index, 3> side{h, mesh().next(h), mesh().prev(h)};
       const Triangle t = triangle(side);
-      const Frame to_third = at_source.turned(t.corner(0));
-      visit(mesh().opposite(side[0]), at_source.at_end(t.length(0)));
-      visit(mesh().opposite(side[1]), to_third.at_end(t.length(2)).turned(t.corner(2)));
-      next.emplace(mesh().opposite(side[2]), to_third);
+      const Frame first = at_source, to_third = first.turned(t.corner(0)),
+                  at_third = to_third.at_end(t.length(2));
+      const auto at_target = [&] { return first.at_end(t.length(0)); };
+      place(mesh().source(side[0]), [&] { return first; });
+      place(mesh().source(side[1]), at_target);
+      place(mesh().source(side[2]), [&] { return at_third; });
+      visit(mesh().opposite(side[0]), at_target);
+      visit(mesh().opposite(side[1]), [&] { return at_third.turned(t.corner(2)); });
+      visit(mesh().opposite(side[2]), [&] { return to_third; });
+    }
+    return result;
+  }
+
+  // Returns the greatest relative error of a distance between two of these centers.
+  double layout_error(const std::vector<std::array<Extended, 3>>& center) const
+  {
+    double result = 0;
+    for(Edge_index e : mesh().edges()) {
+      const auto &p = center[mesh().vertex(e, 0).idx()], &q = center[mesh().vertex(e, 1).idx()];
+      const double distance =
+                     std::hypot((q[0] - p[0]).high(), (q[1] - p[1]).high(), (q[2] - p[2]).high()),
+                   chord = 2 * static_cast<double>(m_half_chord[e.idx()]);
+      result = greater_error(result, std::abs(distance - chord) / chord);
     }
     return result;
   }

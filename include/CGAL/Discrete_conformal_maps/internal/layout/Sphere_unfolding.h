@@ -286,7 +286,8 @@ private:
     m_result.flips.insert(m_result.flips.end(), to_convex.begin(), to_convex.end());
     m_result.log_scale =
       spherical_log_scales(m_u, plane_scale, position, m_at_infinity, m_problem.surface());
-    compare(position);
+    if(!is_rough())
+      compare(position);
   }
 
   // Moves the center of mass of all vertices to the center of the sphere. Returns the factor by

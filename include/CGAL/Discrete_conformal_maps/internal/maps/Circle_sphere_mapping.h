@@ -53,8 +53,11 @@ public:
     start_from(rough_unfolding());
     m_layout.exists = grow<double>();
     if(!m_layout.exists) {
-      start_from(
-        best_unfolding(m_without_circles, m_mass, m_visitor, Unfolding_use::precise_start));
+      start_from(unfolding(Unfolding_use::map));
+      m_layout.exists = grow<double>();
+    }
+    if(!m_layout.exists) {
+      start_from(unfolding(Unfolding_use::precise_start));
       m_layout.exists = grow<double>() || grow<Extended>();
     }
     m_layout.at_infinity = m_ideal.layout.at_infinity;
@@ -82,12 +85,17 @@ private:
       .run(m_visitor);
   }
 
+  Unfolded_sphere unfolding(Unfolding_use use)
+  {
+    return best_unfolding(m_without_circles, m_mass, m_visitor, use);
+  }
+
   void start_from(Unfolded_sphere ideal)
   {
     m_ideal = std::move(ideal);
     m_steps += m_ideal.minimization.iterations;
     m_search.emplace(m_problem.triangulation().mesh(), tangents(), m_problem.radii<Extended>(),
-                     ideal_circles());
+                     ideal_circles(), m_without_circles.expanded_order());
     m_visitor.start(Flattening_stage::optimize);
   }
 
@@ -96,10 +104,15 @@ private:
   bool grow()
   {
     const std::size_t before = m_search->newton_steps();
-    const bool is_reached = m_ideal.layout.exists && m_search->run<FT>(m_visitor);
+    const bool is_reached =
+      m_ideal.layout.exists && m_search->run<FT>(double_suffices(), m_visitor);
     m_steps += m_search->newton_steps() - before;
     return is_reached;
   }
+
+  // Returns whether the digits of `double` can suffice. Two mirror images need the digits of
+  // `Extended`, because their boundary lies on a great circle up to rounding.
+  bool double_suffices() const { return m_problem.has_no_copies() && !m_problem.is_measured(); }
 
   std::vector<Extended> tangents() const
   {
@@ -219,32 +232,39 @@ private:
     const Delta_complex& mesh = m_builder.mesh();
     Convexity_certificate& certificate = m_layout.certificate;
     double result = 0;
-    for(Halfedge_index h : mesh.halfedges()) {
-      const double sine = concavity(h, circles);
-      certificate.flipped_triangles += sine == 1 && h == mesh.halfedge(mesh.face(h));
-      certificate.concave_edges +=
-        sine > tolerance::promised_angle && h == mesh.halfedge(mesh.edge(h));
+    for(Edge_index e : mesh.edges()) {
+      const double sine = concavity(mesh.halfedge(e), circles);
+      certificate.concave_edges += sine > tolerance::promised_angle;
       result = greater_error(result, sine);
     }
+    for(Face_index f : mesh.faces()) {
+      const auto side = sides(f, mesh);
+      const auto pole = [&](std::size_t s) { return circles.pole(mesh.source(side[s])); };
+      certificate.flipped_triangles += !(volume(pole(0), pole(1), pole(2)) > 0);
+    }
     m_layout.lost_in_output = certificate.flipped_triangles;
-    return result;
+    return certificate.flipped_triangles > 0 ? 1 : result;
   }
 
+  static Extended volume(const Point& a, const Point& b, const Point& c)
+  {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+
+  // Returns the sine by which the edge of `h` is concave, seen from its source.
   double concavity(Halfedge_index h, const Balanced_circles& circles) const
   {
     const Delta_complex& mesh = m_builder.mesh();
-    const auto volume = [](const Point& a, const Point& b, const Point& c) {
-      return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const Point& a = circles.pole(mesh.source(h));
+    const auto from_a = [&](Vertex_index v) {
+      const Point& p = circles.pole(v);
+      const Point difference{p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+      return Balanced_circles::times(difference, 1 / Balanced_circles::norm(difference));
     };
-    const Point &a = circles.pole(mesh.source(h)), &b = circles.pole(mesh.target(h)),
-                &c = circles.pole(mesh.source(mesh.prev(h))),
-                &d = circles.pole(mesh.source(mesh.prev(mesh.opposite(h))));
-    const auto from_a = [&a](const Point& p) {
-      const Point v{p[0] - a[0], p[1] - a[1], p[2] - a[2]};
-      return Balanced_circles::times(v, 1 / Balanced_circles::norm(v));
-    };
-    return volume(a, b, c) > 0 ? volume(from_a(b), from_a(c), from_a(d)).high() : 1;
+    return volume(from_a(mesh.target(h)), from_a(mesh.source(mesh.prev(h))),
+                  from_a(mesh.source(mesh.prev(mesh.opposite(h)))))
+      .high();
   }
 
   double hemisphere_error() const

@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 // The exponential function and its relatives, which argument-dependent lookup finds, have an error
 // of about 100 u^2, and times the argument if it is greater.
@@ -28,10 +30,16 @@ template <typename Number>
 Number exponential(const Number& x, int n)
 {
   typedef Double_double FT;
+  static const auto inverse = [] {
+    std::array<FT, 11> result;
+    for(int k = 1; k < 11; ++k)
+      result[std::size_t(k)] = FT(1) / k;
+    return result;
+  }();
   const Number part = ldexp(FT(1), -n) * x;
   Number result = part;
   for(int k = 10; k > 1; --k)
-    result = part + FT(1) / k * (part * result);
+    result = part + inverse[std::size_t(k)] * (part * result);
   for(; n > 0; --n)
     result = FT(2) * result + result * result;
   return result;
