@@ -7,24 +7,47 @@
 #include "commands/Command_run.h"
 #include "commands/attempts.h"
 #include "commands/triangulation_stages.h"
+#include "reading/vertex_values.h"
 
 namespace {
 
 constexpr const char* delaunay_help =
-  "Example:\n  intrinsic delaunay bunny.obj -o subdivision.vtp --constrain-angle 40";
+  R"(With --weights, the triangulation is weighted Delaunay. Weights are squared lengths, such as
+squared radii of circles at the vertices; lines of a file are "index weight", other weights are
+zero. The statistics list the vertices that others hide.
+
+Examples:
+  intrinsic delaunay bunny.obj -o subdivision.vtp --constrain-angle 40
+  intrinsic delaunay disks.ply -o subdivision.vtp --weights squared_radius)";
 
 std::string summary_of_flips(Command_run& run)
 {
   const Statistics& s = run.statistics();
-  return summary_of_changes(run) + ", " + s["crossings"].dump() + " crossings, " +
-         s["subdivision"]["faces"].dump() + " faces in the common subdivision";
+  const std::size_t hidden = s.contains("hidden_vertices") ? s["hidden_vertices"].size() : 0;
+  return summary_of_changes(run) + ", " +
+         (hidden > 0 ? std::to_string(hidden) + " hidden vertices, " : "") + s["crossings"].dump() +
+         " crossings, " + s["subdivision"]["faces"].dump() + " faces in the common subdivision";
 }
 
-int write_triangulation(Command_run& run, const Subdivision_options& options, Mesh_format format)
+// Returns the triangulation after flips, and describes it in the statistics.
+Triangulation flipped_triangulation(Command_run& run, const Delaunay_options& options)
 {
-  const Triangulation triangulation = make_delaunay_triangulation(run, {options.constrained_angle});
+  const Constraints constraints{options.constrained_angle};
+  if(options.weights.empty()) {
+    Triangulation result = make_delaunay_triangulation(run, constraints);
+    describe(run, result);
+    return result;
+  }
+  Triangulation result = make_weighted_delaunay_triangulation(
+    run, constraints, vertex_numbers("--weights", options.weights, run.input()));
+  describe_edges(run.statistics(), result);
+  return result;
+}
+
+int write_triangulation(Command_run& run, const Delaunay_options& options, Mesh_format format)
+{
+  const Triangulation triangulation = flipped_triangulation(run, options);
   run.keep_points_only();
-  describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
     Output_mesh mesh = subdivision_mesh(subdivision);
@@ -40,7 +63,7 @@ int write_triangulation(Command_run& run, const Subdivision_options& options, Me
   return 0;
 }
 
-int delaunay(const Common_options& common, const Subdivision_options& options)
+int delaunay(const Common_options& common, const Delaunay_options& options)
 {
   const Mesh_format format = output_format(options.output, options);
   Command_run run("delaunay", common, {options.output});
@@ -56,4 +79,6 @@ void define_delaunay(Command_line& line)
     "delaunay", "Flip a mesh to its intrinsic Delaunay triangulation", delaunay, delaunay_help);
   add_subdivision_options(command, options, line.common());
   add_exact(command, line.common());
+  add_read_file(command, line.common(), "--weights", options.weights,
+                "Weights of vertices: a file, or a property of vertices in the mesh");
 }

@@ -11,6 +11,7 @@
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 #include "reading/map_names.h"
+#include "reading/vertex_values.h"
 #include "writing/Mesh_writer.h"
 #include "writing/flat_triangles.h"
 #include "writing/matrix_market.h"
@@ -182,7 +183,7 @@ public:
     m_visitor.iterations = 0;
     m_conditions = m_run.timed("build", [&] {
       m_mollification = mollification(m_run);
-      m_radii = vertex_radii(m_options.radii, m_run.input());
+      m_radii = vertex_numbers("--radii", m_options.radii, m_run.input());
       return flattening_conditions(m_options, mesh());
     });
     Planar_map map = solved();

@@ -110,21 +110,6 @@ void add_radii(CLI::App& command, Common_options& common, std::string& source)
                 "Circles at vertices: a file of radii, or a property of vertices in the mesh");
 }
 
-std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input)
-{
-  std::vector<double> result(input.mesh.number_of_vertices(), 0.);
-  if(source.empty())
-    return result;
-  if(!input.repairs.empty())
-    throw Program_error("--radii: the mesh had to be repaired, and its vertices differ from the "
-                        "file; give a mesh that needs no repair");
-  if(const Point_function* property = input.data.function(source))
-    return property->values;
-  for(const Vertex_value& x : read_vertex_values(source, result.size()))
-    result[x.vertex] = x.value;
-  return result;
-}
-
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh)
 {
   Conditions result(mesh.number_of_vertices());

@@ -40,11 +40,7 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// Returns the radii of the circles at the vertices, from a property of vertices or a file. The
-// radius is zero at vertices that the file does not contain, and everywhere if `source` is empty.
-// Throws Program_error if the file is wrong.
-std::vector<double> vertex_radii(const std::string& source, const Input_mesh& input);
-
+// Adds the option --radii.
 void add_radii(CLI::App& command, Common_options& common, std::string& source);
 
 // Returns whether the word after --boundary names a shape, whose angles the library finds.

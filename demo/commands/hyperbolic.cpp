@@ -11,6 +11,7 @@
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
 #include "pictures/disk_picture.h"
+#include "reading/vertex_values.h"
 #include "writing/Mesh_writer.h"
 #include "writing/flat_triangles.h"
 
@@ -240,7 +241,7 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
     std::vector<double> radii;
     const Conditions conditions = run.timed("build", [&] {
       epsilon = mollification(run);
-      radii = vertex_radii(options.radii, run.input());
+      radii = vertex_numbers("--radii", options.radii, run.input());
       return options.cones.empty() ? Conditions(mesh.number_of_vertices())
                                    : prescribed_curvatures(options.cones, mesh);
     });

@@ -67,6 +67,11 @@ struct Subdivision_options : Output_options
   double constrained_angle = 0; // in degrees; 0 for none
 };
 
+struct Delaunay_options : Subdivision_options
+{
+  std::string weights; // a property of vertices or a file; empty for none
+};
+
 // Stores the options of commands whose output has a texture.
 struct Texture_options : Output_options
 {

@@ -10,6 +10,7 @@
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
+#include "reading/vertex_values.h"
 #include "writing/Mesh_writer.h"
 #include "writing/flat_triangles.h"
 
@@ -204,7 +205,8 @@ int sphere(const Common_options& common, const Sphere_options& options)
   output.precise = options.precise;
   return attempt(run, [&] {
     const auto [epsilon, radii] = run.timed("build", [&] {
-      return std::make_pair(mollification(run), vertex_radii(options.radii, run.input()));
+      return std::make_pair(mollification(run),
+                            vertex_numbers("--radii", options.radii, run.input()));
     });
     if(component_faces(run.input().mesh).size() > 1)
       return map_components(run, output, epsilon, radii);

@@ -16,9 +16,11 @@
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -106,6 +108,27 @@ Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& c
   return result;
 }
 
+Triangulation make_weighted_delaunay_triangulation(Command_run& run, const Constraints& constraints,
+                                                   const std::vector<double>& weights)
+{
+  Triangulation result = run.timed("build", [&] { return make_triangulation(run, constraints); });
+  run.timed("flip", [&] {
+    Step_counter counter{run.progress()};
+    const auto weighted = IT::make_weighted_Delaunay(
+      result, boost::make_function_property_map<IT::Vertex_index>([&](IT::Vertex_index v) {
+        return weights[v.idx()];
+      }),
+      IT::parameters::visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
+    Statistics& statistics = run.statistics();
+    statistics["flips"] = weighted.flips;
+    statistics["is_weighted_delaunay"] = IT::is_weighted_Delaunay(result, weighted.weight_map());
+    statistics["hidden_vertices"] = Statistics::array();
+    for(const IT::Vertex_index v : weighted.hidden_vertices)
+      statistics["hidden_vertices"].push_back(v.idx());
+  });
+  return result;
+}
+
 void check_insertions(const Refinement_bounds& bounds)
 {
   if(bounds.maximum_number_of_insertions && bounds.minimum_angle == 0 &&
@@ -167,6 +190,14 @@ bool is_certainly_Delaunay(const IT::Delaunay_certificate& certificate)
 
 void describe(Command_run& run, const Triangulation& triangulation)
 {
+  run.statistics()["is_delaunay"] = run.options().is_exact
+                                      ? is_certainly_Delaunay(certify(run, triangulation))
+                                      : IT::is_Delaunay(triangulation);
+  describe_edges(run.statistics(), triangulation);
+}
+
+void describe_edges(Statistics& statistics, const Triangulation& triangulation)
+{
   const auto& coordinates = triangulation.coordinates();
   std::size_t shared = 0;
   std::int64_t crossings = 0;
@@ -178,10 +209,6 @@ void describe(Command_run& run, const Triangulation& triangulation)
       crossings += coordinates.normal_coordinate(e);
     length += triangulation.length(e);
   }
-  Statistics& statistics = run.statistics();
-  statistics["is_delaunay"] = run.options().is_exact
-                                ? is_certainly_Delaunay(certify(run, triangulation))
-                                : IT::is_Delaunay(triangulation);
   statistics["shared_edges"] = shared;
   statistics["crossings"] = crossings;
   statistics["edge_length_sum"] = length;

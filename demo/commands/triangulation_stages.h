@@ -101,8 +101,16 @@ std::size_t maximum_number_of_insertions(const Refinement_bounds& bounds,
 CGAL::Intrinsic_triangulations::Delaunay_certificate certify(Command_run& run,
                                                              const Triangulation& triangulation);
 
+// Returns the triangulation after flips to the weighted Delaunay triangulation for the weights of
+// vertices.
+Triangulation make_weighted_delaunay_triangulation(Command_run& run, const Constraints& constraints,
+                                                   const std::vector<double>& weights);
+
 // Describes the triangulation in the statistics, with the certificate if decisions are exact.
 void describe(Command_run& run, const Triangulation& triangulation);
+
+// Describes the triangulation in the statistics, apart from the Delaunay condition.
+void describe_edges(Statistics& statistics, const Triangulation& triangulation);
 
 // Runs the stages "trace" and "subdivide". Returns the common subdivision in space, and adds its
 // size to the statistics.

@@ -10,6 +10,7 @@
 #include "commands/flattening_conditions.h"
 #include "commands/map_commands.h"
 #include "commands/triangulation_stages.h"
+#include "reading/vertex_values.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
 
@@ -103,7 +104,8 @@ double right_end(const Mesh& mesh)
 std::pair<double, std::vector<double>> built(Command_run& run, const Hyperbolic_options& options)
 {
   return run.timed("build", [&] {
-    return std::make_pair(mollification(run), vertex_radii(options.radii, run.input()));
+    return std::make_pair(mollification(run),
+                          vertex_numbers("--radii", options.radii, run.input()));
   });
 }
 

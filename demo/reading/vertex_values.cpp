@@ -67,3 +67,19 @@ std::vector<Vertex_value> read_vertex_values(const std::string& path,
   });
   return result;
 }
+
+std::vector<double> vertex_numbers(const std::string& option, const std::string& source,
+                                   const Input_mesh& input)
+{
+  std::vector<double> result(input.mesh.number_of_vertices(), 0.);
+  if(source.empty())
+    return result;
+  if(!input.repairs.empty())
+    throw Program_error(option + ": the mesh had to be repaired, and its vertices differ from the "
+                                 "file; give a mesh that needs no repair");
+  if(const Point_function* property = input.data.function(source))
+    return property->values;
+  for(const Vertex_value& x : read_vertex_values(source, result.size()))
+    result[x.vertex] = x.value;
+  return result;
+}

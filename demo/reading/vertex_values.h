@@ -5,6 +5,8 @@
 #ifndef INTRINSIC_VERTEX_VALUES_H
 #define INTRINSIC_VERTEX_VALUES_H
 
+#include "reading/Input_mesh.h"
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -27,5 +29,11 @@ struct Vertex_value
 // Throws Program_error with the line for any other content.
 std::vector<Vertex_value> read_vertex_values(const std::string& path,
                                              std::size_t number_of_vertices);
+
+// Returns the numbers of `option` for all vertices, from a property of vertices or a file. They are
+// zero at vertices that the file does not contain, and everywhere if `source` is empty.
+// Throws Program_error if the file is wrong.
+std::vector<double> vertex_numbers(const std::string& option, const std::string& source,
+                                   const Input_mesh& input);
 
 #endif // INTRINSIC_VERTEX_VALUES_H

@@ -70,7 +70,8 @@ from .polyhedra import ConvexPolyhedron, convex_polyhedron
 from .repairs import Info, Repair, info, repair
 from .showing import Page, show
 from .simplification import CoarseMesh, Simplification, simplify
-from .triangulation import Certificate, CommonSubdivision, Curves, Refinement, Triangulation
+from .triangulation import (Certificate, CommonSubdivision, Curves, Refinement, Triangulation,
+                            WeightedDelaunay)
 
 __version__ = "0.2.0"
 
@@ -111,6 +112,7 @@ __all__ = [
     "Triangulation",
     "UnderflowError",
     "Uniformization",
+    "WeightedDelaunay",
     "all_pairs",
     "connection_laplacian",
     "convex_polyhedron",

@@ -163,6 +163,26 @@ class Refinement:
 
 
 @dataclass(frozen=True, eq=False)
+class WeightedDelaunay:
+    """What flips to a weighted Delaunay triangulation have done.
+
+    Attributes
+    ----------
+    flips : int
+        Their number.
+    hidden_vertices : (h,) int array
+        The vertices that others hide, because their weights are too small.
+    weights : (n_vertices,) float array
+        The weights for which the triangulation is weighted Delaunay. Hidden vertices have the
+        least weight with which others do not hide them, the other vertices have their own.
+    """
+
+    flips: int
+    hidden_vertices: Integers
+    weights: Floats
+
+
+@dataclass(frozen=True, eq=False)
 class Certificate:
     """What exact arithmetic has found about a triangulation.
 
@@ -305,6 +325,42 @@ class Triangulation:
         check_progress(progress)
         flips: int = self._change(lambda: self._core.make_delaunay(is_exact, progress))
         return flips
+
+    @_locked
+    def weighted_delaunay(
+        self, weights: ArrayLike, exact: bool | None = None, *, progress: Progress | None = None
+    ) -> WeightedDelaunay:
+        """Flip edges until the triangulation is weighted Delaunay.
+
+        Then the power centers of two neighboring faces have a nonnegative signed distance. With
+        equal weights, the triangulation is Delaunay.
+
+        Parameters
+        ----------
+        weights : (n_vertices,) floats
+            Squared lengths of any sign, such as squared radii of circles at the vertices.
+        exact : bool
+            Whether 155 decimal digits decide; by default as in the constructor.
+        progress : callable
+            As of `delaunay()`.
+
+        Returns
+        -------
+        WeightedDelaunay
+
+        Examples
+        --------
+        >>> import intrinsic
+        >>> V = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+        >>> T = intrinsic.Triangulation(V, [[0, 1, 2], [0, 2, 3]])
+        >>> T.weighted_delaunay([0, 0.1, 0, 0]).flips
+        1
+        """
+        given = floats(weights, (self.n_vertices,), "weights")
+        is_exact = self._exact if exact is None else flag(exact, "exact")
+        check_progress(progress)
+        done = self._change(lambda: self._core.make_weighted_delaunay(given, is_exact, progress))
+        return WeightedDelaunay(**done)
 
     @_locked
     def refine(

@@ -12,11 +12,14 @@
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
 
 #include <pybind11/stl.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -41,6 +44,28 @@ std::size_t make_Delaunay(Bound_triangulation& self, bool is_exact, const py::ob
                                IT::parameters::exact_decisions(is_exact).visitor(std::ref(watch)));
     });
   });
+}
+
+py::dict make_weighted_Delaunay(Bound_triangulation& self, const Number_array& weights,
+                                bool is_exact, const py::object& progress)
+{
+  const std::vector<double> weight = vector_of(weights);
+  Watch watch(progress, "flip");
+  IT::Weighted_Delaunay_result<double> weighted;
+  released([&] {
+    weighted = self.changed([&](Triangulation& triangulation) {
+      return IT::make_weighted_Delaunay(
+        triangulation, boost::make_function_property_map<IT::Vertex_index>([&](IT::Vertex_index v) {
+          return weight[v.idx()];
+        }),
+        IT::parameters::exact_decisions(is_exact).visitor(std::ref(watch)));
+    });
+  });
+  py::dict result;
+  result["flips"] = weighted.flips;
+  result["hidden_vertices"] = indices_of(weighted.hidden_vertices);
+  result["weights"] = array_of(std::move(weighted.weights));
+  return result;
 }
 
 py::dict dictionary_of(const IT::Refinement_result& result)
@@ -390,6 +415,7 @@ void bind_triangulation(py::module_& module)
            });
          })
     .def("make_delaunay", &make_Delaunay)
+    .def("make_weighted_delaunay", &make_weighted_Delaunay)
     .def("refine", &refine)
     .def("constrain", &constrain)
     .def("constraints", &constraints)

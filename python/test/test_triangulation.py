@@ -61,6 +61,49 @@ class Delaunay(unittest.TestCase):
                                          [[0, 1, 2], [1, 0, 3]])
         self.assertEqual(len(skewed.certify().non_delaunay_edges), 1)
 
+    def test_weights(self):
+        # In the plane, a triangle is a face if and only if all lifted points (x, |x|^2 - w) are
+        # above its plane, and hidden vertices are the points inside the convex hull.
+        n = 12
+        x, y = (c.ravel() / n for c in np.meshgrid(np.arange(n + 1), np.arange(n + 1)))
+        V = np.c_[x, y, 0 * x]
+        V[:, :2] += 0.3 / n * np.sin([[7, 11]] * V[:, [1, 0]] * n) * (V * (1 - V))[:, [0, 1]]
+        a = np.arange((n + 1) * n).reshape(n, n + 1)[:, :-1].ravel()
+        F = np.r_[np.c_[a, a + 1, a + n + 2], np.c_[a, a + n + 2, a + n + 1]]
+        weights = np.random.default_rng(5).uniform(0, 1.5 / n**2, len(V))
+        T = intrinsic.Triangulation(V, F)
+        result = T.weighted_delaunay(weights)
+        height = (V**2).sum(axis=1) - result.weights
+        corners = np.c_[V[:, :2], np.ones(len(V))]
+        is_on_a_plane = np.zeros(len(V), bool)
+        for f in T.F:
+            above = height - corners @ np.linalg.solve(corners[f], height[f])
+            self.assertGreater(above.min(), -1e-13)
+            is_on_a_plane[f] = True
+        self.assertTrue(is_on_a_plane.all())
+        hidden = np.flatnonzero(result.weights > weights)
+        np.testing.assert_array_equal(hidden, result.hidden_vertices)
+        self.assertGreater(len(hidden), 5)
+        exact = intrinsic.Triangulation(V, F, exact=True)
+        np.testing.assert_allclose(exact.weighted_delaunay(weights).weights, result.weights,
+                                   rtol=0, atol=1e-15)
+
+    def test_equal_weights(self):
+        V, F = support.meshes()["ellipsoid"]
+        weighted, plain = (intrinsic.Triangulation(V, F) for _ in range(2))
+        self.assertEqual(len(weighted.weighted_delaunay(np.full(len(V), 0.25)).hidden_vertices), 0)
+        plain.delaunay()
+        self.assertTrue(weighted.is_delaunay())
+        np.testing.assert_allclose(np.sort(weighted.lengths), np.sort(plain.lengths), rtol=1e-12)
+
+    def test_bad_weights(self):
+        T = intrinsic.Triangulation(*support.meshes()["cube"])
+        with self.assertRaises(intrinsic.ArrayError):
+            T.weighted_delaunay([1, 2])
+        with self.assertRaises(intrinsic.InputError) as caught:
+            T.weighted_delaunay([0, 0, np.nan, 0, 0, 0, 0, 0])
+        self.assertEqual(caught.exception.row, 2)
+
     def test_lengths_alone(self):
         V, F = support.meshes()["ellipsoid"]
         first = intrinsic.Triangulation(V, F)

@@ -45,6 +45,23 @@ expect 0 delaunay slivers.mesh.off -o exact.ply --exact --stats statistics.json
 claim "s = json('statistics.json')" 's.certified' 'sum(s.decisions.values()) >= s.edges'
 rm exact.ply statistics.json
 
+# Weights of vertices flip a diagonal of the square, or hide a point inside it.
+printf 'OFF\n5 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1.2 1 0\n0 1 4\n1 2 4\n2 3 4\n3 0 4\n' >star.mesh.off
+printf '4 -9\n' >weights.txt
+expect 0 delaunay star.mesh.off -o star.ply --weights weights.txt --stats statistics.json
+says '1 hidden vertices'
+claim "s = json('statistics.json')" 's.hidden_vertices == [4]' 's.is_weighted_delaunay' \
+  '"is_delaunay" not in s'
+expect 0 delaunay star.mesh.off -o star.ply --weights weights.txt --exact --stats statistics.json
+claim "s = json('statistics.json')" 's.hidden_vertices == [4]' 's.is_weighted_delaunay'
+printf '0 0.5\n2 0.5\n' >weights.txt
+expect 0 delaunay square.mesh.off -o star.ply --weights weights.txt --stats statistics.json
+claim "s = json('statistics.json')" 's.flips == 0' 's.hidden_vertices == []'
+printf '1 0.5\n3 0.5\n' >weights.txt
+expect 0 delaunay square.mesh.off -o star.ply --weights weights.txt --stats statistics.json
+claim "s = json('statistics.json')" 's.flips == 1' 's.is_weighted_delaunay'
+rm star.mesh.off star.ply weights.txt statistics.json
+
 # accordion STEPS...: a strip that is folded along parallel lines; each step x,z leads to the next
 # fold. On both ends, four points are the corners of a rectangle, with the roots of all x^2 + z^2.
 accordion()
