@@ -173,33 +173,22 @@ public:
   {
     std::vector<std::array<Extended, 3>> result(mesh().num_vertices(), {0, 0, 1});
     std::vector<char> is_placed(mesh().num_vertices(), 0), is_done(mesh().num_faces(), 0);
-    const auto place = [&](Vertex_index v, const auto& frame) {
-      if(std::exchange(is_placed[v.idx()], char(1)))
-        return;
-      const auto p = frame().position;
-      result[v.idx()] = {Extended(p[0]), Extended(p[1]), Extended(p[2])};
-    };
     std::queue<std::pair<Halfedge_index, Frame>> next;
-    const auto visit = [&](Halfedge_index h, const auto& at_source) {
-      if(!is_done[mesh().face(h).idx()])
-        next.emplace(h, at_source());
-    };
-    visit(mesh().halfedge(*mesh().faces().begin()), [] { return Frame{{0, 0, 1}, {1, 0, 0}}; });
+    next.emplace(mesh().halfedge(*mesh().faces().begin()), Frame{{0, 0, 1}, {1, 0, 0}});
     for(; !next.empty(); next.pop()) {
       const auto [h, at_source] = next.front();
       if(std::exchange(is_done[mesh().face(h).idx()], char(1)))
         continue;
       const std::array<Halfedge_index, 3> side{h, mesh().next(h), mesh().prev(h)};
-      const Triangle t = triangle(side);
-      const Frame first = at_source, to_third = first.turned(t.corner(0)),
-                  at_third = to_third.at_end(t.length(2));
-      const auto at_target = [&] { return first.at_end(t.length(0)); };
-      place(mesh().source(side[0]), [&] { return first; });
-      place(mesh().source(side[1]), at_target);
-      place(mesh().source(side[2]), [&] { return at_third; });
-      visit(mesh().opposite(side[0]), at_target);
-      visit(mesh().opposite(side[1]), [&] { return at_third.turned(t.corner(2)); });
-      visit(mesh().opposite(side[2]), [&] { return to_third; });
+      const std::array<Frame, 3> frame = frames_of_opposites(side, at_source);
+      for(std::size_t s = 0; s < 3; ++s) {
+        const Halfedge_index o = mesh().opposite(side[s]);
+        const auto& p = frame[s].position;
+        if(!std::exchange(is_placed[mesh().source(o).idx()], char(1)))
+          result[mesh().source(o).idx()] = {Extended(p[0]), Extended(p[1]), Extended(p[2])};
+        if(!is_done[mesh().face(o).idx()])
+          next.emplace(o, frame[s]);
+      }
     }
     return result;
   }
@@ -219,6 +208,16 @@ public:
   }
 
 private:
+  // Returns the frames of the opposites of the sides of a face at their sources. `first` is the
+  // frame of the first side.
+  std::array<Frame, 3> frames_of_opposites(const std::array<Halfedge_index, 3>& side,
+                                           const Frame& first) const
+  {
+    const Triangle t = triangle(side);
+    const Frame last = first.turned(t.corner(0));
+    return {first.at_end(t.length(0)), last.at_end(t.length(2)).turned(t.corner(2)), last};
+  }
+
   const FT& half_chord(Halfedge_index h) const { return m_half_chord[Edge_index(h).idx()]; }
 
   Triangle triangle(const std::array<Halfedge_index, 3>& side) const
