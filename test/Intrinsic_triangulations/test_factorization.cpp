@@ -92,6 +92,30 @@ TYPED_TEST(Cholesky_factorization, solves)
   }
 }
 
+// The matrix (A, B; B^T, -C) with positive definite A and C has a factorization in any order, with
+// negative entries of D, but no Cholesky factorization.
+TEST(Indefinite_factorization, solves_symmetric_quasidefinite_systems)
+{
+  CGAL::Random random(3);
+  for(const int size : {2, 10, 500}) {
+    auto matrix = definite_matrix<double>(size, random);
+    for(int j = size / 2; j < size; ++j)
+      for(decltype(matrix)::InnerIterator i(matrix, j); i; ++i)
+        if(i.row() >= size / 2)
+          i.valueRef() = -i.value();
+    const Vector<double> b = random_vector<double>(size, random);
+    internal::Indefinite_Cholesky<double> cholesky;
+    cholesky.analyze(matrix);
+    ASSERT_TRUE(cholesky.factorize(matrix));
+    EXPECT_LE(
+      (matrix.selfadjointView<Eigen::Upper>() * cholesky.solve(b) - b).cwiseAbs().maxCoeff(),
+      1e-11);
+    internal::Simplicial_Cholesky<double> definite;
+    definite.analyze(matrix);
+    EXPECT_FALSE(definite.factorize(matrix));
+  }
+}
+
 // The factor of a band matrix is sparse.
 TYPED_TEST(Cholesky_factorization, solves_for_sparse_right_sides)
 {
