@@ -182,6 +182,43 @@ void print_notes(const std::string& path, const Polygon_soup& soup,
     note("no oriented surface, so its tufted cover is used");
 }
 
+// Reads a soup that the command accepts, after repairs if they are requested. Records diagnosis and
+// repairs in `result`.
+Polygon_soup acceptable_soup(const Common_options& options, Input_mesh& result)
+{
+  Polygon_soup soup = read_mesh(options.input, options.number_of_neighbors > 0);
+  const bool is_cloud = soup.polygons.empty();
+  if(is_cloud)
+    check_cloud(options);
+  result.diagnosis = diagnose(soup);
+  if(options.is_repaired() && is_repairable(result.diagnosis) && !is_cloud) {
+    result.repairs = repair_aloud(options.input, soup, options.weld_distance);
+    result.diagnosis = diagnose(soup);
+  }
+  check_acceptable(options.input, result.diagnosis, options);
+  return soup;
+}
+
+// Splits polygons to triangles, or triangulates a cloud. Updates diagnosis and repairs in `result`.
+void triangulate(const Common_options& options, Polygon_soup& soup, bool is_quiet,
+                 Input_mesh& result)
+{
+  const bool is_cloud = soup.polygons.empty();
+  if(is_cloud) {
+    remove_copies(options, soup, result.repairs);
+    triangulate_cloud(options.input, soup, options.number_of_neighbors);
+  } else if(number_of_polygons(result.diagnosis) > 0)
+    split_polygons(options.input, soup,
+                   {options.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
+                    options.is_repaired()});
+  if(!is_quiet)
+    print_notes(options.input, soup, result.diagnosis, is_cloud);
+  if(is_cloud || !soup.parents.empty()) {
+    result.diagnosis = diagnose(soup);
+    check_acceptable(options.input, result.diagnosis, options);
+  }
+}
+
 } // namespace
 
 Surface_location Input_mesh::as_read(const Surface_location& p) const
@@ -198,31 +235,10 @@ Surface_location Input_mesh::as_read(const Surface_location& p) const
 
 Input_mesh read_input(const Common_options& options, bool is_quiet)
 {
-  const std::string& path = options.input;
-  Polygon_soup soup = read_mesh(path, options.number_of_neighbors > 0);
-  const bool is_cloud = soup.polygons.empty();
-  if(is_cloud)
-    check_cloud(options);
   Input_mesh result;
-  result.diagnosis = diagnose(soup);
-  if(options.is_repaired() && is_repairable(result.diagnosis) && !is_cloud) {
-    result.repairs = repair_aloud(path, soup, options.weld_distance);
-    result.diagnosis = diagnose(soup);
-  }
-  check_acceptable(path, result.diagnosis, options);
-  if(is_cloud) {
-    remove_copies(options, soup, result.repairs);
-    triangulate_cloud(path, soup, options.number_of_neighbors);
-  } else if(number_of_polygons(result.diagnosis) > 0)
-    split_polygons(path, soup,
-                   {options.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
-                    options.is_repaired()});
-  if(!is_quiet)
-    print_notes(path, soup, result.diagnosis, is_cloud);
-  if(is_cloud || !soup.parents.empty()) {
-    result.diagnosis = diagnose(soup);
-    check_acceptable(path, result.diagnosis, options);
-  }
+  Polygon_soup soup = acceptable_soup(options, result);
+  const bool is_cloud = soup.polygons.empty();
+  triangulate(options, soup, is_quiet, result);
   result.parents = soup.parents;
   result.is_reversed = soup.is_reversed;
   if(!soup.data.empty())
@@ -237,6 +253,6 @@ Input_mesh read_input(const Common_options& options, bool is_quiet)
   result.cracks = cracks(result.mesh);
   if(!is_quiet)
     for(const std::string& message : result.cracks.messages(options.is_repaired()))
-      std::cerr << path << ": note: " << message << '\n';
+      std::cerr << options.input << ": note: " << message << '\n';
   return result;
 }
