@@ -363,6 +363,27 @@ class Triangulation:
         return WeightedDelaunay(**done)
 
     @_locked
+    def weighted_laplacian(self, weights: ArrayLike) -> Any:
+        """Return the Laplacian of the triangulation as it is, for weights of vertices.
+
+        Entries are quotients of dual and primal lengths, where power centers are the vertices of
+        the dual. With equal weights this is the cotangent Laplacian.
+
+        Parameters
+        ----------
+        weights : (n_vertices,) floats
+            As the result of `weighted_delaunay()` has them, so that entries off the diagonal are
+            not positive.
+
+        Returns
+        -------
+        (n_vertices, n_vertices) sparse matrix
+            Positive semidefinite on a weighted Delaunay triangulation without boundary.
+        """
+        given = floats(weights, (self.n_vertices,), "weights")
+        return sparse(_core.weighted_laplacian(self._core, given))
+
+    @_locked
     def refine(
         self,
         min_angle: float = 25.0,

@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/weighted_laplacian.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -51,6 +52,18 @@ py::tuple operator_of(const Bound_triangulation& self, const std::string& name)
   return sparse_arrays(released([&] {
     return IT::with_resolved_areas(self.triangulation(),
                                    [&](const auto& surface) { return matrix_of(name, surface); });
+  }));
+}
+
+py::tuple weighted_laplacian(const Bound_triangulation& self, const Number_array& weights)
+{
+  const std::vector<double> weight = vector_of(weights);
+  return sparse_arrays(released([&] {
+    return IT::with_resolved_areas(self.triangulation(), [&](const auto& surface) {
+      return IT::rounded_values(
+        IT::weighted_laplacian(surface, boost::make_function_property_map<IT::Vertex_index>(
+                                          [&](IT::Vertex_index v) { return weight[v.idx()]; })));
+    });
   }));
 }
 
@@ -136,6 +149,7 @@ void bind_operators(py::module_& module)
 {
   module.def("operator_of", &operator_of);
   module.def("connection_laplacian", &connection_laplacian);
+  module.def("weighted_laplacian", &weighted_laplacian);
   py::class_<Bound_soup>(module, "Soup")
     .def(py::init([](const Number_array& points, const Index_array& faces, std::size_t neighbors,
                      double mollification, const py::object& progress) {

@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 import numpy as np
+import scipy.sparse
 
 import intrinsic
 import support
@@ -84,6 +85,11 @@ class Delaunay(unittest.TestCase):
         hidden = np.flatnonzero(result.weights > weights)
         np.testing.assert_array_equal(hidden, result.hidden_vertices)
         self.assertGreater(len(hidden), 5)
+        # Linear functions are harmonic, and no edge has a negative weight.
+        L = T.weighted_laplacian(result.weights)
+        inside = np.flatnonzero(((0 < V[:, :2]) & (V[:, :2] < 1)).all(axis=1))
+        np.testing.assert_allclose((L @ V)[inside], 0, atol=1e-12)
+        self.assertLess((L - scipy.sparse.diags(L.diagonal())).tocsr()[inside].max(), 1e-9)
         exact = intrinsic.Triangulation(V, F, exact=True)
         np.testing.assert_allclose(exact.weighted_delaunay(weights).weights, result.weights,
                                    rtol=0, atol=1e-15)
@@ -94,6 +100,8 @@ class Delaunay(unittest.TestCase):
         self.assertEqual(len(weighted.weighted_delaunay(np.full(len(V), 0.25)).hidden_vertices), 0)
         plain.delaunay()
         self.assertTrue(weighted.is_delaunay())
+        difference = plain.weighted_laplacian(np.full(len(V), 0.25)) - intrinsic.laplacian(V, F)
+        self.assertLess(abs(difference).max(), 1e-10)
         np.testing.assert_allclose(np.sort(weighted.lengths), np.sort(plain.lengths), rtol=1e-12)
 
     def test_bad_weights(self):
