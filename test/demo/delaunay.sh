@@ -46,7 +46,7 @@ claim "s = json('statistics.json')" 's.certified' 'sum(s.decisions.values()) >= 
 rm exact.ply statistics.json
 
 # Weights of vertices flip a diagonal of the square, or hide a point inside it.
-printf 'OFF\n5 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1.2 1 0\n0 1 4\n1 2 4\n2 3 4\n3 0 4\n' >star.mesh.off
+printf 'OFF\n5 4 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1.2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n' >star.mesh.off
 printf '4 -9\n' >weights.txt
 expect 0 delaunay star.mesh.off -o star.ply --weights weights.txt --stats statistics.json
 says '1 hidden vertices'
