@@ -34,6 +34,8 @@ def triangulation():
 CALLS = {
     "Triangulation": lambda **k: intrinsic.Triangulation(V, F, **k).lengths,
     "Triangulation.delaunay": lambda **k: intrinsic.Triangulation(V, F).delaunay(**k),
+    "Triangulation.weighted_delaunay":
+        lambda **k: intrinsic.Triangulation(V, F).weighted_delaunay(V[:, 0] / 10, **k),
     "Triangulation.refine": lambda **k: intrinsic.Triangulation(VG, FG).refine(
         **{"min_angle": 20, "max_insertions": 100} | k),
     "Triangulation.constrain": lambda **k: triangulation().constrain([0], **k),
