@@ -233,7 +233,9 @@ private:
     Convexity_certificate& certificate = m_layout.certificate;
     double result = 0;
     for(Edge_index e : mesh.edges()) {
-      const double sine = concavity(mesh.halfedge(e), circles);
+      const Halfedge_index h = mesh.halfedge(e);
+      const double sine =
+        greater_error(concavity(h, circles), concavity(mesh.opposite(h), circles));
       certificate.concave_edges += sine > tolerance::promised_angle;
       result = greater_error(result, sine);
     }

@@ -21,7 +21,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // Solves with a sequence of matrices of similar pattern. The elimination order, the costly part of
 // the analysis, is kept while it is good, and shared with others. `Cholesky` is
-// `Simplicial_Cholesky` or `Supernodal_Cholesky`.
+// `Simplicial_Cholesky`, `Supernodal_Cholesky` or `Indefinite_Cholesky`.
 template <typename Cholesky>
 class Hessian_solver
 {
@@ -45,7 +45,8 @@ public:
     return m_order;
   }
 
-  // Factorizes `matrix` with `diagonal` added. Returns false if the sum is not positive definite.
+  // Factorizes `matrix` with `diagonal` added. Returns false if the factorization does not exist:
+  // if the sum is not positive definite, unless the factorization is for indefinite matrices.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& diagonal)
   {
     if(m_order.empty())
