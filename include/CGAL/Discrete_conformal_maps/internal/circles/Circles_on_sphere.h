@@ -164,7 +164,6 @@ private:
   {
     auto surface = surface_with<FT>(part);
     std::vector<Extended> u = m_circles.log_scale();
-    m_newton.restart();
     double before = std::numeric_limits<double>::infinity();
     for(std::size_t step = 0; step < steps_of_Newton && surface.scale(u); ++step) {
       const Vector defect = surface.defects();
@@ -176,7 +175,7 @@ private:
         keep(surface, u, error);
         return true;
       }
-      if(!m_newton.leads_to(enough<FT>, error, before)) {
+      if(!Fixed_face::leads_to(enough<FT>, error, before)) {
         ++m_steps;
         if(!m_newton.factorize(surface))
           return false;
@@ -202,15 +201,13 @@ private:
   public:
     explicit Fixed_face(std::shared_ptr<Shared_order> order) : m_order(std::move(order)) {}
 
-    // Forgets the factorization, but not the order of its variables.
-    void restart() { m_is_used = false; }
-
     // Returns whether the factorization is used again. A new factorization takes as long as some
     // steps. So the steps that are left must be fewer if they reduce errors like the last one.
-    bool leads_to(double enough, double error, double before)
+    // Before the first step, the error is infinite.
+    static bool leads_to(double enough, double error, double before)
     {
       const double contraction = error / before;
-      return m_is_used && contraction <= tolerance::contraction &&
+      return std::isfinite(before) && contraction <= tolerance::contraction &&
              error * std::pow(contraction, tolerance::corrections) <= enough;
     }
 
@@ -218,7 +215,6 @@ private:
     template <typename Surface>
     bool factorize(const Surface& surface)
     {
-      m_is_used = true;
       const auto corner = surface.corners_of_greatest_face();
       if(!m_solver || corner != m_corner)
         m_solver.emplace(rows_without(corner, surface.mesh()), m_order);
@@ -253,7 +249,6 @@ private:
     std::shared_ptr<Shared_order> m_order;
     std::optional<Solver> m_solver;
     std::array<Vertex_index, 3> m_corner;
-    bool m_is_used = false;
   };
 
   static bool move(std::vector<Extended>& u, const Vector& change)
