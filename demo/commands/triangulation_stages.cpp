@@ -11,6 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/certify_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/enclose_crossing.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -59,6 +60,24 @@ IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bou
                                      .simplicial(bounds.is_simplicial)
                                      .maximum_number_of_insertions(limit)
                                      .exact_decisions(is_exact));
+}
+
+template <typename Certificate>
+void describe_certificate(Statistics& statistics, const Certificate& certificate, bool is_certified)
+{
+  statistics["certified"] = is_certified;
+  statistics["ties"] = certificate.ties.size();
+  statistics["undecided"] = certificate.undecided();
+  statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
+                             {"floating_point", certificate.decided_in_floating_point},
+                             {"multiprecision", certificate.decided_in_multiprecision},
+                             {"exact", certificate.decided_exactly}};
+}
+
+// Returns whether the edges are certainly Delaunay, if they are straight.
+bool is_certainly_Delaunay(const IT::Delaunay_certificate& certificate)
+{
+  return certificate.non_Delaunay_edges.empty() && certificate.possibly_non_Delaunay_edges.empty();
 }
 
 } // namespace
@@ -112,20 +131,28 @@ Triangulation make_weighted_delaunay_triangulation(Command_run& run, const Const
                                                    const std::vector<double>& weights)
 {
   Triangulation result = run.timed("build", [&] { return make_triangulation(run, constraints); });
+  const auto weight = boost::make_function_property_map<IT::Vertex_index>(
+    [&weights](IT::Vertex_index v) { return weights[v.idx()]; });
+  IT::Weighted_Delaunay_result<double> weighted;
   run.timed("flip", [&] {
     Step_counter counter{run.progress()};
-    const auto weighted = IT::make_weighted_Delaunay(
-      result, boost::make_function_property_map<IT::Vertex_index>([&](IT::Vertex_index v) {
-        return weights[v.idx()];
-      }),
+    weighted = IT::make_weighted_Delaunay(
+      result, weight,
       IT::parameters::visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
-    Statistics& statistics = run.statistics();
-    statistics["flips"] = weighted.flips;
-    statistics["is_weighted_delaunay"] = IT::is_weighted_Delaunay(result, weighted.weight_map());
-    statistics["hidden_vertices"] = Statistics::array();
-    for(const IT::Vertex_index v : weighted.hidden_vertices)
-      statistics["hidden_vertices"].push_back(v.idx());
   });
+  Statistics& statistics = run.statistics();
+  statistics["flips"] = weighted.flips;
+  if(run.options().is_exact) {
+    const IT::Weighted_Delaunay_certificate certificate = run.timed("certify", [&] {
+      return IT::certify_weighted_Delaunay(result, weight, weighted.hidden_vertices, in_parallel);
+    });
+    describe_certificate(statistics, certificate, certificate.is_weighted_Delaunay());
+    statistics["is_weighted_delaunay"] = is_certainly_Delaunay(certificate);
+  } else
+    statistics["is_weighted_delaunay"] = IT::is_weighted_Delaunay(result, weighted.weight_map());
+  statistics["hidden_vertices"] = Statistics::array();
+  for(const IT::Vertex_index v : weighted.hidden_vertices)
+    statistics["hidden_vertices"].push_back(v.idx());
   return result;
 }
 
@@ -171,21 +198,8 @@ IT::Delaunay_certificate certify(Command_run& run, const Triangulation& triangul
 {
   const IT::Delaunay_certificate certificate =
     run.timed("certify", [&] { return IT::certify_Delaunay(triangulation, in_parallel); });
-  Statistics& statistics = run.statistics();
-  statistics["certified"] = certificate.is_Delaunay();
-  statistics["ties"] = certificate.ties.size();
-  statistics["undecided"] = certificate.undecided();
-  statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
-                             {"floating_point", certificate.decided_in_floating_point},
-                             {"multiprecision", certificate.decided_in_multiprecision},
-                             {"exact", certificate.decided_exactly}};
+  describe_certificate(run.statistics(), certificate, certificate.is_Delaunay());
   return certificate;
-}
-
-// Returns whether the edges are certainly Delaunay, if they are straight.
-bool is_certainly_Delaunay(const IT::Delaunay_certificate& certificate)
-{
-  return certificate.non_Delaunay_edges.empty() && certificate.possibly_non_Delaunay_edges.empty();
 }
 
 void describe(Command_run& run, const Triangulation& triangulation)

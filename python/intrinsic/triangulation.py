@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import (Floats, Integers, array_of, choice, count, flag, floats, floats_or_infinity,
-                      integers, number, points_on, sparse)
+                      integers, number, points_on, sparse, vertices)
 from ._meshes import Result, attempt, check_progress, mollification, surface
 from .errors import ArrayError, InputError
 
@@ -189,7 +189,7 @@ class Certificate:
     Attributes
     ----------
     is_delaunay : bool
-        Whether it certainly is geodesic and Delaunay.
+        Whether it certainly is geodesic and Delaunay, or weighted Delaunay for the given weights.
     is_geodesic : bool
         Whether its edges certainly are straight and its faces do not overlap.
     undecided : int
@@ -198,6 +198,8 @@ class Certificate:
         Edges of four cocircular points.
     non_delaunay_edges, non_straight_edges, folded_vertices : int arrays
         The elements that violate the conditions.
+    visible_vertices : int array
+        The vertices that were given as hidden, although their weights are great enough.
     decisions : dict
         Numbers of decisions "lengths", "floating_point", "multiprecision" and "exact".
     """
@@ -209,6 +211,7 @@ class Certificate:
     non_delaunay_edges: Integers
     non_straight_edges: Integers
     folded_vertices: Integers
+    visible_vertices: Integers
     decisions: dict[str, int]
 
 
@@ -640,8 +643,19 @@ class Triangulation:
         return self._core.function_across(from_input, floats(what, (size,), "what"))
 
     @_locked
-    def certify(self) -> Certificate:
-        """Prove in exact arithmetic that the triangulation is geodesic and Delaunay.
+    def certify(
+        self, weights: ArrayLike | None = None, hidden_vertices: ArrayLike | None = None
+    ) -> Certificate:
+        """Prove in exact arithmetic that the triangulation is geodesic and Delaunay, or weighted
+        Delaunay.
+
+        Parameters
+        ----------
+        weights : (n_vertices,) floats
+            As they were given to `weighted_delaunay()`; by default there are none.
+        hidden_vertices : ints
+            As the result of `weighted_delaunay()` has them. Their weights must be less than the
+            least weights with which others do not hide them.
 
         Returns
         -------
@@ -657,6 +671,13 @@ class Triangulation:
         >>> c.is_delaunay, len(c.ties)
         (True, 1)
         """
+        if weights is not None:
+            given = floats(weights, (self.n_vertices,), "weights")
+            hidden = vertices(np.zeros(0, np.int64) if hidden_vertices is None else hidden_vertices,
+                              self.n_vertices, "hidden_vertices")
+            return Certificate(**self._core.certify_weighted(given, hidden))
+        if hidden_vertices is not None:
+            raise ArrayError("hidden_vertices has no effect without weights")
         return Certificate(**self._core.certify())
 
     # ---- Files ----

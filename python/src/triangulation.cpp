@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/certify_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
@@ -341,10 +342,8 @@ py::dict common_subdivision(const Bound_triangulation& self)
 
 // ---- Certificates and files ----
 
-py::dict certify(const Bound_triangulation& self)
+py::dict dictionary_of(const IT::Delaunay_certificate& certificate)
 {
-  const IT::Delaunay_certificate certificate =
-    released([&] { return IT::certify_Delaunay(self.triangulation()); });
   py::dict result;
   result["is_delaunay"] = certificate.is_Delaunay();
   result["is_geodesic"] = certificate.is_geodesic();
@@ -353,10 +352,36 @@ py::dict certify(const Bound_triangulation& self)
   result["non_delaunay_edges"] = indices_of(certificate.non_Delaunay_edges);
   result["non_straight_edges"] = indices_of(certificate.non_straight_edges);
   result["folded_vertices"] = indices_of(certificate.folded_vertices);
+  result["visible_vertices"] = indices_of(std::vector<IT::Vertex_index>());
   result["decisions"] = py::dict(py::arg("lengths") = certificate.decided_by_lengths,
                                  py::arg("floating_point") = certificate.decided_in_floating_point,
                                  py::arg("multiprecision") = certificate.decided_in_multiprecision,
                                  py::arg("exact") = certificate.decided_exactly);
+  return result;
+}
+
+py::dict certify(const Bound_triangulation& self)
+{
+  return dictionary_of(released([&] { return IT::certify_Delaunay(self.triangulation()); }));
+}
+
+py::dict certify_weighted(const Bound_triangulation& self, const Number_array& weights,
+                          const Index_array& hidden)
+{
+  const std::vector<double> weight = vector_of(weights);
+  std::vector<IT::Vertex_index> hidden_vertices;
+  for(const std::int64_t v : vector_of(hidden))
+    hidden_vertices.emplace_back(static_cast<IT::Vertex_index::size_type>(v));
+  const IT::Weighted_Delaunay_certificate certificate = released([&] {
+    return IT::certify_weighted_Delaunay(self.triangulation(),
+                                         boost::make_function_property_map<IT::Vertex_index>(
+                                           [&](IT::Vertex_index v) { return weight[v.idx()]; }),
+                                         hidden_vertices);
+  });
+  py::dict result = dictionary_of(static_cast<const IT::Delaunay_certificate&>(certificate));
+  result["is_delaunay"] = certificate.is_weighted_Delaunay();
+  result["undecided"] = certificate.undecided();
+  result["visible_vertices"] = indices_of(certificate.visible_vertices);
   return result;
 }
 
@@ -447,5 +472,6 @@ void bind_triangulation(py::module_& module)
     .def("function_across", &function_across)
     .def("common_subdivision", &common_subdivision)
     .def("certify", &certify)
+    .def("certify_weighted", &certify_weighted)
     .def("to_text", &text_of);
 }

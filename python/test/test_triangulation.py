@@ -93,6 +93,13 @@ class Delaunay(unittest.TestCase):
         exact = intrinsic.Triangulation(V, F, exact=True)
         np.testing.assert_allclose(exact.weighted_delaunay(weights).weights, result.weights,
                                    rtol=0, atol=1e-15)
+        certificate = T.certify(weights, hidden)
+        self.assertTrue(certificate.is_delaunay)
+        self.assertEqual(certificate.undecided, 0)
+        self.assertFalse(T.certify(weights).is_delaunay)
+        raised = weights.copy()
+        raised[hidden[0]] = result.weights[hidden[0]] + 1e-9
+        np.testing.assert_array_equal(T.certify(raised, hidden).visible_vertices, hidden[:1])
 
     def test_equal_weights(self):
         V, F = support.meshes()["ellipsoid"]
@@ -111,6 +118,10 @@ class Delaunay(unittest.TestCase):
         with self.assertRaises(intrinsic.InputError) as caught:
             T.weighted_delaunay([0, 0, np.nan, 0, 0, 0, 0, 0])
         self.assertEqual(caught.exception.row, 2)
+        with self.assertRaises(intrinsic.InputError):
+            T.certify(np.zeros(8), [8])
+        with self.assertRaises(intrinsic.ArrayError):
+            T.certify(hidden_vertices=[0])
 
     def test_lengths_alone(self):
         V, F = support.meshes()["ellipsoid"]

@@ -53,7 +53,8 @@ says '1 hidden vertices'
 claim "s = json('statistics.json')" 's.hidden_vertices == [4]' 's.is_weighted_delaunay' \
   '"is_delaunay" not in s'
 expect 0 delaunay star.mesh.off -o star.ply --weights weights.txt --exact --stats statistics.json
-claim "s = json('statistics.json')" 's.hidden_vertices == [4]' 's.is_weighted_delaunay'
+claim "s = json('statistics.json')" 's.hidden_vertices == [4]' 's.is_weighted_delaunay' \
+  's.certified' 's.undecided == 0' 's.ties >= 1'
 printf '0 0.5\n2 0.5\n' >weights.txt
 expect 0 delaunay square.mesh.off -o star.ply --weights weights.txt --stats statistics.json
 claim "s = json('statistics.json')" 's.flips == 0' 's.hidden_vertices == []'

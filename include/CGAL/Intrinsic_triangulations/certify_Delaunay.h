@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -51,7 +52,9 @@ certify_Delaunay(const Intrinsic_triangulation<Traits>& tri,
   static_assert(internal::has_metric<Traits>(),
                 "a certificate needs Exact_Euclidean_geometry_traits, Euclidean_geometry_traits<"
                 "double>, or traits derived from them with the same geometry");
-  return internal::Certifier<Traits>(tri, concurrency_of(np)).run();
+  const Concurrency concurrency = concurrency_of(np);
+  const internal::Edge_courses<Traits> courses(tri, concurrency);
+  return internal::Certifier<Traits>(tri, courses, concurrency).run();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

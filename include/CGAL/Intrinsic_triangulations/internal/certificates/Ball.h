@@ -105,6 +105,19 @@ Uncertain<Sign> sign_of_imaginary(const Ball<N>& a, const Ball<N>& b)
 }
 
 template <typename N>
+Ball<N> real_part(const Ball<N>& a)
+{
+  return {a.x, N(0), a.radius};
+}
+
+// Returns the imaginary part, as a real number.
+template <typename N>
+Ball<N> imaginary_part(const Ball<N>& a)
+{
+  return {a.y, N(0), a.radius};
+}
+
+template <typename N>
 Ball<N> root(const Ball<N>& a)
 {
   if(!(a.x > a.radius))

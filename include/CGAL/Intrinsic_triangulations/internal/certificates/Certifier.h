@@ -27,20 +27,44 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Proves that T2 is a geodesic triangulation and Delaunay, edge by edge.
+// Represents the local Delaunay condition (Equation 2.6).
 template <typename Traits>
+struct Delaunay_condition
+{
+  typedef Exact_decisions<Traits> Decisions;
+
+  static Decisions decisions(const Triangulation_pair<Traits>& pair,
+                             const Edge_courses<Traits>& courses)
+  {
+    return Decisions(pair, courses);
+  }
+
+  // Returns whether the edge of a halfedge is Delaunay for any rounding of lengths.
+  static bool is_certain(Halfedge_index, const Diamond<double>& length)
+  {
+    return Euclidean_geometry_traits<double>::Is_locally_Delaunay{certified_length_error()}
+      .is_certain(length);
+  }
+
+  static Sign sign(Halfedge_index h, Decisions& decisions) { return decisions.Delaunay_sign(h); }
+};
+
+// Proves that T2 is a geodesic triangulation and that its edges satisfy a condition, edge by edge.
+template <typename Traits, typename Condition = Delaunay_condition<Traits>>
 class Certifier
 {
   typedef Triangulation_pair<Traits> Pair;
 
 public:
-  typedef Exact_decisions<Traits> Decisions;
+  typedef typename Condition::Decisions Decisions;
 
-  Certifier(const Pair& pair, Concurrency concurrency)
+  Certifier(const Pair& pair, const Edge_courses<Traits>& courses, Concurrency concurrency,
+            Condition condition = {})
     : m_pair(pair),
       m_mesh(pair.mesh()),
+      m_courses(courses),
       m_concurrency(concurrency),
-      m_courses(pair, concurrency),
+      m_condition(std::move(condition)),
       m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN()),
       m_is_checked(m_mesh.num_vertices(), false)
   {}
@@ -51,7 +75,7 @@ public:
     for_each<Edge_index>(
       [this](auto e, auto& decisions, auto& part) { check_straightness(e, decisions, part); });
     for_each<Edge_index>(
-      [this](auto e, auto& decisions, auto& part) { check_Delaunay(e, decisions, part); });
+      [this](auto e, auto& decisions, auto& part) { check_condition(e, decisions, part); });
     if(m_pair.number_of_inserted_vertices() > 0)
       for_each<Vertex_index>(
         [this](auto v, auto& decisions, auto& part) { check_inserted(v, decisions, part); });
@@ -59,7 +83,7 @@ public:
   }
 
   // Returns decisions for several calls of `straight_length()`.
-  Decisions decisions() const { return Decisions(m_pair, m_courses); }
+  Decisions decisions() const { return m_condition.decisions(m_pair, m_courses); }
 
   // Returns the length of the edge `e`. Returns zero if the edge cannot be proved straight, or the
   // faces at inserted ends are not proved to turn around once.
@@ -131,20 +155,20 @@ private:
                  [&] { return decisions.is_straight(m_mesh.halfedge(e)); });
   }
 
-  void check_Delaunay(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
+  void check_condition(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     const auto length = [this](Halfedge_index x) { return m_length[m_mesh.edge(x)]; };
     if(m_mesh.is_border(e) || m_pair.is_constrained(e))
       return;
     const Halfedge_index o = m_mesh.opposite(h);
-    if(m_by_lengths.is_certain({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h)),
-                                length(m_mesh.next(o)), length(m_mesh.prev(o))})) {
+    if(m_condition.is_certain(h, {length(h), length(m_mesh.next(h)), length(m_mesh.prev(h)),
+                                  length(m_mesh.next(o)), length(m_mesh.prev(o))})) {
       ++part.decided_by_lengths;
       return;
     }
     add_unless(e, part.non_Delaunay_edges, part.possibly_non_Delaunay_edges, [&] {
-      const Sign sign = decisions.Delaunay_sign(h);
+      const Sign sign = m_condition.sign(h, decisions);
       if(sign == ZERO)
         part.ties.push_back(e);
       return sign != NEGATIVE;
@@ -188,11 +212,11 @@ private:
 
   const Pair& m_pair;
   const Delta_complex& m_mesh;
+  const Edge_courses<Traits>& m_courses;
   Concurrency m_concurrency;
-  Edge_courses<Traits> m_courses;
+  Condition m_condition;
   std::vector<double> m_length;   // NaN if it is not known well enough
   std::vector<char> m_is_checked; // vertices, by `straight_length()`
-  Euclidean_geometry_traits<double>::Is_locally_Delaunay m_by_lengths{certified_length_error()};
   Delaunay_certificate m_certificate;
 };
 

@@ -34,6 +34,7 @@ class Development
 {
 public:
   typedef typename Corners::Complex Complex;
+  static constexpr bool is_rounded = Corners::is_rounded;
 
   // Represents a side of a triangle of T1, placed in the plane.
   struct Placed_side
@@ -47,8 +48,8 @@ public:
     : m_pair(pair), m_input(pair.input_mesh()), m_courses(courses), m_corners(corners)
   {}
 
-  template <typename Lazy_number>
-  Complex number(const Lazy_number& x) const
+  template <typename Number>
+  Complex number(const Number& x) const
   {
     return m_corners.number(x);
   }
@@ -75,6 +76,13 @@ public:
     const auto w = weights(side, p);
     return {side, -(scaled(w[1], side) + w[2] * at_source(side)),
             scaled(w[0], side) + w[2] * at_target(side), scaled(w[0] + w[1] + w[2], side)};
+  }
+
+  // Returns the square of the unit of positions around the source of the halfedge `h` of T2, the
+  // length of the first side. Positions must be to scale.
+  Complex squared_unit(Halfedge_index h) const
+  {
+    return m_corners.squared_length(start(h).halfedge);
   }
 
   typedef boost::container::small_vector<Placed_side, 4> Placed_sides;
@@ -120,6 +128,20 @@ public:
     return {end(h, side), end(following, following_side(h, side))};
   }
 
+  // Returns the ends of `count` consecutive outgoing halfedges of T2, counterclockwise from `h`.
+  // Their source is at the origin.
+  boost::container::small_vector<Complex, 4> ends(Halfedge_index h, std::size_t count) const
+  {
+    boost::container::small_vector<Complex, 4> result;
+    for(Placed_side side = start(h); result.size() < count;
+        h = m_pair.mesh().opposite(m_pair.mesh().prev(h))) {
+      if(!result.empty())
+        side = following_side(m_pair.mesh().next(m_pair.mesh().opposite(h)), side);
+      result.push_back(end(h, side));
+    }
+    return result;
+  }
+
   // Returns the first side clockwise from the outgoing halfedge of T2 that follows `h`, or at it.
   // `side` is the corresponding side for `h`.
   Placed_side following_side(Halfedge_index h, Placed_side side) const
@@ -152,7 +174,7 @@ public:
   Complex apex(const Placed_side& side) const
   {
     const Halfedge_index h = side.halfedge;
-    return Corners::is_rounded && !is_apex_near_source(h)
+    return is_rounded && !is_apex_near_source(h)
              ? scaled(side.target, h) - side.vector * at_target(h)
              : scaled(side.source, h) + side.vector * at_source(h);
   }
@@ -270,7 +292,7 @@ private:
     const Halfedge_index h = side.halfedge;
     if(exit == h)
       return side;
-    if constexpr(!Corners::is_rounded) {
+    if constexpr(!is_rounded) {
       const Complex from_source = m_corners.from_source(h, exit),
                     source = scaled(side.source, h) + side.vector * from_source,
                     vector =

@@ -78,7 +78,8 @@ public:
 
   // Leaves decisions open that need more than `most_digits` binary digits and more than a few
   // roots. Such a decision is almost certainly a tie.
-  void allow_few_roots() { m_most_roots = few_roots; }
+  void allow_few_roots() { allow_roots(few_roots); }
+  void allow_roots(std::size_t most) { m_most_roots = most; }
 
   // Returns whether the edge of `h`, which can be flipped, is locally Delaunay. The stored lengths
   // decide if their errors allow it.
@@ -234,8 +235,10 @@ public:
 
   // Returns the sign `predicate(development)`, which is called with more and more digits. If there
   // are few roots, exact numbers are faster than many digits. Coplanar faces are an example. If the
-  // input consists of numbers of type `double`, the last numbers are of type `Exact`.
-  template <typename Exact = Exact_ring, typename Predicate>
+  // input consists of numbers of type `double`, the last numbers are of type `Exact`. `Corners`
+  // are the exact corners.
+  template <typename Exact = Exact_ring,
+            template <typename, typename> class Corners = Exact_corners, typename Predicate>
   Sign decide(const Predicate& predicate)
   {
     Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
@@ -245,11 +248,11 @@ public:
       if(is_certain(sign))
         ++(is_first ? m_count.floating_point : m_count.multiprecision);
       else if(std::is_same_v<decltype(corners), Rounded<Double_double>&>)
-        sign = sign_by_roots<Exact>(predicate, few_roots);
+        sign = sign_by_roots<Exact, Corners>(predicate, few_roots);
       return is_certain(sign);
     });
     if(!is_certain(sign) && m_most_roots > few_roots)
-      sign = sign_by_roots<Exact>(predicate, m_most_roots);
+      sign = sign_by_roots<Exact, Corners>(predicate, m_most_roots);
     if(!is_certain(sign))
       throw Numerical_error("an exact decision involves more than " + std::to_string(m_most_roots) +
                             " independent square roots");
@@ -328,18 +331,19 @@ private:
 
   // ---- Stages ----
 
-  template <typename Exact, typename Predicate>
+  template <typename Exact, template <typename, typename> class Corners, typename Predicate>
   Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
   {
     typedef std::conditional_t<std::is_same_v<Number, double>, Exact, Number> Of_squares;
-    return m_metric.squared_lengths.empty() ? sign_by_roots_over<Exact>(predicate, maximum)
-                                            : sign_by_roots_over<Of_squares>(predicate, maximum);
+    return m_metric.squared_lengths.empty()
+             ? sign_by_roots_over<Corners<Exact, Number>>(predicate, maximum)
+             : sign_by_roots_over<Corners<Of_squares, Number>>(predicate, maximum);
   }
 
-  template <typename R, typename Predicate>
+  template <typename Corners, typename Predicate>
   Uncertain<Sign> sign_by_roots_over(const Predicate& predicate, std::size_t maximum)
   {
-    Exact_corners<R, Number> corners(exact_input(m_pair), m_is_flat, maximum);
+    Corners corners(exact_input(m_pair), m_is_flat, maximum);
     const Uncertain<Sign> sign = predicate(development(corners));
     if(corners.has_too_many_roots())
       return Uncertain<Sign>::indeterminate();
@@ -412,11 +416,7 @@ private:
   template <typename R>
   R exact_square(Halfedge_index h) const
   {
-    const Edge_index e = m_pair.input_mesh().edge(m_pair.input_halfedge(h));
-    if constexpr(std::is_same_v<R, K>)
-      if(!m_metric.squared_lengths.empty())
-        return K(m_metric.squared_lengths[e]);
-    return R(CGAL::square(R(m_pair.input_length(e))));
+    return exact_squared_length<R>(m_pair.input_halfedge(h), exact_input(m_pair));
   }
 
   template <typename R>

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Root_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 
@@ -92,6 +93,7 @@ public:
   explicit Rounded_corners(const Exact_surface<Number>& input) : m_input(input) {}
 
   static Complex number(int x) { return {N(x), N(0), 0}; }
+  static Complex number(double x) { return {N(x), N(0), 0}; }
 
   // Exact digits are requested only if `double` does not suffice.
   template <typename Lazy_number>
@@ -143,6 +145,12 @@ public:
     });
   }
 
+  Complex squared_length(Halfedge_index h) const
+  {
+    const Complex result = length(h);
+    return result * result;
+  }
+
   Complex length(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_input.mesh();
@@ -190,7 +198,7 @@ template <typename K, typename Number>
 std::array<K, 3> squared_sides(Halfedge_index h, const Exact_surface<Number>& input)
 {
   const Delta_complex& mesh = input.mesh();
-  if constexpr(!std::is_same_v<K, Exact_ring> || std::is_same_v<Number, double>)
+  if constexpr(std::is_constructible_v<K, const Number&>)
     if(const auto& square = input.metric.squared_lengths; !square.empty())
       return {K(square[mesh.edge(h)]), K(square[mesh.edge(mesh.next(h))]),
               K(square[mesh.edge(mesh.prev(h))])};
@@ -204,6 +212,20 @@ std::array<K, 3> squared_sides(Halfedge_index h, const Exact_surface<Number>& in
   scale_to_integers(length);
   const auto square = [&](std::size_t s) { return K(CGAL::square(K(length[0][s]))); };
   return {square(0), square(1), square(2)};
+}
+
+// Returns the squared length of the edge of `h`.
+template <typename K, typename Number>
+K exact_squared_length(Halfedge_index h, const Exact_surface<Number>& input)
+{
+  const Delta_complex& mesh = input.mesh();
+  if constexpr(std::is_constructible_v<K, const Number&>)
+    if(const auto& square = input.metric.squared_lengths; !square.empty())
+      return K(square[mesh.edge(h)]);
+  if(!input.metric.points.empty())
+    return squared_distance<K>(input.metric.points[mesh.source(h)],
+                               input.metric.points[mesh.target(h)]);
+  return K(CGAL::square(K(input.length_map()[mesh.edge(h)])));
 }
 
 // Returns the sign of the squared area of the triangle of `h`: NEGATIVE if the triangle inequality
@@ -231,6 +253,7 @@ public:
   {}
 
   Complex number(int x) const { return real(K(x)); }
+  Complex number(double x) const { return real(K(x)); }
   template <typename Lazy_number>
   Complex number(const Lazy_number& x) const
   {
@@ -273,20 +296,8 @@ public:
   // Returns whether there were more roots than are allowed.
   bool has_too_many_roots() const { return m_has_too_many_roots; }
 
-private:
+protected:
   typedef typename Complex::Element Element;
-
-  // Stores the common data of the corners of a face. Up to `factor`, their imaginary parts are
-  // multiples of a root.
-  struct Face
-  {
-    std::array<K, 3> square; // the squared sides; unused with positions
-    std::size_t axis = 0;    // a nonzero component of the normal, and its sign
-    int sign = 0;
-    double unit = 1; // coordinates in this unit have few digits
-    Element root;
-    K factor{1};
-  };
 
   Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
 
@@ -299,6 +310,21 @@ private:
     const auto u = exact_vector<K>(source(h), target(h), f.unit);
     return dot(u, u) * f.factor;
   }
+
+  Exact_surface<Number> m_input;
+
+private:
+  // Stores the common data of the corners of a face. Up to `factor`, their imaginary parts are
+  // multiples of a root.
+  struct Face
+  {
+    std::array<K, 3> square; // the squared sides; unused with positions
+    std::size_t axis = 0;    // a nonzero component of the normal, and its sign
+    int sign = 0;
+    double unit = 1; // coordinates in this unit have few digits
+    Element root;
+    K factor{1};
+  };
 
   const Position& source(Halfedge_index h) const
   {
@@ -356,11 +382,43 @@ private:
     f.factor = multiple ? multiple->factor : K(1);
   }
 
-  Exact_surface<Number> m_input;
   Flat_edges& m_is_flat;
   Root_tower<K> m_tower;
   std::unordered_map<Face_index, Face> m_face;
   bool m_has_too_many_roots = false;
+};
+
+// Computes corners exactly, in a field, and divides them by the squared length of their side.
+// Positions are to scale, in units of the length of the first side.
+template <typename K, typename Number>
+class Exact_corners_to_scale : public Exact_corners<K, Number>
+{
+  typedef Exact_corners<K, Number> Base;
+
+public:
+  typedef typename Base::Complex Complex;
+  using Base::Base;
+
+  static Complex scaled(Complex z, Halfedge_index) { return z; }
+
+  std::array<Complex, 3> weights(const std::array<double, 3>& b) const
+  {
+    const K sum = K(b[0]) + K(b[1]) + K(b[2]);
+    const auto weight = [&](double x) { return this->real(K(K(x) / sum)); };
+    return {weight(b[0]), weight(b[1]), weight(b[2])};
+  }
+
+  Complex at_source(Halfedge_index h) { return from_source(h, this->m_input.mesh().prev(h)); }
+  Complex at_target(Halfedge_index h) { return conj(this->number(1) - at_source(h)); }
+  Complex from_source(Halfedge_index h, Halfedge_index other)
+  {
+    return Base::from_source(h, other) * K(K(1) / this->scale(h));
+  }
+
+  Complex squared_length(Halfedge_index h) const
+  {
+    return this->real(exact_squared_length<K>(h, this->m_input));
+  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -195,6 +194,26 @@ public:
     return sign(sum);
   }
 
+  // Returns the inverse of an element that is not zero, over a field `K`. The inverse of
+  // a + b sqrt(c) is (a - b sqrt(c)) / (a^2 - b^2 c).
+  Element inverse(const Element& e) const
+  {
+    if(e.size() == 1)
+      return Element{K(K(1) / e[0])};
+    const auto middle = e.begin() + (e.end() - e.begin()) / 2;
+    const Element a(e.begin(), middle), b(middle, e.end());
+    if(is_zero(b))
+      return inverse(a);
+    Element norm, conjugate = e, result;
+    add_product(b, b, POSITIVE, norm);
+    multiply(norm, -m_squares[a.size()]);
+    add_product(a, a, POSITIVE, norm);
+    for(std::size_t i = a.size(); i < e.size(); ++i)
+      conjugate[i] = -conjugate[i];
+    add_product(conjugate, inverse(norm), POSITIVE, result);
+    return result;
+  }
+
   static bool is_zero(const Element& e)
   {
     return std::all_of(e.begin(), e.end(), [](const K& x) { return x == K(0); });
@@ -354,74 +373,6 @@ private:
   Square_classes m_classes;       // of the roots
   mutable std::vector<Long_float> m_roots;
 };
-
-// Represents a complex number whose parts are elements of a `Root_tower`.
-template <typename K>
-struct Root_complex
-{
-  typedef typename Root_tower<K>::Element Element;
-
-  const Root_tower<K>* tower;
-  Element x, y;
-
-  bool is_zero() const { return Root_tower<K>::is_zero(x) && Root_tower<K>::is_zero(y); }
-
-  friend Root_complex operator-(Root_complex a)
-  {
-    Root_tower<K>::negate(a.x);
-    Root_tower<K>::negate(a.y);
-    return a;
-  }
-  friend Root_complex operator+(Root_complex a, const Root_complex& b)
-  {
-    Root_tower<K>::add(b.x, a.x);
-    Root_tower<K>::add(b.y, a.y);
-    return a;
-  }
-  friend Root_complex operator-(Root_complex a, Root_complex b)
-  {
-    return std::move(a) + -std::move(b);
-  }
-  friend Root_complex operator*(const Root_complex& a, const Root_complex& b)
-  {
-    Root_complex result{a.tower, {}, {}};
-    a.tower->add_product(a.x, b.x, POSITIVE, result.x);
-    a.tower->add_product(a.y, b.y, NEGATIVE, result.x);
-    a.tower->add_product(a.x, b.y, POSITIVE, result.y);
-    a.tower->add_product(a.y, b.x, POSITIVE, result.y);
-    return result;
-  }
-  friend Root_complex operator*(Root_complex a, const K& factor)
-  {
-    Root_tower<K>::multiply(a.x, factor);
-    Root_tower<K>::multiply(a.y, factor);
-    return a;
-  }
-  friend Root_complex conj(Root_complex a)
-  {
-    Root_tower<K>::negate(a.y);
-    return a;
-  }
-};
-
-template <typename K>
-Uncertain<Sign> sign_of_real(const Root_complex<K>& a)
-{
-  return a.tower->sign(a.x);
-}
-
-template <typename K>
-Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a)
-{
-  return a.tower->sign(a.y);
-}
-
-// Returns the sign of the imaginary part of a product.
-template <typename K>
-Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a, const Root_complex<K>& b)
-{
-  return a.tower->sign_of_products(a.x, b.y, a.y, b.x);
-}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -362,7 +362,8 @@ private:
   // Sets the lengths of edges, and returns whether these edges are straight.
   bool are_straight(std::vector<std::pair<Edge_index, double>>& edges)
   {
-    Certifier<Traits> certifier(m_tri, Concurrency());
+    const Edge_courses<Traits> courses(m_tri, Concurrency());
+    Certifier<Traits> certifier(m_tri, courses, Concurrency());
     auto decisions = certifier.decisions();
     return std::all_of(edges.begin(), edges.end(), [&](auto& edge) {
       const Straight_edge straight = decisions.straight_edge(m_mesh.halfedge(edge.first));

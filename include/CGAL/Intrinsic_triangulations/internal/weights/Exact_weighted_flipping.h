@@ -9,85 +9,32 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_decisions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
-#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Decides predicates of T2 with circles around its vertices, whose squared radii are weights. The
-// radii are exact.
-template <typename Traits, typename RadiusMap>
-class Weighted_decisions : public Exact_decisions<Traits>
+// Provides the squared radii of circles, which are exact, as weights.
+template <typename RadiusMap>
+struct Squared_radii
 {
-  typedef Exact_decisions<Traits> Base;
-  using Base::m_mesh;
-  using Base::try_with_more_digits;
+  const RadiusMap& radius;
 
-public:
-  Weighted_decisions(const Triangulation_pair<Traits>& pair, const Edge_courses<Traits>& courses,
-                     const RadiusMap& radius)
-    : Base(pair, courses), m_radius(radius)
-  {}
-
-  // Returns whether the edge of `h` is weighted Delaunay. If 1024 binary digits do not distinguish
-  // it from a tie, it counts as a tie.
-  bool is_weighted_Delaunay(Halfedge_index h) const
+  template <typename N>
+  Ball<N> ball(Vertex_index v) const
   {
-    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
-    try_with_more_digits([&](auto& corners) {
-      const auto left = scaled_height(h, corners), right = scaled_height(opposite(h), corners);
-      sign = sign_of_real(left.first * right.second + right.first * left.second);
-      return is_certain(sign);
-    });
-    return !certainly(sign == NEGATIVE);
+    const Ball<N> r{N(get(radius, v)), N(0), 0};
+    return r * r;
   }
-
-private:
-  template <typename Number>
-  static Ball<Number> real(const Number& x, double error = 0)
-  {
-    return {x, Number(0), error};
-  }
-
-  template <typename Complex>
-  Complex weight(Vertex_index v) const
-  {
-    const Complex radius = real(decltype(Complex::x)(get(m_radius, v)));
-    return radius * radius;
-  }
-
-  // Returns two numbers. Their quotient is the height of the power center of the face ijk of `h`
-  // over ij, times twice the length of ij. Let j and k be the other corners as seen from i, as
-  // complex numbers in a unit L, and k conj(j) = x + i y. Then the numbers are
-  //   ((|k|^2 - x) L^2 + w_i - w_k) |j|^2 - (w_i - w_j) x   and   y.
-  template <typename Corners>
-  auto scaled_height(Halfedge_index h, Corners& corners) const
-  {
-    typedef typename Corners::Complex Complex;
-    const auto development = Base::development(corners);
-    const auto [j, k] = development.ends(h);
-    const Complex unit = corners.length(development.start(h).halfedge), product = k * conj(j);
-    const Complex x = real(product.x, product.radius), square = j * conj(j);
-    const Vertex_index source = m_mesh.source(h);
-    const Complex w_i = weight<Complex>(source), w_j = weight<Complex>(m_mesh.target(h)),
-                  w_k = weight<Complex>(m_mesh.target(m_mesh.next(h)));
-    return std::pair<Complex, Complex>(((k * conj(k) - x) * (unit * unit) + (w_i - w_k)) * square -
-                                         (w_i - w_j) * x,
-                                       real(product.y, product.radius));
-  }
-
-  const RadiusMap& m_radius;
 };
 
 // Flips with decisions about the surface of T1, to the weighted Delaunay triangulation.
@@ -99,9 +46,13 @@ public:
     : m_tri(tri),
       m_flipping(tri),
       m_courses(tri),
-      m_decisions(tri, m_courses, radius),
-      m_radius(radius)
+      m_weights{radius},
+      m_decisions(tri, m_courses, m_weights)
   {}
+
+  // Decisions refer to the weights.
+  Exact_weighted_flipping(const Exact_weighted_flipping&) = delete;
+  Exact_weighted_flipping& operator=(const Exact_weighted_flipping&) = delete;
 
   bool is_certainly_Delaunay(Edge_index e) const
   {
@@ -109,7 +60,7 @@ public:
     const Halfedge_index h = mesh.halfedge(e);
     return mesh.is_border(e) ||
            m_is_good.is_certain(diamond(m_tri.length_map(), h, mesh),
-                                diamond_weights(squared_radius_map(m_radius), h, mesh));
+                                diamond_weights(squared_radius_map(m_weights.radius), h, mesh));
   }
 
   bool is_Delaunay(Edge_index e)
@@ -145,8 +96,8 @@ private:
   Intrinsic_triangulation<Traits>& m_tri;
   Exact_flipping<Traits> m_flipping;
   Edge_courses<Traits> m_courses;
-  Weighted_decisions<Traits, RadiusMap> m_decisions;
-  const RadiusMap& m_radius;
+  Squared_radii<RadiusMap> m_weights;
+  Weighted_decisions<Traits, Squared_radii<RadiusMap>> m_decisions;
   Is_locally_weighted_Delaunay<double> m_is_good{certified_length_error()};
   std::vector<Vertex_index> m_hidden;
 };

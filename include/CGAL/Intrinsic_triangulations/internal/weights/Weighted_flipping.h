@@ -239,17 +239,22 @@ private:
 
   // Returns the triangle that hides the source of `h`, from the other corners of its diamond. The
   // sum of heights is linear in the weights, and vanishes if the lifted point is in the triangle.
+  // All corners of the only edge of a vertex lie at its other end.
   Supporting_triangle<FT> supporting_triangle(Halfedge_index h) const
   {
     const Diamond<FT> length = diamond(m_lengths.length_map(), h, m_mesh);
     const Halfedge_index o = opposite(h);
+    const Vertex_index target = m_mesh.target(h);
+    if(m_mesh.prev(h) == o)
+      return {-length.ij * length.ij,
+              {std::pair(target, FT(1)), std::pair(target, FT(0)), std::pair(target, FT(0))}};
     const FT left = determined_area(length.ij, length.jk, length.ki),
              right = determined_area(length.ij, length.il, length.lj),
              unit = length.ij * length.ij / cotangents_at_target(h);
     const FT of_target = -cotangents_at_source(length) * unit / (length.ij * length.ij);
     return {-unit * (doubled_corner_product(length.ij, length.jk, length.ki) * right +
                      doubled_corner_product(length.ij, length.il, length.lj) * left),
-            {std::pair(m_mesh.target(h), of_target > 0 ? of_target : FT(0)),
+            {std::pair(target, of_target > 0 ? of_target : FT(0)),
              std::pair(m_mesh.target(m_mesh.next(h)), FT(2 * right * unit)),
              std::pair(m_mesh.target(m_mesh.next(o)), FT(2 * left * unit))}};
   }
