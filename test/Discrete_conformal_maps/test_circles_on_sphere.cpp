@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../Intrinsic_triangulations/more_generators.h"
+#include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "circles.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
@@ -391,6 +392,39 @@ TEST(Circles_on_the_sphere, do_not_depend_on_the_triangulation)
             }
       }
     }
+}
+
+// Returns a map of a tube with rings of three points. All circles have the radius 0.2.
+Spherical_conformal_map map_of_tube(std::size_t rings)
+{
+  const Triangulation t(tube(rings, 3, 0.5, 0, Tube_ends::capped));
+  return decorated(t, Radii(t.mesh().num_vertices(), 0.2));
+}
+
+// Rings of an infinite tube become homothetic polygons in the plane, by the factor q. The law of
+// cosines for circles gives q + 1/q - 2 = 1 / (R^2 - r^2) for rings of radius R at unit distances.
+// The smallest circles have about the radii e^-66 and e^-141.
+TEST(Circles_on_the_sphere, shrink_along_a_tube)
+{
+  const double step = 2 * std::asinh(1 / (2 * std::sqrt(0.25 - 0.04)));
+  for(const std::size_t rings : {70, 150}) {
+    const Spherical_conformal_map map = map_of_tube(rings);
+    EXPECT_EQ(map.status(), DCM::Map_status::success) << map.cause();
+    EXPECT_LT(map.max_curvature_error(), 1e-20);
+    EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-9);
+    EXPECT_TRUE(map.certificate().is_convex());
+    EXPECT_FALSE(map.crowded_faces().empty());
+    std::size_t small = 0;
+    for(std::size_t v = 0; v + 3 < 3 * rings; ++v) {
+      const double u = map.log_scale(Vertex_index(v)), next = map.log_scale(Vertex_index(v + 3));
+      const std::size_t ring = v / 3;
+      if(u > -30 || next > -30 || ring < 10 || ring + 10 > rings)
+        continue;
+      EXPECT_NEAR(std::abs(next - u), step, 1e-9) << ring;
+      ++small;
+    }
+    EXPECT_GT(2 * small, rings);
+  }
 }
 
 TEST(Circles_on_the_sphere, uniformize_spheres_and_disks)

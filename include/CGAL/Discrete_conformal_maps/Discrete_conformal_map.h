@@ -90,11 +90,14 @@ struct Map_data
 
   // Returns the scaled decorated length of an edge.
   // \pre vertices have circles
-  Intrinsic_triangulations::Decorated_length<double> scaled_decorated_length(Halfedge_index h) const
+  template <typename FT = double>
+  Intrinsic_triangulations::Decorated_length<FT> scaled_decorated_length(Halfedge_index h) const
   {
     const auto edge = Intrinsic_triangulations::internal::decorated_lengths(
       bc.traits(), bc.length_map(), bc.mesh())(h);
-    return scaled(edge, log_scale[bc.mesh().source(h).idx()], log_scale[bc.mesh().target(h).idx()]);
+    return scaled(Intrinsic_triangulations::internal::with_numbers<FT>(edge),
+                  FT(log_scale[bc.mesh().source(h).idx()]),
+                  FT(log_scale[bc.mesh().target(h).idx()]));
   }
 };
 

@@ -10,8 +10,10 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/spherical_gram_error.h>
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -35,29 +37,54 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
 
 namespace internal {
 
-// Returns the greatest relative error of a Gram coordinate of T_3, measured on the sphere. It is
-// c L^2 / 2 - (c - 1) for a chord of length L between two centers. Here c is the product of both
-// 1 / cos R, for scaled radii tan R.
-inline double max_inversive_distance_error(const Spherical_conformal_map& map)
+// Returns whether the stored positions of the ends of an edge determine its length.
+inline bool has_known_length(Edge_index e, const Spherical_conformal_map& map)
 {
+  const Delta_complex& mesh = map.ideal().mesh();
+  const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+  return v == map.vertex_at_infinity() || w == map.vertex_at_infinity() ||
+         has_known_distance(map.stereographic_position(v), map.stereographic_position(w));
+}
+
+// Returns the square of the distance of the ends of an edge of T_3 on the sphere.
+template <typename FT>
+FT squared_length(Edge_index e, const Spherical_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+  const auto &p = map.stereographic_position(v), &q = map.stereographic_position(w);
+  return v == map.vertex_at_infinity()   ? squared_chord_to_infinity<FT>(q)
+         : w == map.vertex_at_infinity() ? squared_chord_to_infinity<FT>(p)
+                                         : squared_chord_from_plane<FT>(p, q);
+}
+
+// Returns the greatest relative error of a Gram coordinate of T_3, measured on the sphere.
+template <typename FT>
+double max_inversive_distance_error(const Spherical_conformal_map& map)
+{
+  using Intrinsic_triangulations::internal::with_numbers;
   const Delta_complex& mesh = map.ideal().mesh();
   const auto decorated_length = Intrinsic_triangulations::internal::decorated_lengths(
     map.ideal().traits(), map.ideal().length_map(), mesh);
   double result = 0;
-  for(Edge_index e : mesh.edges()) {
-    const Halfedge_index h = mesh.halfedge(e);
-    const Vertex_index v = mesh.source(h), w = mesh.target(h);
-    const auto edge = scaled(decorated_length(h), map.log_scale(v), map.log_scale(w));
-    const auto p = map.precise_position(v), q = map.precise_position(w);
-    double square = 0;
-    for(std::size_t i = 0; i < 3; ++i)
-      square += (p[i] - q[i]).high() * (p[i] - q[i]).high();
-    const double r = edge.source_radius * edge.source_radius,
-                 s = edge.target_radius * edge.target_radius, c = std::sqrt((1 + r) * (1 + s)),
-                 gram = c * square / 2 - (r + s + r * s) / (c + 1);
-    result = greater_error(result, std::abs(gram / edge.gram() - 1));
-  }
+  for(Edge_index e : mesh.edges())
+    if(has_known_length(e, map)) {
+      const Halfedge_index h = mesh.halfedge(e);
+      const auto edge =
+        scaled(with_numbers<FT>(decorated_length(h)), FT(map.log_scale(mesh.source(h))),
+               FT(map.log_scale(mesh.target(h))));
+      result = greater_error(result, spherical_gram_error(edge, squared_length<FT>(e, map)));
+    }
   return result;
+}
+
+// Returns whether squares of lengths on the sphere can exceed the range of `double`.
+inline bool has_wide_lengths(const Spherical_conformal_map& map)
+{
+  const auto vertices = map.ideal().mesh().vertices();
+  return std::any_of(vertices.begin(), vertices.end(), [&](Vertex_index v) {
+    return std::abs(map.log_scale(v)) > tolerance::narrow_log_scales;
+  });
 }
 
 } // namespace internal
@@ -67,23 +94,21 @@ inline double max_inversive_distance_error(const Spherical_conformal_map& map)
 /// Ratios of lengths on the sphere are compared with ratios of the ideal polyhedron. Positions have
 /// the digits of `Spherical_conformal_map::stereographic_position()`. Edges do not count if these
 /// digits do not determine the length of a side of their faces. If there are circles, inversive
-/// distances are compared instead. The result is infinite if the sphere is not laid out.
-/// Complexity: linear.
+/// distances of edges with known lengths are compared instead. The result is infinite if the sphere
+/// is not laid out. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
   if(!map.is_laid_out())
     return std::numeric_limits<double>::infinity();
   if(map.has_radii())
-    return internal::max_inversive_distance_error(map);
+    return internal::has_wide_lengths(map)
+             ? internal::max_inversive_distance_error<internal::Wide_number<double>>(map)
+             : internal::max_inversive_distance_error<double>(map);
   const Delta_complex& mesh = map.ideal().mesh();
   std::vector<std::array<Spherical_conformal_map::Extended, 2>> position;
   for(Vertex_index v : mesh.vertices())
     position.push_back(map.stereographic_position(v));
-  const auto is_known = [&](Edge_index e) {
-    const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
-    return v == map.vertex_at_infinity() || w == map.vertex_at_infinity() ||
-           internal::has_known_distance(position[v.idx()], position[w.idx()]);
-  };
+  const auto is_known = [&](Edge_index e) { return internal::has_known_length(e, map); };
   return internal::max_stereographic_cross_ratio_error(
     mesh, [&](Edge_index e) { return map.ideal().length(e); }, position, map.vertex_at_infinity(),
     is_known);

@@ -153,6 +153,13 @@ Decorated_length<FT> multiplied(const Decorated_length<FT>& edge, const FT& fact
   return {factor * edge.tangent, factor * edge.source_radius, factor * edge.target_radius};
 }
 
+// Returns the edge with numbers of another type.
+template <typename Number, typename FT>
+Decorated_length<Number> with_numbers(const Decorated_length<FT>& edge)
+{
+  return {Number(edge.tangent), Number(edge.source_radius), Number(edge.target_radius)};
+}
+
 // Stores the circles at the corners of two neighboring faces ijk and jil, in a unit that keeps
 // products of many lengths in range. All terms are sums of products of nonnegative numbers.
 template <typename FT>

@@ -116,6 +116,9 @@ constexpr double roundings_of_position = 8;
 // coordinates. At this distance or a greater one, `Extended` resolves the distance with ten
 // digits.
 constexpr double greatest_position = 0x1p480, least_known_distance = 0x1p-70;
+// Close to the image of infinity on the sphere, the square of the distance from it determines the
+// stereographic projection with more digits. This is the greatest such square.
+constexpr double near_infinity = 1e-12;
 // Up to this size of logarithmic scale factors, squares of lengths and products of four lengths
 // are in the range of `double`.
 constexpr double narrow_log_scales = 100;

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Cholesky>
@@ -23,16 +23,18 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Stores circles on the unit sphere. The circle with center p and angular radius R is represented
-// by the vector (p / cos R, 1) of Minkowski space.
+// by the vector (p / cos R, 1) of Minkowski space. Circles that are much smaller than the sphere
+// need a number type with enough digits to distinguish their centers.
+template <typename FT>
 class Balanced_circles
 {
 public:
-  typedef std::array<Extended, 3> Point;
+  typedef std::array<FT, 3> Point;
 
   // `mass` contains the mass of each vertex. `log_scale` and `position` describe the sphere for
   // radii of zero.
-  Balanced_circles(std::vector<double> mass, std::vector<Extended> log_scale,
-                   std::vector<Point> position)
+  explicit Balanced_circles(std::vector<double> mass, std::vector<Extended> log_scale = {},
+                            std::vector<Point> position = {})
     : m_mass(std::move(mass)), m_log_scale(std::move(log_scale)), m_pole(std::move(position))
   {
     double total = 0;
@@ -42,7 +44,7 @@ public:
       m /= total;
   }
 
-  void assign(std::vector<Extended> log_scale, const std::vector<Extended>& radii,
+  void assign(std::vector<Extended> log_scale, const std::vector<FT>& radii,
               std::vector<Point> position)
   {
     m_log_scale = std::move(log_scale);
@@ -51,6 +53,7 @@ public:
       m_pole[v] = times(m_pole[v], sqrt(1 + radii[v] * radii[v]));
   }
 
+  const std::vector<double>& mass() const { return m_mass; }
   const std::vector<Extended>& log_scale() const { return m_log_scale; }
   // Returns the point p / cos R, which is the pole of the plane of the circle.
   const Point& pole(Vertex_index v) const { return m_pole[v.idx()]; }
@@ -76,16 +79,18 @@ public:
       q = {dot(row[0], q), dot(row[1], q), dot(row[2], q)};
   }
 
-  static Extended dot(const Point& a, const Point& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static Extended norm(const Point& a) { return sqrt(dot(a, a)); }
-  static Point times(const Point& a, const Extended& x) { return {x * a[0], x * a[1], x * a[2]}; }
+  static FT dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static FT norm(const Point& a) { return sqrt(dot(a, a)); }
+  static Point times(const Point& a, const FT& x) { return {x * a[0], x * a[1], x * a[2]}; }
 
 private:
   static constexpr double longest_step = 1, least_cosine = 0.05;
   static constexpr int most_steps = 200;
+
+  static Eigen::Vector3d rounded(const Point& q)
+  {
+    return {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2])};
+  }
 
   // Makes one step of `balance()`, and multiplies the factors by which circles have shrunk by
   // theirs. Returns whether a step has been necessary.
@@ -94,8 +99,7 @@ private:
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Matrix3d Hessian = tolerance::least_curvature * Eigen::Matrix3d::Identity();
     for(std::size_t v = 0; v < m_mass.size(); ++v) {
-      const Eigen::Vector3d q(m_pole[v][0].high(), m_pole[v][1].high(), m_pole[v][2].high());
-      const Eigen::Vector3d p = q.normalized();
+      const Eigen::Vector3d q = rounded(m_pole[v]), p = q.normalized();
       sum += m_mass[v] * p;
       Hessian += m_mass[v] / q.norm() * (Eigen::Matrix3d::Identity() - p * p.transpose());
     }
@@ -114,7 +118,7 @@ private:
   bool can_move(const Eigen::Vector3d& direction, double length) const
   {
     return std::all_of(m_pole.begin(), m_pole.end(), [&](const Point& q) {
-      const Eigen::Vector3d p(q[0].high(), q[1].high(), q[2].high());
+      const Eigen::Vector3d p = rounded(q);
       const double time = std::cosh(length) - std::sinh(length) * direction.dot(p),
                    squared_radius = p.squaredNorm() - 1;
       return time > 0 && time * time > squared_radius * (least_cosine * least_cosine);
@@ -124,15 +128,15 @@ private:
   void move(const Eigen::Vector3d& direction, double length, std::vector<Extended>& shrinkage)
   {
     const Point d{direction[0], direction[1], direction[2]};
-    const Extended x = Extended(length), e = exp(x), cosh = (e + 1 / e) / 2, unit = dot(d, d),
-                   sinh = (e - 1 / e) / 2 / sqrt(unit), along_factor = (cosh - 1) / unit;
+    const FT x = FT(length), e = exp(x), cosh = (e + 1 / e) / 2, unit = dot(d, d),
+             sinh = (e - 1 / e) / 2 / sqrt(unit), along_factor = (cosh - 1) / unit;
     for(std::size_t v = 0; v < m_pole.size(); ++v) {
       Point& q = m_pole[v];
-      const Extended along = dot(d, q), time = cosh - sinh * along,
-                     shift = along_factor * along - sinh, inverse = 1 / time;
+      const FT along = dot(d, q), time = cosh - sinh * along, shift = along_factor * along - sinh,
+               inverse = 1 / time;
       for(std::size_t c = 0; c < 3; ++c)
         q[c] = inverse * (q[c] + shift * d[c]);
-      shrinkage[v] *= time;
+      shrinkage[v] *= converted<Extended>(time);
     }
   }
 

@@ -44,13 +44,11 @@ class Circles_on_sphere
   typedef Eigen::VectorXd Vector;
 
 public:
-  typedef Balanced_circles::Point Point;
-
   // `mesh` is T_2 with the lengths of its tangents and the radii. `circles` contains the scale
   // factors and positions of the ideal polyhedron, and the masses of vertices. `order` is an
   // elimination order of the vertices, if it is known.
   Circles_on_sphere(const Delta_complex& mesh, std::vector<Extended> tangent,
-                    std::vector<Extended> radius, Balanced_circles circles,
+                    std::vector<Extended> radius, Balanced_circles<Extended> circles,
                     std::shared_ptr<Shared_order> order)
     : m_mesh(mesh),
       m_tangent(std::move(tangent)),
@@ -61,15 +59,28 @@ public:
 
   // Follows the polyhedra to the final radii with numbers of this type. If they suffice and the
   // layout is good, the last polyhedron has their digits, and otherwise the digits of `Extended`.
-  // Returns whether the search has reached the radii.
+  // If these digits do not distinguish the centers of circles, centers have the digits of
+  // `Long_number`. Returns whether the search has reached the radii.
   template <typename FT>
   bool run(bool digits_suffice, Any_visitor& visitor)
   {
-    const bool is_reached =
-      grow<FT>(visitor) && ((digits_suffice && has_good_layout()) || reach<Extended>(1, visitor));
-    if(is_reached)
+    typedef Precise<FT> Number;
+    if(!grow<FT>(visitor) || !((digits_suffice && has_good_layout()) || reach<Number>(1, visitor)))
+      return false;
+    if(has_good_layout())
       m_circles.balance();
-    return is_reached;
+    else
+      separate<Number>();
+    return true;
+  }
+
+  // Returns whether lengths on the sphere may exceed the range of `double` and of `Extended`.
+  bool is_wide() const
+  {
+    const std::vector<Extended>& u = m_circles.log_scale();
+    return std::any_of(u.begin(), u.end(), [](const Extended& x) {
+      return !(std::abs(x.high()) <= tolerance::narrow_log_scales);
+    });
   }
 
   // Returns why the radii have not been reached.
@@ -78,7 +89,7 @@ public:
     if(m_part > 0)
       return "circles grow only to the part " + std::to_string(m_part) +
              " of the squares of their radii";
-    const std::optional<double> error = ideal_error<Extended>();
+    const std::optional<double> error = ideal_error<Wide_number<Extended>>();
     return !error ? "lengths on the sphere exceed the range of numbers"
            : !std::isfinite(*error)
              ? "a face of the polyhedron without circles contains the center "
@@ -88,7 +99,16 @@ public:
              : "circles do not grow";
   }
 
-  const Balanced_circles& circles() const { return m_circles; }
+  // Calls `function` with the circles.
+  template <typename Function>
+  void visit_circles(const Function& function) const
+  {
+    if(m_separate_circles)
+      function(*m_separate_circles);
+    else
+      function(m_circles);
+  }
+
   // Returns the flips from T_2 to T_3.
   const std::vector<Halfedge_index>& flips() const { return m_flips; }
   // Returns the greatest angle defect of the last polyhedron.
@@ -102,6 +122,11 @@ private:
   template <typename FT>
   static constexpr double enough =
     std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
+  // The number type of the last polyhedron, and of positions on the path to it.
+  template <typename FT>
+  using Precise = std::conditional_t<std::is_same_v<FT, double>, Extended, FT>;
+  template <typename FT>
+  using Position = std::conditional_t<std::is_same_v<FT, double>, double, Extended>;
 
   // Grows the radii, starting from the fraction of their squares that has been reached.
   template <typename FT>
@@ -134,6 +159,8 @@ private:
   template <typename FT>
   bool is_near_ideal() const
   {
+    if(is_wide() && std::is_same_v<FT, Position<FT>>)
+      return false;
     const std::optional<double> error = ideal_error<FT>();
     return error && *error < greatest_start_error;
   }
@@ -262,22 +289,52 @@ private:
     return true;
   }
 
-  template <typename Surface>
-  void keep(const Surface& surface, const std::vector<Extended>& u, double error)
+  template <typename FT>
+  void keep(const Spherical_circle_surface<FT>& surface, const std::vector<Extended>& u,
+            double error)
   {
-    std::vector<Extended> radii;
-    for(Vertex_index v : surface.mesh().vertices())
-      radii.emplace_back(surface.scaled_radius(v));
-    const std::vector<Point> centers = surface.centers();
+    const auto centers = surface.template centers<Position<FT>>();
     m_layout_error = surface.layout_error(centers);
-    m_circles.assign(u, radii, centers);
+    m_circles.assign(u, radii<Extended>(surface), points(centers));
     m_flips = surface.flips();
     m_angle_error = error;
   }
 
+  // Computes the last polyhedron again, with digits that distinguish the centers of its circles.
+  template <typename FT>
+  void separate()
+  {
+    auto surface = surface_with<FT>(1);
+    surface.scale(m_circles.log_scale());
+    m_separate_circles.emplace(m_circles.mass());
+    m_separate_circles->assign(m_circles.log_scale(), radii<Long_number>(surface),
+                               surface.template centers<Long_number>());
+    m_separate_circles->balance();
+  }
+
+  template <typename Number, typename Surface>
+  static std::vector<Number> radii(const Surface& surface)
+  {
+    std::vector<Number> result;
+    for(Vertex_index v : surface.mesh().vertices())
+      result.push_back(converted<Number>(surface.scaled_radius(v)));
+    return result;
+  }
+
+  // Returns the points with the digits of `Extended`.
+  template <typename Point>
+  static std::vector<std::array<Extended, 3>> points(const std::vector<Point>& points)
+  {
+    std::vector<std::array<Extended, 3>> result;
+    for(const auto& [x, y, z] : points)
+      result.push_back({Extended(x), Extended(y), Extended(z)});
+    return result;
+  }
+
   const Delta_complex& m_mesh;
   std::vector<Extended> m_tangent, m_radius;
-  Balanced_circles m_circles;
+  Balanced_circles<Extended> m_circles;
+  std::optional<Balanced_circles<Long_number>> m_separate_circles;
   std::vector<Halfedge_index> m_flips;
   Fixed_face m_newton;
   double m_part = 0; // the fraction of the squared radii

@@ -10,7 +10,9 @@
 #include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Spherical_circle_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/spherical_gram_error.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/SparseCore>
@@ -21,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <queue>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,7 +68,6 @@ template <typename FT>
 class Spherical_circle_surface
 {
   typedef Spherical_circle_triangle<FT> Triangle;
-  typedef Spherical_frame<FT> Frame;
 
 public:
   typedef Eigen::VectorXd Vector;
@@ -166,56 +168,105 @@ public:
     return {mesh().source(side[0]), mesh().source(side[1]), mesh().source(side[2])};
   }
 
-  // Returns the centers of the circles. Each face is positioned beside its predecessor. Directions
-  // are rotated from face to face, because directions computed from positions would multiply
-  // errors.
-  std::vector<std::array<Extended, 3>> centers() const
+  // Returns the centers of the circles with the digits of `Position`. Each face is positioned
+  // beside its predecessor. Directions are rotated from face to face, because directions computed
+  // from positions would multiply errors. With the digits of `Long_number`, the shortest edges are
+  // crossed first. Then no path between small faces leads across large faces, and errors are
+  // proportional to the sizes of the faces.
+  template <typename Position>
+  std::vector<std::array<Position, 3>> centers() const
   {
-    std::vector<std::array<Extended, 3>> result(mesh().num_vertices(), {0, 0, 1});
+    std::vector<std::array<Position, 3>> result(mesh().num_vertices(), {0, 0, 1});
     std::vector<char> is_placed(mesh().num_vertices(), 0), is_done(mesh().num_faces(), 0);
-    std::queue<std::pair<Halfedge_index, Frame>> next;
-    next.emplace(mesh().halfedge(*mesh().faces().begin()), Frame{{0, 0, 1}, {1, 0, 0}});
-    for(; !next.empty(); next.pop()) {
-      const auto [h, at_source] = next.front();
+    Crossings<Position> crossings;
+    crossings.add(0, mesh().halfedge(*mesh().faces().begin()), {{0, 0, 1}, {1, 0, 0}});
+    while(!crossings.empty()) {
+      const auto [h, at_source] = crossings.next();
       if(std::exchange(is_done[mesh().face(h).idx()], char(1)))
         continue;
       const std::array<Halfedge_index, 3> side{h, mesh().next(h), mesh().prev(h)};
-      const std::array<Frame, 3> frame = frames_of_opposites(side, at_source);
+      const auto frame = frames_of_opposites(side, at_source);
       for(std::size_t s = 0; s < 3; ++s) {
         const Halfedge_index o = mesh().opposite(side[s]);
-        const auto& p = frame[s].position;
         if(!std::exchange(is_placed[mesh().source(o).idx()], char(1)))
-          result[mesh().source(o).idx()] = {Extended(p[0]), Extended(p[1]), Extended(p[2])};
+          result[mesh().source(o).idx()] = frame[s].position;
         if(!is_done[mesh().face(o).idx()])
-          next.emplace(o, frame[s]);
+          crossings.add(priority<Position>(o), o, frame[s]);
       }
     }
     return result;
   }
 
   // Returns the greatest relative error of a distance between two of these centers.
-  double layout_error(const std::vector<std::array<Extended, 3>>& center) const
+  template <typename Position>
+  double layout_error(const std::vector<std::array<Position, 3>>& center) const
   {
+    using std::sqrt;
+    typedef Distance_of<Position> Distance;
     double result = 0;
     for(Edge_index e : mesh().edges()) {
       const auto &p = center[mesh().vertex(e, 0).idx()], &q = center[mesh().vertex(e, 1).idx()];
-      const double distance =
-                     std::hypot((q[0] - p[0]).high(), (q[1] - p[1]).high(), (q[2] - p[2]).high()),
-                   chord = 2 * static_cast<double>(m_half_chord[e.idx()]);
-      result = greater_error(result, std::abs(distance - chord) / chord);
+      const Distance chord = 2 * converted<Distance>(m_half_chord[e.idx()]),
+                     distance = sqrt(squared_chord<Distance>(p, q));
+      result = greater_error(result, std::abs(static_cast<double>(distance / chord) - 1));
     }
     return result;
   }
 
 private:
+  // Stores halfedges with their frames, and returns them by priority. With equal priorities, the
+  // first one comes first.
+  template <typename Position>
+  class Crossings
+  {
+    typedef std::pair<Halfedge_index, Spherical_frame<Position>> Crossing;
+
+  public:
+    bool empty() const { return m_next.empty(); }
+
+    void add(int priority, Halfedge_index h, const Spherical_frame<Position>& frame)
+    {
+      m_next.emplace(priority, -std::ptrdiff_t(m_crossings.size()));
+      m_crossings.emplace_back(h, frame);
+    }
+
+    Crossing next()
+    {
+      const auto i = static_cast<std::size_t>(-m_next.top().second);
+      m_next.pop();
+      return m_crossings[i];
+    }
+
+  private:
+    std::vector<Crossing> m_crossings;
+    std::priority_queue<std::pair<int, std::ptrdiff_t>> m_next; // with negative indices
+  };
+
+  // Returns the priority with which an edge is crossed.
+  template <typename Position>
+  int priority([[maybe_unused]] Halfedge_index h) const
+  {
+    if constexpr(std::is_same<Position, Long_number>::value)
+      return -exponent_of(converted<Position>(half_chord(h)));
+    else
+      return 0;
+  }
+
   // Returns the frames of the opposites of the sides of a face at their sources. `first` is the
   // frame of the first side.
-  std::array<Frame, 3> frames_of_opposites(const std::array<Halfedge_index, 3>& side,
-                                           const Frame& first) const
+  template <typename Position>
+  std::array<Spherical_frame<Position>, 3>
+  frames_of_opposites(const std::array<Halfedge_index, 3>& side,
+                      const Spherical_frame<Position>& first) const
   {
     const Triangle t = triangle(side);
-    const Frame last = first.turned(t.corner(0));
-    return {first.at_end(t.length(0)), last.at_end(t.length(2)).turned(t.corner(2)), last};
+    const auto length = [&](std::size_t s) { return converted<Position>(t.length(s)); };
+    const auto corner = [&](std::size_t s) {
+      const Corner<FT> unit = t.corner(s).scaled();
+      return Corner<Position>{converted<Position>(unit.cosine), converted<Position>(unit.sine)};
+    };
+    const Spherical_frame<Position> last = first.turned(corner(0));
+    return {first.at_end(length(0)), last.at_end(length(2)).turned(corner(2)), last};
   }
 
   const FT& half_chord(Halfedge_index h) const { return m_half_chord[Edge_index(h).idx()]; }

@@ -315,8 +315,7 @@ private:
   template <typename FT>
   void compare(const std::vector<std::array<FT, 2>>& position)
   {
-    typedef std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, double>
-      Length; // exceeds the range of `double` only if positions do
+    typedef Distance_of<FT> Length;
     Ptolemy_surface<Length> ideal(m_problem.triangulation().mesh(),
                                   m_problem.template lengths<Length>(m_problem.triangulation()));
     ideal.replay(m_result.flips);

@@ -11,12 +11,14 @@
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/circles/Circles_on_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/vertex_masses.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/spherical_gram_error.h>
 
 #include <algorithm>
 #include <array>
@@ -31,8 +33,6 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Executes the steps from a closed or doubled surface with circles at its vertices to its map.
 class Circle_sphere_mapping
 {
-  typedef Balanced_circles::Point Point;
-
 public:
   // `problem` is the whole surface with its circles, or its whole double. `without_circles` is the
   // same surface.
@@ -54,16 +54,19 @@ public:
     m_layout.exists = grow<double>();
     if(!m_layout.exists) {
       start_from(unfolding(Unfolding_use::map));
-      m_layout.exists = grow<double>();
+      m_layout.exists = grow<double>() || grow_beyond_range();
     }
     if(!m_layout.exists) {
       start_from(unfolding(Unfolding_use::precise_start));
-      m_layout.exists = grow<double>() || grow<Extended>();
+      m_layout.exists = grow<double>() || grow<Extended>() || grow_beyond_range();
     }
     m_layout.at_infinity = m_ideal.layout.at_infinity;
     if(!m_layout.exists)
       m_builder.set_cause(m_ideal.layout.exists ? m_search->cause() : m_ideal.cause);
     store(*m_search);
+    m_promises = Defect_errors{m_search->angle_error(), 0}.promises(m_layout.exists);
+    if(m_layout.exists)
+      m_search->visit_circles([this](const auto& circles) { store_circles(circles); });
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
@@ -71,8 +74,8 @@ public:
     const bool exists = m_layout.exists;
     auto map = m_builder.template map<Spherical_conformal_map>(std::move(m_layout));
     if(exists)
-      m_promises.push_back({"cross_ratio", max_cross_ratio_error(map), tolerance::cross_ratio,
-                            Map_status::not_conformal});
+      m_promises.push_back({"cross_ratio", greater_error(m_gram_error, max_cross_ratio_error(map)),
+                            tolerance::cross_ratio, Map_status::not_conformal});
     m_builder.judge(map, std::move(m_promises));
     return map;
   }
@@ -110,6 +113,9 @@ private:
     return is_reached;
   }
 
+  // Lets the circles grow if lengths on the sphere may exceed the range of `double`.
+  bool grow_beyond_range() { return m_search->is_wide() && grow<Wide_number<Extended>>(); }
+
   // Returns whether the digits of `double` can suffice. Two mirror images need the digits of
   // `Extended`, because their boundary lies on a great circle up to rounding.
   bool double_suffices() const { return m_problem.has_no_copies() && !m_problem.is_measured(); }
@@ -124,96 +130,119 @@ private:
   }
 
   // Returns the ideal polyhedron. Copies of vertices are mirror images.
-  Balanced_circles ideal_circles() const
+  Balanced_circles<Extended> ideal_circles() const
   {
-    std::vector<Point> position;
+    std::vector<std::array<Extended, 3>> position;
     std::vector<Extended> log_scale;
     for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
       const Vertex_index w = m_problem.originals()[v];
       log_scale.push_back(m_ideal.layout.exists ? m_ideal.precise_log_scale(w) : Extended(0));
       position.push_back(m_ideal.layout.exists ? m_ideal.layout.position_in<Extended>(w)
-                                               : Point{0, 0, 1});
+                                               : std::array<Extended, 3>{0, 0, 1});
       if(v >= m_problem.size())
         position.back()[1] = -position.back()[1];
     }
-    return {m_problem.expanded(m_mass), std::move(log_scale), std::move(position)};
+    return Balanced_circles<Extended>(m_problem.expanded(m_mass), std::move(log_scale),
+                                      std::move(position));
   }
 
   void store(const Circles_on_sphere& search)
   {
-    Balanced_circles circles = search.circles();
-    if(m_layout.exists) {
-      circles.rotate(frame(circles));
-      store_positions(circles);
-    }
-    const std::vector<Extended>& u = circles.log_scale();
-    std::vector<double> log_scale;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      log_scale.push_back(m_layout.exists ? u[v].high() : m_ideal.log_scale[v]);
+    std::vector<double> log_scale = m_ideal.log_scale;
+    if(m_layout.exists)
+      search.visit_circles([&](const auto& circles) {
+        for(std::size_t v = 0; v < log_scale.size(); ++v)
+          log_scale[v] = circles.log_scale()[v].high();
+      });
     m_builder.flip(m_layout.exists ? search.flips() : std::vector<Halfedge_index>());
     Minimization_result minimization = m_ideal.minimization;
     minimization.iterations = m_steps;
     m_builder.set_scale_factors(log_scale,
                                 m_layout.exists ? Map_status::success : Map_status::not_converged,
                                 minimization, search.angle_error());
-    m_promises = Defect_errors{search.angle_error(), 0}.promises(m_layout.exists);
-    if(m_layout.exists)
-      add_promises(circles);
+  }
+
+  template <typename FT>
+  void store_circles(Balanced_circles<FT> circles)
+  {
+    circles.rotate(frame(circles));
+    store_positions(circles);
+    m_gram_error = gram_error(circles);
+    add_promises(circles);
   }
 
   // Returns the rows of a rotation. It moves the vertex at infinity to (0, 0, -1), and the mirror
   // plane of a disk to y = 0.
-  std::array<Point, 3> frame(const Balanced_circles& circles) const
+  template <typename FT>
+  std::array<std::array<FT, 3>, 3> frame(const Balanced_circles<FT>& circles) const
   {
+    typedef std::array<FT, 3> Point;
     const auto unit = [](const Point& a) {
-      return Balanced_circles::times(a, 1 / Balanced_circles::norm(a));
+      return Balanced_circles<FT>::times(a, 1 / Balanced_circles<FT>::norm(a));
     };
     const Point down = circles.position(m_layout.at_infinity), z{-down[0], -down[1], -down[2]};
     Point y = m_layout.is_disk ? mirror_normal(circles) : farthest_axis(z);
-    const Extended along = Balanced_circles::dot(y, z);
+    const FT along = Balanced_circles<FT>::dot(y, z);
     y = unit({y[0] - along * z[0], y[1] - along * z[1], y[2] - along * z[2]});
     return {Point{y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0]},
             y, z};
   }
 
-  static Point farthest_axis(const Point& z)
+  template <typename FT>
+  static std::array<FT, 3> farthest_axis(const std::array<FT, 3>& z)
   {
-    const auto size = [](const Extended& x) { return std::abs(x.high()); };
+    const auto size = [](const FT& x) { return std::abs(static_cast<double>(x)); };
     const auto least = std::min_element(
       z.begin(), z.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
-    Point result{0, 0, 0};
+    std::array<FT, 3> result{0, 0, 0};
     result[std::size_t(least - z.begin())] = 1;
     return result;
   }
 
   // Returns the sum of the differences between vertices inside and their copies.
-  Point mirror_normal(const Balanced_circles& circles) const
+  template <typename FT>
+  std::array<FT, 3> mirror_normal(const Balanced_circles<FT>& circles) const
   {
-    Point result{0, 0, 0};
+    std::array<FT, 3> result{0, 0, 0};
     for(std::size_t v = m_problem.size(); v < m_problem.originals().size(); ++v) {
-      const Point copy = circles.position(Vertex_index(Delta_complex::size_type(v))),
-                  p = circles.position(m_problem.originals()[v]);
+      const auto copy = circles.position(Vertex_index(Delta_complex::size_type(v))),
+                 p = circles.position(m_problem.originals()[v]);
       for(std::size_t c = 0; c < 3; ++c)
         result[c] += p[c] - copy[c];
     }
     return result;
   }
 
-  void store_positions(const Balanced_circles& circles)
+  template <typename FT>
+  void store_positions(const Balanced_circles<FT>& circles)
   {
+    std::vector<std::array<FT, 2>> in_plane;
     for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
       const Vertex_index w{Delta_complex::size_type(v)};
       const bool is_isolated = m_problem.triangulation().mesh().is_isolated(w);
-      const Point p = is_isolated ? Point{0, 0, 1} : circles.position(w);
-      m_layout.in_plane.push_back(
-        w == m_layout.at_infinity ? std::array<Extended, 2>{0, 0}
-                                  : std::array<Extended, 2>{p[0] / (1 + p[2]), p[1] / (1 + p[2])});
-      const auto turned = m_layout.position_in<Extended>(w);
+      const auto p = is_isolated ? std::array<FT, 3>{0, 0, 1} : circles.position(w);
+      in_plane.push_back(w == m_layout.at_infinity ? std::array<FT, 2>{0, 0} : projected(p));
+    }
+    m_layout.in_plane = in_range_of_squares(in_plane);
+    for(std::size_t v = 0; v < in_plane.size(); ++v) {
+      const auto turned = m_layout.position_in<Extended>(Vertex_index(Delta_complex::size_type(v)));
       m_layout.position.push_back({turned[0].high(), turned[1].high(), turned[2].high()});
     }
   }
 
-  void add_promises(const Balanced_circles& circles)
+  // Returns the stereographic projection of a point of the unit sphere. Its distance from (0, 0, 1)
+  // determines few digits of its distance from (0, 0, -1) if this distance is small.
+  template <typename FT>
+  static std::array<FT, 2> projected(const std::array<FT, 3>& p)
+  {
+    const FT square = p[0] * p[0] + p[1] * p[1],
+             height = p[2] < 0 && square < tolerance::near_infinity ? FT(square / (1 - p[2]))
+                                                                    : FT(1 + p[2]);
+    return {p[0] / height, p[1] / height};
+  }
+
+  template <typename FT>
+  void add_promises(const Balanced_circles<FT>& circles)
   {
     const auto add = [&](const char* name, double error, double bound, Map_status status) {
       m_promises.push_back({name, error, bound, status});
@@ -225,9 +254,27 @@ private:
       add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
   }
 
+  // Returns the greatest relative error of a Gram coordinate of T_3, with all digits of positions.
+  template <typename FT>
+  double gram_error(const Balanced_circles<FT>& circles) const
+  {
+    typedef Distance_of<FT> Distance;
+    const Delta_complex& mesh = m_builder.mesh();
+    double result = 0;
+    for(Edge_index e : mesh.edges()) {
+      const Halfedge_index h = mesh.halfedge(e);
+      const auto p = circles.position(mesh.source(h)), q = circles.position(mesh.target(h));
+      result = greater_error(
+        result, spherical_gram_error(m_builder.data().template scaled_decorated_length<Distance>(h),
+                                     squared_chord<Distance>(p, q)));
+    }
+    return result;
+  }
+
   // Returns the greatest sine by which an edge of T_3 is concave, or one if a face is reversed as
   // seen from the center. Counts them in the certificate.
-  double measured_concavity(const Balanced_circles& circles)
+  template <typename FT>
+  double measured_concavity(const Balanced_circles<FT>& circles)
   {
     const Delta_complex& mesh = m_builder.mesh();
     Convexity_certificate& certificate = m_layout.certificate;
@@ -244,29 +291,46 @@ private:
       const auto pole = [&](std::size_t s) { return circles.pole(mesh.source(side[s])); };
       certificate.flipped_triangles += !(volume(pole(0), pole(1), pole(2)) > 0);
     }
-    m_layout.lost_in_output = certificate.flipped_triangles;
+    m_layout.lost_in_output = lost_faces();
     return certificate.flipped_triangles > 0 ? 1 : result;
   }
 
-  static Extended volume(const Point& a, const Point& b, const Point& c)
+  // Returns the number of faces of T_3 that are reversed as seen from the center if positions have
+  // the digits of `double`.
+  std::size_t lost_faces() const
+  {
+    const Delta_complex& mesh = m_builder.mesh();
+    const auto faces = mesh.faces();
+    return std::size_t(std::count_if(faces.begin(), faces.end(), [&](Face_index f) {
+      const auto side = sides(f, mesh);
+      const auto at = [&](std::size_t s) { return m_layout.position[mesh.source(side[s]).idx()]; };
+      return Plane_predicates<double>().orientation(at(0), at(1), at(2), {0, 0, 0}) <= 0;
+    }));
+  }
+
+  template <typename FT>
+  static FT volume(const std::array<FT, 3>& a, const std::array<FT, 3>& b,
+                   const std::array<FT, 3>& c)
   {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
            a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
 
   // Returns the sine by which the edge of `h` is concave, seen from its source.
-  double concavity(Halfedge_index h, const Balanced_circles& circles) const
+  template <typename FT>
+  double concavity(Halfedge_index h, const Balanced_circles<FT>& circles) const
   {
+    typedef Difference_of<FT> Number;
     const Delta_complex& mesh = m_builder.mesh();
-    const Point& a = circles.pole(mesh.source(h));
+    const auto& a = circles.pole(mesh.source(h));
     const auto from_a = [&](Vertex_index v) {
-      const Point& p = circles.pole(v);
-      const Point difference{p[0] - a[0], p[1] - a[1], p[2] - a[2]};
-      return Balanced_circles::times(difference, 1 / Balanced_circles::norm(difference));
+      const auto& p = circles.pole(v);
+      const auto difference = [&](std::size_t c) { return converted<Number>(FT(p[c] - a[c])); };
+      const std::array<Number, 3> d{difference(0), difference(1), difference(2)};
+      return Balanced_circles<Number>::times(d, 1 / Balanced_circles<Number>::norm(d));
     };
-    return volume(from_a(mesh.target(h)), from_a(mesh.source(mesh.prev(h))),
-                  from_a(mesh.source(mesh.prev(mesh.opposite(h)))))
-      .high();
+    return static_cast<double>(volume(from_a(mesh.target(h)), from_a(mesh.source(mesh.prev(h))),
+                                      from_a(mesh.source(mesh.prev(mesh.opposite(h))))));
   }
 
   double hemisphere_error() const
@@ -286,6 +350,7 @@ private:
   Unfolded_sphere m_ideal;
   std::optional<Circles_on_sphere> m_search;
   std::size_t m_steps = 0;
+  double m_gram_error = 0; // with all digits of positions
   Map_builder m_builder;
   Spherical_layout m_layout;
   std::vector<Map_promise> m_promises;

@@ -66,6 +66,12 @@ template <typename FT>
 using Difference_of =
   std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, FT>;
 
+// Selects a number type for distances that are compared with `double`. They exceed the range of
+// `double` only if positions do.
+template <typename FT>
+using Distance_of =
+  std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, double>;
+
 } // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_NUMBER_CONVERSION_H

@@ -57,7 +57,7 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
 {
   using std::sqrt;
   typedef Difference_of<FT> Number;
-  typedef std::conditional_t<std::is_same<FT, Number>::value, double, Number> Distance;
+  typedef Distance_of<FT> Distance;
   std::vector<Distance> distance(mesh.num_edges(), Distance(1));
   for(Edge_index e : mesh.edges()) {
     const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
