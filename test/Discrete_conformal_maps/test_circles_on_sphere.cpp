@@ -427,6 +427,19 @@ TEST(Circles_on_the_sphere, shrink_along_a_tube)
   }
 }
 
+// The center of mass of crowded circles is known with few digits, the mirror plane with more.
+TEST(Circles_of_a_disk, lie_on_a_hemisphere_if_they_are_crowded)
+{
+  const Triangulation t(punctured(tube(80, 3, 0.5, 0, Tube_ends::capped), {0}));
+  const Spherical_conformal_map map = decorated(t, random_radii(t, 0.2, 7));
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_FALSE(map.crowded_faces().empty());
+  for(Vertex_index v : t.mesh().vertices())
+    if(t.mesh().is_border(v)) {
+      EXPECT_NEAR(map.position(v)[2], 0, 1e-14);
+    }
+}
+
 TEST(Circles_on_the_sphere, uniformize_spheres_and_disks)
 {
   const Triangulation t(octahedron());

@@ -68,8 +68,16 @@ public:
     std::vector<Extended> shrinkage(m_pole.size(), Extended(1));
     for(int i = 0; i < most_steps && balance_step(shrinkage); ++i) {
     }
-    for(std::size_t v = 0; v < shrinkage.size(); ++v)
-      m_log_scale[v] -= log(shrinkage[v]);
+    shrink(shrinkage);
+  }
+
+  // Moves a plane with this normal vector, which has nearly the unit length, to the center. The
+  // plane is close to the center.
+  void move_plane_to_center(const Eigen::Vector3d& normal, double distance)
+  {
+    std::vector<Extended> shrinkage(m_pole.size(), Extended(1));
+    move(normal, distance, shrinkage);
+    shrink(shrinkage);
   }
 
   // Applies the orthogonal map whose matrix has these rows.
@@ -86,6 +94,12 @@ public:
 private:
   static constexpr double longest_step = 1, least_cosine = 0.05;
   static constexpr int most_steps = 200;
+
+  void shrink(const std::vector<Extended>& shrinkage)
+  {
+    for(std::size_t v = 0; v < shrinkage.size(); ++v)
+      m_log_scale[v] -= log(shrinkage[v]);
+  }
 
   static Eigen::Vector3d rounded(const Point& q)
   {

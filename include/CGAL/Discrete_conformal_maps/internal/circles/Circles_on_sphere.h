@@ -65,7 +65,8 @@ public:
   bool run(bool digits_suffice, Any_visitor& visitor)
   {
     typedef Precise<FT> Number;
-    if(!grow<FT>(visitor) || !((digits_suffice && has_good_layout()) || reach<Number>(1, visitor)))
+    if(!grow<FT>(visitor) ||
+       !((digits_suffice && has_good_layout()) || reach<Number>(1, visitor, m_circles.log_scale())))
       return false;
     if(has_good_layout())
       m_circles.balance();
@@ -117,8 +118,9 @@ public:
   std::size_t newton_steps() const { return m_steps; }
 
 private:
-  static constexpr double least_step = 1e-5, greatest_change = 2, greatest_start_error = 1;
-  static constexpr std::size_t most_steps = 1000, steps_of_Newton = 25;
+  static constexpr double least_step = 1e-5, least_part = 1e-30, greatest_change = 2,
+                          greatest_start_error = 1;
+  static constexpr std::size_t steps_of_Newton = 25;
   template <typename FT>
   static constexpr double enough =
     std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
@@ -134,15 +136,69 @@ private:
   {
     if(m_part == 0 && !is_near_ideal<FT>())
       return false;
-    for(double step = 1; m_part < 1 && step > least_step && m_steps < most_steps;) {
+    std::vector<Path_point> path{{m_part, m_circles.log_scale()}};
+    for(double step = 1; m_part < 1 && step > smallest_step<FT>() && m_steps < most_steps<FT>;) {
       const double next = (std::min)(1., m_part + step);
-      const bool is_reached = reach<FT>(next, visitor);
-      m_part = is_reached ? next : m_part;
+      const bool is_reached = reach<FT>(next, visitor, predicted(path, next));
       step *= is_reached ? 2 : 0.25;
-      if(is_reached && m_part < 1)
+      if(!is_reached)
+        continue;
+      m_part = next;
+      if(m_part < 1)
         m_circles.balance();
+      extend<FT>(path);
     }
     return m_part == 1;
+  }
+
+  // Stores the balanced scale factors for a fraction of the squared radii.
+  struct Path_point
+  {
+    double part;
+    std::vector<Extended> log_scale;
+  };
+
+  // If lengths exceed the range of `double`, tiny changes of scale factors can reverse faces. Then
+  // searches start at scale factors that are extrapolated from this number of points of the path.
+  template <typename FT>
+  static constexpr std::size_t path_length = std::is_same_v<FT, Position<FT>> ? 1 : 3;
+  // The paths are longer, too.
+  template <typename FT>
+  static constexpr std::size_t most_steps = path_length<FT> > 1 ? 2000 : 1000;
+
+  // Returns the step at which the search ends. If lengths exceed the range of `double`, tiny
+  // radii can change scale factors much.
+  template <typename FT>
+  double smallest_step() const
+  {
+    return least_step * (path_length<FT> > 1 ? (std::max)(m_part, least_part) : 1.);
+  }
+
+  // Adds the last polyhedron to the path. Without circles, scale factors are no part of a smooth
+  // function of the logarithm of the fraction.
+  template <typename FT>
+  void extend(std::vector<Path_point>& path) const
+  {
+    if(path.front().part == 0 || path.size() == path_length<FT>)
+      path.erase(path.begin());
+    path.push_back({m_part, m_circles.log_scale()});
+  }
+
+  // Returns the scale factors for `next` on the polynomial through the points of the path.
+  static std::vector<Extended> predicted(const std::vector<Path_point>& path, double next)
+  {
+    if(path.size() == 1)
+      return path.front().log_scale;
+    std::vector<Extended> result(path.front().log_scale.size(), Extended(0));
+    for(const Path_point& p : path) {
+      Extended weight = 1;
+      for(const Path_point& q : path)
+        if(q.part != p.part)
+          weight *= std::log(next / q.part) / std::log(p.part / q.part);
+      for(std::size_t v = 0; v < result.size(); ++v)
+        result[v] += weight * p.log_scale[v];
+    }
+    return result;
   }
 
   // Returns the greatest angle defect without circles, or nothing if lengths exceed their range.
@@ -187,10 +243,9 @@ private:
   // Makes steps of Newton's method for the radii of this fraction. A factorization is used again
   // while its steps reduce the defects.
   template <typename FT>
-  bool reach(double part, Any_visitor& visitor)
+  bool reach(double part, Any_visitor& visitor, std::vector<Extended> u)
   {
     auto surface = surface_with<FT>(part);
-    std::vector<Extended> u = m_circles.log_scale();
     double before = std::numeric_limits<double>::infinity();
     for(std::size_t step = 0; step < steps_of_Newton && surface.scale(u); ++step) {
       const Vector defect = surface.defects();

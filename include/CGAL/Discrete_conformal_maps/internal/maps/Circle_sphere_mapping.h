@@ -56,17 +56,17 @@ public:
       start_from(unfolding(Unfolding_use::map));
       m_layout.exists = grow<double>() || grow_beyond_range();
     }
-    if(!m_layout.exists) {
+    if(!m_layout.exists && !m_search->is_wide()) {
       start_from(unfolding(Unfolding_use::precise_start));
       m_layout.exists = grow<double>() || grow<Extended>() || grow_beyond_range();
     }
     m_layout.at_infinity = m_ideal.layout.at_infinity;
     if(!m_layout.exists)
       m_builder.set_cause(m_ideal.layout.exists ? m_search->cause() : m_ideal.cause);
-    store(*m_search);
-    m_promises = Defect_errors{m_search->angle_error(), 0}.promises(m_layout.exists);
     if(m_layout.exists)
       m_search->visit_circles([this](const auto& circles) { store_circles(circles); });
+    else
+      store(m_ideal.log_scale);
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
@@ -146,29 +146,53 @@ private:
                                       std::move(position));
   }
 
-  void store(const Circles_on_sphere& search)
+  // Stores the scale factors and the triangulation, and how they were found.
+  void store(const std::vector<double>& log_scale)
   {
-    std::vector<double> log_scale = m_ideal.log_scale;
-    if(m_layout.exists)
-      search.visit_circles([&](const auto& circles) {
-        for(std::size_t v = 0; v < log_scale.size(); ++v)
-          log_scale[v] = circles.log_scale()[v].high();
-      });
-    m_builder.flip(m_layout.exists ? search.flips() : std::vector<Halfedge_index>());
+    m_builder.flip(m_layout.exists ? m_search->flips() : std::vector<Halfedge_index>());
     Minimization_result minimization = m_ideal.minimization;
     minimization.iterations = m_steps;
     m_builder.set_scale_factors(log_scale,
                                 m_layout.exists ? Map_status::success : Map_status::not_converged,
-                                minimization, search.angle_error());
+                                minimization, m_search->angle_error());
+    m_promises = Defect_errors{m_search->angle_error(), 0}.promises(m_layout.exists);
   }
 
   template <typename FT>
   void store_circles(Balanced_circles<FT> circles)
   {
+    if(m_layout.is_disk)
+      move_mirror_to_center(circles);
+    std::vector<double> log_scale;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      log_scale.push_back(circles.log_scale()[v].high());
+    store(log_scale);
     circles.rotate(frame(circles));
     store_positions(circles);
     m_gram_error = gram_error(circles);
     add_promises(circles);
+  }
+
+  // Moves the mirror plane of a disk to the center, if rounding of the center of mass has left it
+  // too far from the center. The difference of the vectors (pole, 1) / e^u of mirror images is
+  // orthogonal to the plane in Minkowski space.
+  template <typename FT>
+  void move_mirror_to_center(Balanced_circles<FT>& circles) const
+  {
+    const std::vector<Extended>& u = circles.log_scale();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double time = 0;
+    for(Delta_complex::size_type v(m_problem.size()); v < m_problem.originals().size(); ++v) {
+      const Vertex_index w = m_problem.originals()[v];
+      const Extended factor = exp(u[w.idx()] - u[v]);
+      const auto &p = circles.pole(w), &copy = circles.pole(Vertex_index(v));
+      for(std::size_t c = 0; c < 3; ++c)
+        normal[Eigen::Index(c)] += static_cast<double>(FT(p[c] - converted<FT>(factor) * copy[c]));
+      time += static_cast<double>(1 - factor);
+    }
+    const double norm = normal.norm();
+    if(std::abs(time / norm) > tolerance::inscribed)
+      circles.move_plane_to_center(normal / norm, time / norm);
   }
 
   // Returns the rows of a rotation. It moves the vertex at infinity to (0, 0, -1), and the mirror
@@ -296,15 +320,20 @@ private:
   }
 
   // Returns the number of faces of T_3 that are reversed as seen from the center if positions have
-  // the digits of `double`.
+  // the digits of `double`. Faces of a disk count if they have an inner vertex.
   std::size_t lost_faces() const
   {
     const Delta_complex& mesh = m_builder.mesh();
     const auto faces = mesh.faces();
+    const auto is_inside = [&](Halfedge_index h) {
+      const Vertex_index v = mesh.source(h);
+      return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
+    };
     return std::size_t(std::count_if(faces.begin(), faces.end(), [&](Face_index f) {
       const auto side = sides(f, mesh);
       const auto at = [&](std::size_t s) { return m_layout.position[mesh.source(side[s]).idx()]; };
-      return Plane_predicates<double>().orientation(at(0), at(1), at(2), {0, 0, 0}) <= 0;
+      return std::any_of(side.begin(), side.end(), is_inside) &&
+             Plane_predicates<double>().orientation(at(0), at(1), at(2), {0, 0, 0}) <= 0;
     }));
   }
 
