@@ -415,7 +415,7 @@ TEST(Circles_on_the_sphere, shrink_along_a_tube)
     EXPECT_TRUE(map.certificate().is_convex());
     EXPECT_FALSE(map.crowded_faces().empty());
     std::size_t small = 0;
-    for(std::size_t v = 0; v + 3 < 3 * rings; ++v) {
+    for(unsigned v = 0; v + 3 < 3 * rings; ++v) {
       const double u = map.log_scale(Vertex_index(v)), next = map.log_scale(Vertex_index(v + 3));
       const std::size_t ring = v / 3;
       if(u > -30 || next > -30 || ring < 10 || ring + 10 > rings)

@@ -182,10 +182,11 @@ private:
     const std::vector<Extended>& u = circles.log_scale();
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     double time = 0;
-    for(Delta_complex::size_type v(m_problem.size()); v < m_problem.originals().size(); ++v) {
+    for(std::size_t v = m_problem.size(); v < m_problem.originals().size(); ++v) {
       const Vertex_index w = m_problem.originals()[v];
       const Extended factor = exp(u[w.idx()] - u[v]);
-      const auto &p = circles.pole(w), &copy = circles.pole(Vertex_index(v));
+      const auto &p = circles.pole(w),
+                 &copy = circles.pole(Vertex_index(static_cast<Delta_complex::size_type>(v)));
       for(std::size_t c = 0; c < 3; ++c)
         normal[Eigen::Index(c)] += static_cast<double>(FT(p[c] - converted<FT>(factor) * copy[c]));
       time += static_cast<double>(1 - factor);
