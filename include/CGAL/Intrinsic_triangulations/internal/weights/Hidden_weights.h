@@ -79,7 +79,9 @@ private:
                   error * static_cast<double>(m_growth[v.idx()])};
         hidden.bound.is_certain = hidden.bound.is_certain || m_find_bounds.is_certain(hidden.bound);
       }
-      m_weights.ties() = Tied_edges(m_pair.mesh(), m_weights.hidden()).determined();
+      m_weights.ties() = Tied_edges(m_pair.mesh(), m_weights.hidden(), [this](const auto& bound) {
+                           return m_find_bounds.has_area(bound);
+                         }).determined();
     } catch(const Numerical_error&) {
       // The errors stay infinite.
     }

@@ -21,14 +21,18 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Finds edges that must be ties if all hidden vertices have their bounds as weights. The difference
-// between a weight and its bound is a positive combination of the signed lengths of the dual edges
-// inside its fan. All these differences are zero, and they are linearly independent. If fans that
-// share edges have as many edges in total as there are fans, all dual edges are zero.
+// Finds edges that must be ties if all hidden vertices have their bounds as weights. Let the faces
+// of a fan have positive area. Then the difference between a weight and its bound is a positive
+// combination of signed lengths of dual edges inside the fan. All these differences are zero, and
+// they are linearly independent. If fans that share edges have as many edges in total as there are
+// fans, all dual edges are zero.
 class Tied_edges
 {
 public:
-  Tied_edges(const Delta_complex& mesh, const std::map<Vertex_index, Hidden_weight>& hidden)
+  // `has_area(bound)` returns whether all faces of a fan have positive area.
+  template <typename Has_area>
+  Tied_edges(const Delta_complex& mesh, const std::map<Vertex_index, Hidden_weight>& hidden,
+             const Has_area& has_area)
     : m_sets(boost::make_assoc_property_map(m_rank), boost::make_assoc_property_map(m_parent))
   {
     for(const auto& [v, weight] : hidden)
@@ -38,7 +42,8 @@ public:
         m_sets.union_set(m_fan.try_emplace(e, v).first->second, v);
       });
     for(const auto& [v, weight] : hidden)
-      ++m_excess[m_sets.find_set(v)];
+      if(has_area(weight.bound))
+        ++m_excess[m_sets.find_set(v)];
     for(const auto& [e, v] : m_fan)
       --m_excess[m_sets.find_set(v)];
   }

@@ -17,6 +17,7 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -54,14 +55,23 @@ public:
   // Returns whether the geodesic of a bound ends in the last face of its fan, at the greatest cost.
   bool is_certain(const Weight_bound& bound)
   {
-    std::vector<Halfedge_index> fan{bound.halfedge};
-    do
-      fan.push_back(following(fan.back()));
-    while(bound.faces > 0 ? fan.size() <= bound.faces : fan.back() != fan.front());
     m_decisions.allow_roots(Exact_decisions<Traits>::many_roots);
-    const Uncertain<Sign> rest = sign_of_rest(fan);
+    const Uncertain<Sign> rest = sign_of_rest(fan(bound));
     m_decisions.allow_few_roots();
     return bound.faces > 0 ? certainly(rest != POSITIVE) : certainly(rest != NEGATIVE);
+  }
+
+  // Returns whether all faces of the fan of a bound certainly have positive area.
+  bool has_area(const Weight_bound& bound)
+  {
+    const std::vector<Halfedge_index> outgoing = fan(bound);
+    try {
+      return std::all_of(outgoing.begin(), outgoing.end() - 1, [this](Halfedge_index h) {
+        return m_decisions.orientation(h) == POSITIVE;
+      });
+    } catch(const Numerical_error&) {
+      return false;
+    }
   }
 
 private:
@@ -94,6 +104,16 @@ private:
                               : Weight_bound{};
     } while(fan.back() != h);
     return {};
+  }
+
+  // Returns the outgoing halfedges at the faces of a bound, counterclockwise.
+  std::vector<Halfedge_index> fan(const Weight_bound& bound) const
+  {
+    std::vector<Halfedge_index> result{bound.halfedge};
+    do
+      result.push_back(following(result.back()));
+    while(bound.faces > 0 ? result.size() <= bound.faces : result.back() != bound.halfedge);
+    return result;
   }
 
   // Returns the sign of pi minus the angles of a fan.
