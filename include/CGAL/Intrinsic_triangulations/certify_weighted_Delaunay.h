@@ -16,16 +16,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/validity/check_finite.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Hidden_weights.h>
 #include <CGAL/Intrinsic_triangulations/internal/weights/Vertex_weights.h>
-#include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_Delaunay_condition.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
-#include <CGAL/Intrinsic_triangulations/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
-#include <CGAL/enum.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -56,38 +49,6 @@ struct Weighted_Delaunay_certificate : Delaunay_certificate
 };
 
 namespace internal {
-
-// Represents the local weighted Delaunay condition.
-template <typename Traits>
-struct Weighted_Delaunay_condition
-{
-  typedef Weighted_decisions<Traits, Vertex_weights> Decisions;
-
-  const Delta_complex& mesh;
-  const Vertex_weights& weights;
-
-  Decisions decisions(const Triangulation_pair<Traits>& pair,
-                      const Edge_courses<Traits>& courses) const
-  {
-    return Decisions(pair, courses, weights);
-  }
-
-  // Returns whether the edge of `h` is weighted Delaunay for any rounding of lengths. The weights
-  // of its corners must be known exactly.
-  bool is_certain(Halfedge_index h, const Diamond<double>& length) const
-  {
-    const std::array<Vertex_index, 4> corners{mesh.source(h), mesh.target(h),
-                                              mesh.target(mesh.next(h)),
-                                              mesh.target(mesh.next(opposite(h)))};
-    const auto given = [&](std::size_t i) { return weights.given(corners[i]); };
-    return std::none_of(corners.begin(), corners.end(),
-                        [&](Vertex_index v) { return weights.is_hidden(v); }) &&
-           Is_locally_weighted_Delaunay<double>{certified_length_error()}.is_certain(
-             length, {given(0), given(1), given(2), given(3)});
-  }
-
-  static Sign sign(Halfedge_index h, Decisions& decisions) { return decisions.dual_edge_sign(h); }
-};
 
 // Decides which vertices have smaller weights than they need to be visible.
 inline void check_hidden_vertices(const Vertex_weights& weights,
@@ -138,6 +99,7 @@ inline void check_hidden_vertices(const Vertex_weights& weights,
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if \f$T_1\f$ is given by lengths that violate the triangle inequality, or
 ///         a weight is infinite or NaN
+/// \pre `hidden` are vertices of `tri`
 template <typename Traits, typename WeightMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Weighted_Delaunay_certificate
@@ -155,8 +117,10 @@ certify_weighted_Delaunay(const Intrinsic_triangulation<Traits>& tri, const Weig
   const Concurrency concurrency = concurrency_of(np);
   const internal::Edge_courses<Traits> courses(tri, concurrency);
   internal::Vertex_weights weights(std::move(given));
-  for(Vertex_index v : hidden)
+  for(Vertex_index v : hidden) {
+    CGAL_precondition(tri.mesh().has_valid_index(v));
     weights.hidden()[v];
+  }
   std::vector<Vertex_index> visible =
     internal::Hidden_weights<Traits>(tri, courses, weights).enclose();
   typedef internal::Weighted_Delaunay_condition<Traits> Condition;

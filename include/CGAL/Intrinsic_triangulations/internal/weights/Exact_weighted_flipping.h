@@ -9,14 +9,16 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
-#include <CGAL/Intrinsic_triangulations/internal/weights/Weighted_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/weights/Weight_form.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_weighted_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/weighted_formulas.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <vector>
@@ -35,6 +37,34 @@ struct Squared_radii
     const Ball<N> r{N(get(radius, v)), N(0), 0};
     return r * r;
   }
+};
+
+// Decides which edges of T2 are weighted Delaunay, for weights in balls `weights.ball<N>(v)`.
+template <typename Traits, typename Weights>
+class Weighted_decisions : public Exact_decisions<Traits>
+{
+  typedef Exact_decisions<Traits> Base;
+
+public:
+  Weighted_decisions(const Triangulation_pair<Traits>& pair, const Edge_courses<Traits>& courses,
+                     const Weights& weights)
+    : Base(pair, courses), m_weights(weights)
+  {}
+
+  // Returns whether the edge of `h` is weighted Delaunay. If 1024 binary digits do not distinguish
+  // it from a tie, it counts as a tie.
+  bool is_weighted_Delaunay(Halfedge_index h) const
+  {
+    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
+    Base::try_with_more_digits([&](auto& corners) {
+      sign = rounded_dual_edge_sign(h, Base::m_mesh, Base::development(corners), m_weights);
+      return is_certain(sign);
+    });
+    return !certainly(sign == NEGATIVE);
+  }
+
+private:
+  const Weights& m_weights;
 };
 
 // Flips with decisions about the surface of T1, to the weighted Delaunay triangulation.

@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -58,18 +58,14 @@ public:
   }
 
 private:
+  // Calls `use(e)` for the edges that a geodesic may cross, or for all edges of a narrow cone.
   template <typename Use>
   static void for_each_inner_edge(const Weight_bound& bound, const Delta_complex& mesh,
                                   const Use& use)
   {
-    Halfedge_index h = bound.halfedge;
-    if(bound.faces == 0)
-      for_each_outgoing_halfedge(mesh.source(h), mesh,
-                                 [&](Halfedge_index out) { use(mesh.edge(out)); });
-    for(std::size_t f = 1; f < bound.faces; ++f) {
-      h = opposite(mesh.prev(h));
-      use(mesh.edge(h));
-    }
+    const std::vector<Halfedge_index> outgoing = bound.fan(mesh);
+    for(std::size_t i = bound.faces > 0 ? 1 : 0; i + 1 < outgoing.size(); ++i)
+      use(mesh.edge(outgoing[i]));
   }
 
   typedef std::map<Vertex_index, std::size_t> Rank;

@@ -56,7 +56,7 @@ public:
   bool is_certain(const Weight_bound& bound)
   {
     m_decisions.allow_roots(Exact_decisions<Traits>::many_roots);
-    const Uncertain<Sign> rest = sign_of_rest(fan(bound));
+    const Uncertain<Sign> rest = sign_of_rest(bound.fan(m_mesh));
     m_decisions.allow_few_roots();
     return bound.faces > 0 ? certainly(rest != POSITIVE) : certainly(rest != NEGATIVE);
   }
@@ -64,7 +64,7 @@ public:
   // Returns whether all faces of the fan of a bound certainly have positive area.
   bool has_area(const Weight_bound& bound)
   {
-    const std::vector<Halfedge_index> outgoing = fan(bound);
+    const std::vector<Halfedge_index> outgoing = bound.fan(m_mesh);
     try {
       return std::all_of(outgoing.begin(), outgoing.end() - 1, [this](Halfedge_index h) {
         return m_decisions.orientation(h) == POSITIVE;
@@ -83,7 +83,7 @@ private:
     do {
       if(is_closed(fan.back()))
         return {};
-      fan.push_back(following(fan.back()));
+      fan.push_back(next_around_source(fan.back(), m_mesh));
     } while(fan.back() != fan.front());
     const Uncertain<Sign> rest = sign_of_rest(fan);
     return certainly(rest == NEGATIVE) ? Weight_bound{}
@@ -98,22 +98,12 @@ private:
     do {
       if(m_mesh.is_border(fan.back()) || (fan.size() > 1 && is_closed(fan.back())))
         return {};
-      fan.push_back(following(fan.back()));
+      fan.push_back(next_around_source(fan.back(), m_mesh));
       if(const Uncertain<Sign> rest = sign_of_rest(fan); !certainly(rest == POSITIVE))
         return fan.size() > 2 ? Weight_bound{h, fan.size() - 1, CGAL::is_certain(rest)}
                               : Weight_bound{};
     } while(fan.back() != h);
     return {};
-  }
-
-  // Returns the outgoing halfedges at the faces of a bound, counterclockwise.
-  std::vector<Halfedge_index> fan(const Weight_bound& bound) const
-  {
-    std::vector<Halfedge_index> result{bound.halfedge};
-    do
-      result.push_back(following(result.back()));
-    while(bound.faces > 0 ? result.size() <= bound.faces : result.back() != bound.halfedge);
-    return result;
   }
 
   // Returns the sign of pi minus the angles of a fan.
@@ -131,11 +121,6 @@ private:
   {
     const Edge_index e = m_mesh.edge(h);
     return m_mesh.is_border(e) || m_pair.is_constrained(e);
-  }
-
-  Halfedge_index following(Halfedge_index outgoing) const
-  {
-    return opposite(m_mesh.prev(outgoing));
   }
 
   const Pair& m_pair;

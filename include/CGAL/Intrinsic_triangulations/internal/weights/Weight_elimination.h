@@ -130,10 +130,7 @@ private:
   // corners of the diamond of `h` comes first, because it may prove a tie without other equations.
   Vertex_index next_vertex(const Form& form, Halfedge_index h) const
   {
-    const Halfedge_index o = opposite(h);
-    const std::array<Vertex_index, 4> corners{m_mesh.source(h), m_mesh.target(h),
-                                              m_mesh.target(m_mesh.next(h)),
-                                              m_mesh.target(m_mesh.next(o))};
+    const std::array<Vertex_index, 4> corners = diamond_corners(h, m_mesh);
     const auto found =
       std::find_if(form.coefficient.begin(), form.coefficient.end(), [&](const auto& term) {
         const Weight_bound& bound = m_weights.hidden().at(term.first).bound;

@@ -9,9 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
 #include <array>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -41,8 +45,8 @@ Complex squared_norm(const Complex& z)
 }
 
 // Represents a face ijk in the plane, seen from its side ij. The corners j and k have positions
-// from i in a unit L, and k conj(j) = x + i y. Let h be the height of
-// the power center over ij. Then 2 h |j| L is
+// from i in a unit L, and k conj(j) = x + i y. Let h be the height of the power center over ij.
+// Then 2 h |j| L is
 //   ((|k|^2 - x) |j|^2 L^2 + w_i (|j|^2 - x) + w_j x - w_k |j|^2) / y.
 //
 // The members are k conj(j) and the coefficients of the numerator.
@@ -61,6 +65,13 @@ struct Height_form
   }
 };
 
+// Returns the corners i, j, k, l of the faces ijk and jil of `h`, which begins at i and ends at j.
+inline std::array<Vertex_index, 4> diamond_corners(Halfedge_index h, const Delta_complex& mesh)
+{
+  return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)),
+          mesh.target(mesh.next(opposite(h)))};
+}
+
 // Returns a function of the weights around the edge of `h`, with a positive factor. It is the
 // signed length of the dual edge, which is not negative if and only if the edge is weighted
 // Delaunay. `development` is to scale.
@@ -74,12 +85,24 @@ auto dual_edge_form(Halfedge_index h, const Delta_complex& mesh, const Developme
   const auto sum = [&](const Complex& of_left, const Complex& of_right) {
     return imaginary_part(of_left * right.product + of_right * left.product);
   };
-  return Weight_form<Complex>{
-    sum(left.constant, right.constant),
-    {std::pair(mesh.source(h), sum(left.of_source, right.of_target)),
-     std::pair(mesh.target(h), sum(left.of_target, right.of_source)),
-     std::pair(mesh.target(mesh.next(h)), imaginary_part(left.of_apex * right.product)),
-     std::pair(mesh.target(mesh.next(o)), imaginary_part(right.of_apex * left.product))}};
+  const auto [i, j, k, l] = diamond_corners(h, mesh);
+  return Weight_form<Complex>{sum(left.constant, right.constant),
+                              {std::pair(i, sum(left.of_source, right.of_target)),
+                               std::pair(j, sum(left.of_target, right.of_source)),
+                               std::pair(k, imaginary_part(left.of_apex * right.product)),
+                               std::pair(l, imaginary_part(right.of_apex * left.product))}};
+}
+
+// Returns the sign of the dual edge of the edge of `h`, if the digits of `development` determine
+// it. Balls `weights.ball<N>(v)` contain the weights.
+template <typename Development, typename Weights>
+Uncertain<Sign> rounded_dual_edge_sign(Halfedge_index h, const Delta_complex& mesh,
+                                       const Development& development, const Weights& weights)
+{
+  typedef decltype(Development::Complex::x) N;
+  return sign_of_real(dual_edge_form(h, mesh, development).value([&](Vertex_index v) {
+    return weights.template ball<N>(v);
+  }));
 }
 
 // Represents a lower bound of the weight of the source of a halfedge. The lifted points of a convex
@@ -95,16 +118,24 @@ struct Weight_bound
   std::size_t faces = 0;
   bool is_certain = true; // whether it is decided which face the geodesic ends in
 
+  // Returns the outgoing halfedges at the faces, counterclockwise, and the following one.
+  std::vector<Halfedge_index> fan(const Delta_complex& mesh) const
+  {
+    std::vector<Halfedge_index> result{halfedge};
+    do
+      result.push_back(next_around_source(result.back(), mesh));
+    while(faces > 0 ? result.size() <= faces : result.back() != halfedge);
+    return result;
+  }
+
   // Returns the source, and the corners on which its bound depends.
   std::array<Vertex_index, 4> corners(const Delta_complex& mesh) const
   {
-    Halfedge_index last = halfedge; // begins the last face
-    for(std::size_t f = 1; f < faces; ++f)
-      last = opposite(mesh.prev(last));
     const Vertex_index i = mesh.source(halfedge), j = mesh.target(halfedge);
     if(faces == 0)
       return {i, j, j, j};
-    return {i, j, mesh.target(last), mesh.target(mesh.next(last))};
+    const std::vector<Halfedge_index> outgoing = fan(mesh);
+    return {i, j, mesh.target(outgoing[faces - 1]), mesh.target(outgoing[faces])};
   }
 };
 
