@@ -212,7 +212,7 @@ Flipping_result flip_filtered(Intrinsic_triangulation<Traits>& tri, std::size_t 
   for(double factor : {1, 100}) {
     Exact_flipping<Traits> flipping(tri, factor * effort);
     if(ties == Tie_decisions::by_digits)
-      flipping.decisions().allow_few_roots();
+      flipping.decisions().allow_roots();
     if(flipping.has_unknown_lengths() &&
        (flipping.has_too_many_crossings() || !flipping.find_lengths()))
       break;

@@ -27,6 +27,8 @@ constexpr double gradient = 1e-13, curvature = 1e-11;
 // to the second one. If bounds are active, the error of scale factors is at most the square root of
 // this number.
 constexpr double extended_gradient = 1e-22, most_precise_gradient = 1e-45;
+// If vertices are not close to each other, such a gradient does not change positions in `double`.
+constexpr double invisible_gradient = 1e-17;
 // This is the greatest allowed change of an angle if all input lengths change by rounding in the
 // worst way. If the change is greater, the computation uses lengths of the exact surface with more
 // digits.

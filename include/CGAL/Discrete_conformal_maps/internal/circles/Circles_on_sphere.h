@@ -122,8 +122,10 @@ private:
                           greatest_start_error = 1;
   static constexpr std::size_t steps_of_Newton = 25;
   template <typename FT>
+  static constexpr bool has_more_digits = !std::is_same_v<FT, double>;
+  template <typename FT>
   static constexpr double enough =
-    std::is_same_v<FT, double> ? tolerance::gradient : tolerance::extended_gradient;
+    has_more_digits<FT> ? tolerance::extended_gradient : tolerance::gradient;
   // The number type of the last polyhedron, and of positions on the path to it.
   template <typename FT>
   using Precise = std::conditional_t<std::is_same_v<FT, double>, Extended, FT>;
@@ -253,10 +255,8 @@ private:
       if(!std::isfinite(error) || (step > 3 && error > before && error > tolerance::curvature))
         return false;
       visitor.after_iteration(m_steps, error, before);
-      if(is_enough<FT>(error, before)) {
-        keep(surface, u, error);
+      if(ends_with(surface, u, error, before))
         return true;
-      }
       if(!Fixed_face::leads_to(enough<FT>, error, before)) {
         ++m_steps;
         if(!m_newton.factorize(surface))
@@ -267,6 +267,21 @@ private:
         return false;
     }
     return false;
+  }
+
+  // Returns whether this polyhedron is the last one of the search, and keeps it then. The layout
+  // can end the search before defects are as small as possible. If it is bad in `double`, more
+  // digits follow. If it is good in more digits, defects of this size do not change it.
+  template <typename FT>
+  bool ends_with(const Spherical_circle_surface<FT>& surface, const std::vector<Extended>& u,
+                 double error, double before)
+  {
+    const bool is_last = is_enough<FT>(error, before);
+    if(!is_last &&
+       !(error < (has_more_digits<FT> ? tolerance::invisible_gradient : tolerance::curvature)))
+      return false;
+    keep(surface, u, error);
+    return is_last || has_good_layout() == has_more_digits<FT>;
   }
 
   // Returns whether defects are small enough, or as small as the numbers permit.

@@ -76,10 +76,9 @@ public:
     : Base(pair, &courses), m_is_flat(m_metric.points, pair.input_mesh())
   {}
 
-  // Leaves decisions open that need more than `most_digits` binary digits and more than a few
-  // roots. Such a decision is almost certainly a tie.
-  void allow_few_roots() { allow_roots(few_roots); }
-  void allow_roots(std::size_t most) { m_most_roots = most; }
+  // Leaves decisions open that need more than `most_digits` binary digits and more roots. Such a
+  // decision is almost certainly a tie.
+  void allow_roots(std::size_t most = few_roots) { m_most_roots = most; }
 
   // Returns whether the edge of `h`, which can be flipped, is locally Delaunay. The stored lengths
   // decide if their errors allow it.

@@ -34,7 +34,7 @@ public:
   Weight_bounds(const Pair& pair, const Edge_courses<Traits>& courses)
     : m_pair(pair), m_mesh(pair.mesh()), m_decisions(pair, courses)
   {
-    m_decisions.allow_few_roots();
+    m_decisions.allow_roots();
   }
 
   // Returns the bounds by geodesics from neighbors of `v`. One of them is the greatest bound by any
@@ -57,7 +57,7 @@ public:
   {
     m_decisions.allow_roots(Exact_decisions<Traits>::many_roots);
     const Uncertain<Sign> rest = sign_of_rest(bound.fan(m_mesh));
-    m_decisions.allow_few_roots();
+    m_decisions.allow_roots();
     return bound.faces > 0 ? certainly(rest != POSITIVE) : certainly(rest != NEGATIVE);
   }
 
