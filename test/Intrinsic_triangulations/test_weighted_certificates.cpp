@@ -84,6 +84,33 @@ TEST(Weighted_certificate, confirms_regular_triangulations_with_hidden_points)
   EXPECT_GT(hidden, 100u);
 }
 
+// On lattices with such weights, points are hidden by as little as a rounding error. Rounded weights
+// of hidden vertices do not differ from the given ones then.
+TEST(Weighted_certificate, names_vertices_that_are_hidden_by_less_than_rounding)
+{
+  CGAL::Random random(13);
+  std::size_t rounded_away = 0;
+  for(int sample = 0; sample < 200; ++sample) {
+    const double spacing = random.get_double(0.1, 10);
+    const Mesh mesh =
+      grid(3, 3, [&](double x, double y) { return Point(x * spacing, y * spacing, 0); });
+    std::vector<double> weights;
+    for(std::size_t i = 0; i < mesh.number_of_vertices(); ++i)
+      weights.push_back(random.get_int(-2, 3) * 0.25 * spacing * spacing);
+    Triangulation t(mesh);
+    const auto result =
+      IT::make_weighted_Delaunay(t, map_of(weights), IT::parameters::exact_decisions(true));
+    EXPECT_EQ(result.hidden_vertices, regular_triangulation(plane_points(mesh), weights).second)
+      << sample;
+    EXPECT_TRUE(IT::certify_weighted_Delaunay(t, map_of(weights), result.hidden_vertices)
+                  .is_weighted_Delaunay())
+      << sample;
+    for(Vertex_index v : result.hidden_vertices)
+      rounded_away += result.weights[v.idx()] == weights[v.idx()];
+  }
+  EXPECT_GT(rounded_away, 0u);
+}
+
 // In the plane, the lifted point of a hidden vertex lies in a triangle of visible ones.
 TEST(Weighted_certificate, encloses_the_weights_of_hidden_points)
 {

@@ -93,6 +93,18 @@ void hide_vertices(std::size_t& flips, const Flip& flip, const Raise& raise)
   } while(raise());
 }
 
+// Returns the vertices whose weights have been raised.
+template <typename FT>
+std::vector<Vertex_index> raised_vertices(const Delta_complex& mesh, const std::vector<FT>& given,
+                                          const std::vector<FT>& raised)
+{
+  std::vector<Vertex_index> result;
+  for(Vertex_index v : mesh.vertices())
+    if(raised[v.idx()] > given[v.idx()])
+      result.push_back(v);
+  return result;
+}
+
 // Flips and raises weights by stored lengths.
 template <typename Traits, typename Visitor>
 void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
@@ -101,10 +113,12 @@ void flip_and_hide(Intrinsic_triangulation<Traits>& tri,
 {
   typedef Weighted_flipping<Stored_lengths<Traits>> Flipping;
   Supporting_triangles<typename Traits::FT> triangles;
+  const auto given = result.weights;
   hide_vertices(
     result.flips,
     [&] { return flip_with_weights(tri, result.weights, limit - result.flips, visitor); },
     [&] { return Flipping(tri, result.weights).raise_weights(triangles); });
+  result.hidden_vertices = raised_vertices(tri.mesh(), given, result.weights);
 }
 
 // Resets T2 to T1, with its inserted vertices, if edges are bent.
@@ -130,6 +144,7 @@ FT with_all_digits(const Weight& weight)
 }
 
 // Flips and raises weights by many digits of lengths and weights, after flips by stored lengths.
+// Rounded weights of hidden vertices can be equal to the given ones.
 template <typename Traits, typename WeightMap, typename Visitor>
 void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightMap& weight,
                              Weighted_Delaunay_result<double>& result, std::size_t limit,
@@ -138,9 +153,10 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
   typedef Many_digits_lengths<Traits> Lengths;
   result.flips += flip_with_weights(tri, result.weights, limit - result.flips, visitor).flips;
   straighten_edges(tri, visitor);
-  std::vector<typename Lengths::FT> precise(result.weights.size(), 0);
+  std::vector<typename Lengths::FT> given(result.weights.size(), 0);
   for(Vertex_index v : tri.mesh().vertices())
-    precise[v.idx()] = with_all_digits<typename Lengths::FT>(get(weight, v));
+    given[v.idx()] = with_all_digits<typename Lengths::FT>(get(weight, v));
+  auto precise = given;
   Weighted_flipping<Lengths> flipping(tri, precise);
   Supporting_triangles<typename Lengths::FT> triangles;
   hide_vertices(
@@ -148,6 +164,7 @@ void flip_and_hide_precisely(Intrinsic_triangulation<Traits>& tri, const WeightM
     [&] { return flip_to_Delaunay(tri.mesh(), flipping, limit - result.flips, visitor); },
     [&] { return flipping.raise_weights(triangles); });
   flipping.lengths().store();
+  result.hidden_vertices = raised_vertices(tri.mesh(), given, precise);
   for(std::size_t i = 0; i < precise.size(); ++i)
     result.weights[i] = static_cast<double>(precise[i]);
 }
@@ -241,9 +258,6 @@ auto make_weighted_Delaunay(Intrinsic_triangulation<Traits>& tri, const WeightMa
     }
   } else
     internal::flip_and_hide(tri, result, limit, visitor);
-  for(Vertex_index v : mesh.vertices())
-    if(result.weights[v.idx()] > FT(get(weight, v)))
-      result.hidden_vertices.push_back(v);
   return result;
 }
 
