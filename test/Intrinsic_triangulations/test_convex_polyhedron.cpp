@@ -112,6 +112,26 @@ Mesh gridded_cube(int n)
   return make_mesh(points, triangles);
 }
 
+// Cuts each face into four at the midpoints of its sides.
+Mesh subdivided(const Mesh& mesh)
+{
+  std::vector<Point> points(mesh.points().begin(), mesh.points().end());
+  for(auto e : mesh.edges())
+    points.push_back(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  const auto middle = [&](auto h) { return mesh.number_of_vertices() + mesh.edge(h).idx(); };
+  Triangles triangles;
+  for(auto f : mesh.faces()) {
+    std::array<std::size_t, 3> middles{};
+    for(std::size_t s = 0; s < 3; ++s) {
+      const auto h = IT::sides(f, mesh)[s];
+      middles[s] = middle(h);
+      triangles.push_back({mesh.source(h).idx(), middle(h), middle(mesh.prev(h))});
+    }
+    triangles.push_back(middles);
+  }
+  return make_mesh(points, triangles);
+}
+
 // Returns a polygon with two sides, each cut into triangles at a different corner.
 Mesh double_polygon(const std::vector<Point>& corner, std::size_t lower_fan)
 {
@@ -249,6 +269,32 @@ TEST(Convex_polyhedron, takes_flat_vertices_along)
       EXPECT_LT(p.max_edge_error(), 1e-9);
       EXPECT_TRUE(p.triangulation().is_valid());
     }
+}
+
+// Flat vertices lie on straight lines between others within rounding, which differs by the scale.
+TEST(Convex_polyhedron, removes_flat_vertices_at_any_scale)
+{
+  CGAL::Random random(3);
+  for(int n : {2, 3, 4, 6})
+    for(int sample = 0; sample < 50; ++sample) {
+      const double scale = random.get_double(0.1, 1);
+      const Mesh mesh = stretched(gridded_cube(n), scale, scale, scale);
+      const Polyhedron p = IT::convex_polyhedron(mesh);
+      EXPECT_EQ(p.flat_vertices().size(), mesh.number_of_vertices() - 8);
+      expect_congruent(p, mesh, 1e-11);
+    }
+}
+
+// Vertices on edges and faces of hulls get edges to themselves before they are removed.
+TEST(Convex_polyhedron, removes_the_flat_vertices_of_subdivided_hulls)
+{
+  for(unsigned int seed = 0; seed < 60; ++seed) {
+    const Mesh hull = stretched(random_sphere(6 + seed % 20, seed), 1, 1, 1. / (1 + seed % 7)),
+               mesh = subdivided(subdivided(hull));
+    const Polyhedron p = IT::convex_polyhedron(mesh);
+    EXPECT_EQ(p.flat_vertices().size(), mesh.number_of_vertices() - hull.number_of_vertices());
+    expect_congruent(p, mesh, 1e-9);
+  }
 }
 
 TEST(Convex_polyhedron, flat_vertices_of_lengths_are_flat_by_rounding)

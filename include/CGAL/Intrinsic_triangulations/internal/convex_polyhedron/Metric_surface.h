@@ -64,10 +64,10 @@ public:
   // Flips the edge of `h`.
   void flip(Halfedge_index h)
   {
-    const Diamond<Number> length = diamond_at(h);
-    m_points.before_flip(h, length, m_mesh);
+    m_points.before_flip(h, diamond_at(h), m_mesh);
+    const Number length = flipped_length(h);
     flip_edge(h, m_mesh);
-    m_length[m_mesh.edge(h)] = Euclidean_geometry_traits<Number>::Compute_flipped_length()(length);
+    m_length[m_mesh.edge(h)] = length;
   }
 
   // Removes a flat vertex, which then rests in a face. Returns whether edges could be flipped such
@@ -75,7 +75,9 @@ public:
   bool remove_flat_vertex(Vertex_index v)
   {
     while(removal_status(v, m_mesh) != Operation_status::possible) {
-      const Halfedge_index h = most_convex_at(v);
+      Halfedge_index h = most_convex_at(v);
+      if(!h.is_valid())
+        h = too_long_at(v);
       if(!h.is_valid())
         return false;
       flip(h);
@@ -122,21 +124,24 @@ public:
   }
 
 private:
-  // Rounding can cause this sine if a flat vertex lies on a straight line between neighbors. One of
-  // the triangles that a flip leaves at the vertex, and a removal deletes, may have no area.
+  // Rounding can cause this sine if a flat vertex lies on a straight line between neighbors.
   static constexpr double straight_tolerance = 1e-6;
+
+  Number flipped_length(Halfedge_index h) const
+  {
+    return Euclidean_geometry_traits<Number>::Compute_flipped_length()(diamond_at(h));
+  }
 
   // Returns the edge from `v` whose flip leaves the largest angles. It is an edge whose flip lowers
   // the degree of `v`; null if none of these can be flipped.
   Halfedge_index most_convex_at(Vertex_index v) const
   {
     Halfedge_index result;
-    double greatest = -straight_tolerance;
+    double greatest = 0;
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
-      if(flip_status(h, m_mesh) != Operation_status::possible || !lowers_degree(h) ||
-         !(sine_at_source(opposite(h)) > 0))
+      if(flip_status(h, m_mesh) != Operation_status::possible || degree_change(h) >= 0)
         return;
-      if(const double sine = sine_at_source(h); sine > greatest) {
+      if(const double sine = least_sine(h); sine > greatest) {
         greatest = sine;
         result = h;
       }
@@ -144,12 +149,36 @@ private:
     return result;
   }
 
-  // Returns whether a flip of the edge of `h` lowers the degree of its source.
-  bool lowers_degree(Halfedge_index h) const
+  // Returns the least sine of the angles that a flip of the edge of `h` leaves at its ends, zero if
+  // it cannot be flipped. The triangle that the flip leaves at the source may have no area, because
+  // the removal of the source deletes it. The other triangle stays.
+  double least_sine(Halfedge_index h) const
+  {
+    const double at_source = sine_at_source(h);
+    return at_source > -straight_tolerance
+             ? (std::min)((std::max)(at_source, straight_tolerance), sine_at_source(opposite(h)))
+             : 0;
+  }
+
+  // Returns an edge from `v` that a flip shortens, and that leaves the degree of `v`, or null. If
+  // edges from `v` to itself cannot be flipped, such flips change their diamonds. They end, because
+  // a surface has a finite number of straight edges up to any length.
+  Halfedge_index too_long_at(Vertex_index v) const
+  {
+    Halfedge_index result;
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
+      if(is_flippable(h) && degree_change(h) == 0 && flipped_length(h) < length(h))
+        result = h;
+    });
+    return result;
+  }
+
+  // Returns by how much a flip of the edge of `h` increases the degree of its source.
+  int degree_change(Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.source(h);
     const auto ends_at_v = [v](Vertex_index a, Vertex_index b) { return (a == v) + (b == v); };
-    return ends_at_v(m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(opposite(h)))) <
+    return ends_at_v(m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(opposite(h)))) -
            ends_at_v(v, m_mesh.target(h));
   }
 

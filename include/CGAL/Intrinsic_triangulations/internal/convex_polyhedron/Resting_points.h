@@ -39,7 +39,7 @@ struct Coordinates_in_triangle
   std::array<double, 3> coordinates;
   double least;
 
-  // In a triangle without area no point has a position.
+  // If the triangle has no area, the point is moved to the longest side.
   Coordinates_in_triangle(const std::complex<double>& p,
                           const std::array<std::complex<double>, 3>& q)
   {
@@ -52,10 +52,29 @@ struct Coordinates_in_triangle
       coordinates[c] = cross(q[(c + 1) % 3] - p, q[(c + 2) % 3] - p) / area;
     least = area > least_area * size ? (std::min)({coordinates[0], coordinates[1], coordinates[2]})
                                      : -std::numeric_limits<double>::infinity();
+    if(!(area > least_known_area * size))
+      coordinates = on_longest_side(p, q);
   }
 
 private:
-  static constexpr double least_area = 1e-7;
+  // Up to the first number, the least coordinate is not known. Up to the second one, the area is an
+  // effect of rounding.
+  static constexpr double least_area = 1e-7, least_known_area = 0x1p-48;
+
+  static std::array<double, 3> on_longest_side(const std::complex<double>& p,
+                                               const std::array<std::complex<double>, 3>& q)
+  {
+    std::size_t longest = 0;
+    const auto side = [&](std::size_t s) { return q[(s + 1) % 3] - q[s]; };
+    for(std::size_t s = 1; s < 3; ++s)
+      if(norm(side(s)) > norm(side(longest)))
+        longest = s;
+    const double t = std::clamp(((p - q[longest]) / side(longest)).real(), 0., 1.);
+    std::array<double, 3> result{0, 0, 0};
+    result[longest] = 1 - t;
+    result[(longest + 1) % 3] = t;
+    return result;
+  }
 };
 
 // Stores points on a surface that keep their positions when its edges are flipped. Coordinates are
