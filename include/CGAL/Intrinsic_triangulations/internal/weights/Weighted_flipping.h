@@ -201,7 +201,8 @@ public:
         forget_edges_around(v);
     for(Vertex_index v : hidden)
       if(!(m_weights[v.idx()] > before[v.idx()]))
-        throw Numerical_error("rounding of the lengths hides vertex " + std::to_string(v.idx()));
+        throw Numerical_error("rounding of weights and lengths hides vertex " +
+                              std::to_string(v.idx()));
     return true;
   }
 
