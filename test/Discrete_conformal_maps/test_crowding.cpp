@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/texture_points.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
@@ -302,6 +303,27 @@ TEST(Crowding, spiral_in_a_disk)
     } else
       turns += pi - angle[v.idx()] / 2;
   EXPECT_NEAR(turns, 2 * pi, 1e-8);
+}
+
+// A map that was computed with lengths of the exact surface needs them for its layout.
+TEST(Crowding, exact_promises_keep_lengths_of_the_exact_surface)
+{
+  const Mesh mesh = strip(5);
+  const double angle = 2 * pi / double(mesh.number_of_vertices());
+  for(bool is_precise : {false, true}) {
+    DCM::internal::Doubled_problem problem(
+      IT::Intrinsic_triangulation<>(mesh),
+      std::vector<DCM::Vertex_condition>(mesh.number_of_vertices(),
+                                         DCM::Vertex_condition::curvature(angle)),
+      DCM::Flipping::to_Delaunay, DCM::internal::Exactness::errors);
+    if(is_precise) {
+      ASSERT_TRUE(problem.make_precise());
+    }
+    const auto promises =
+      DCM::internal::exact_promises(problem, [] { return DCM::internal::Scale_errors(); });
+    EXPECT_EQ(promises.size(), 2u);
+    EXPECT_EQ(problem.has_precise_lengths(), is_precise);
+  }
 }
 
 // Faces that are not crowded are accurate in a rectangle.

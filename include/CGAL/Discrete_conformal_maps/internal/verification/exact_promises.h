@@ -68,14 +68,14 @@ Scale_errors scale_errors(const Energy& energy, const Minimization_domain& domai
 
 // Returns the promises of rounded lengths and scale factors on the exact surface. Returns nothing
 // if 1024 bits do not suffice. `measure()` returns the errors of the scale factors, while the
-// problem has lengths of the exact surface. If the problem already had these lengths, it promises
-// nothing.
+// problem has lengths of the exact surface. A problem that already had them keeps them.
 template <typename Measure>
 std::vector<Map_promise> exact_promises(Doubled_problem& problem, const Measure& measure)
 {
   std::vector<Map_promise> result;
   if(!problem.is_measured())
     return result;
+  const bool has_lengths = problem.has_precise_lengths();
   try {
     const double length_error = problem.take_exact_lengths();
     const Scale_errors errors = measure();
@@ -85,7 +85,8 @@ std::vector<Map_promise> exact_promises(Doubled_problem& problem, const Measure&
       {"exact_curvature", errors.gradient, tolerance::promised_angle, Map_status::wrong_curvature}};
   } catch(const Intrinsic_triangulations::Numerical_error&) {
   }
-  problem.drop_exact_lengths();
+  if(!has_lengths)
+    problem.drop_exact_lengths();
   return result;
 }
 
