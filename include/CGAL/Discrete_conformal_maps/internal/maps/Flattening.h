@@ -20,6 +20,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Touching_circles.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Vertex_circles.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/component_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Plane_picture.h>
@@ -211,10 +212,10 @@ private:
   {
     using std::log;
     const auto& Delaunay = m_builder.data().ab;
-    const std::vector<FT> flat =
-      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length<FT>(h); });
-    const std::vector<double> curved = m_problem.areas(
-      Delaunay.mesh(), [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
+    const std::vector<FT> flat = component_areas(
+      m_problem, mesh(), [&](Halfedge_index h) { return m_builder.scaled_length<FT>(h); });
+    const std::vector<double> curved = component_areas(
+      m_problem, Delaunay.mesh(), [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
     std::vector<double> result;
     for(std::size_t c = 0; c < flat.size(); ++c)
       result.push_back(static_cast<double>(log(curved[c] / flat[c])));

@@ -20,7 +20,6 @@
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -30,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -291,24 +289,6 @@ public:
     m_half = Delta_complex();
     m_point = std::vector<std::array<double, 3>>();
     m_length = std::vector<double>();
-  }
-
-  // Returns the area of each component of the double in one of its triangulations, for these
-  // lengths of halfedges.
-  template <typename Length>
-  auto areas(const Delta_complex& complex, const Length& length) const
-  {
-    using std::sqrt;
-    typedef std::decay_t<decltype(length(Halfedge_index()))> FT;
-    std::vector<FT> result(components().size(), FT(0));
-    for(Face_index f : complex.faces()) {
-      const auto h = sides(f, complex);
-      const std::size_t c = component(complex.target(h[0]));
-      const FT quadrupled = sqrt(Intrinsic_triangulations::squared_quadrupled_area(
-        length(h[0]), length(h[1]), length(h[2])));
-      result[c] += quadrupled / 4 * part(f) * (has_boundary(c) ? 2 : 1);
-    }
-    return result;
   }
 
 private:

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/component_areas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/Core>
@@ -29,8 +30,9 @@ inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
 {
   const auto& t = problem.triangulation();
   const std::vector<double> target = problem.curvature_excess(),
-                            area = problem.areas(
-                              t.mesh(), [&](Halfedge_index h) { return t.length(Edge_index(h)); }),
+                            area = component_areas(
+                              problem, t.mesh(),
+                              [&](Halfedge_index h) { return t.length(Edge_index(h)); }),
                             radii = problem.radii<double>();
   Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(problem.size()));
   for(std::size_t v = 0; v < problem.size(); ++v) {
