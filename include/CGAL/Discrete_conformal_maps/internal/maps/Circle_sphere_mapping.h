@@ -34,12 +34,10 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Circle_sphere_mapping
 {
 public:
-  // `problem` is the whole surface with its circles, or its whole double. `without_circles` is the
-  // same surface.
-  Circle_sphere_mapping(Doubled_problem& problem, Doubled_problem& without_circles,
-                        Any_visitor& visitor)
+  // `problem` is the whole surface with its circles, or its whole double.
+  Circle_sphere_mapping(Doubled_problem& problem, Any_visitor& visitor)
     : m_problem(problem),
-      m_without_circles(without_circles),
+      m_without_circles(problem.without_circles()),
       m_visitor(visitor),
       m_mass(vertex_masses(problem)),
       m_builder(problem)
@@ -374,7 +372,7 @@ private:
   }
 
   Doubled_problem& m_problem;
-  Doubled_problem& m_without_circles;
+  Doubled_problem m_without_circles;
   Any_visitor& m_visitor;
   std::vector<double> m_mass;
   Unfolded_sphere m_ideal;

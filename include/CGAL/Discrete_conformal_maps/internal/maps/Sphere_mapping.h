@@ -257,17 +257,14 @@ private:
 
 // Maps a surface with circles at its vertices.
 // \throws Invalid_input if the surface is neither a sphere nor a disk with a vertex inside
-inline Spherical_conformal_map mapped_with_circles(Doubled_problem& problem,
-                                                   Doubled_problem& without_circles,
-                                                   Any_visitor& visitor)
+inline Spherical_conformal_map mapped_with_circles(Doubled_problem& problem, Any_visitor& visitor)
 {
   check_sphere(problem);
   if(!has_vertices_inside(problem))
     throw Intrinsic_triangulations::Invalid_input(
       "a disk without inner vertices has no hemisphere with circles: leave out the radii");
   problem.complete();
-  without_circles.complete();
-  return Circle_sphere_mapping(problem, without_circles, visitor).run();
+  return Circle_sphere_mapping(problem, visitor).run();
 }
 
 template <typename Visitor>
@@ -279,15 +276,10 @@ Spherical_conformal_map mapped_to_sphere(Intrinsic_triangulations::Intrinsic_tri
   const auto work = std::make_shared<Search_work>();
   const auto find = [&](Intrinsic_triangulations::Intrinsic_triangulation<> surface,
                         Exactness exactness) {
-    if(circles.exist()) {
-      Doubled_problem without_circles(surface, none, Flipping::to_Delaunay, exactness);
-      without_circles.set_concurrency(parameters.concurrency);
-      Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness, circles);
-      problem.set_concurrency(parameters.concurrency);
-      return mapped_with_circles(problem, without_circles, visitor);
-    }
-    Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness);
+    Doubled_problem problem(std::move(surface), none, Flipping::to_Delaunay, exactness, circles);
     problem.set_concurrency(parameters.concurrency);
+    if(circles.exist())
+      return mapped_with_circles(problem, visitor);
     problem.share_work(work);
     return Sphere_mapping(problem, visitor).run();
   };

@@ -143,6 +143,15 @@ public:
   // Returns whether vertices have circles.
   bool has_radii() const { return m_circles.exist(); }
 
+  // Returns the ideal polyhedron of T_2 and its lengths. Another T_2 has another one, because
+  // Ptolemy flips change lengths. \pre the whole surface is copied, so T_2 is final
+  Doubled_problem without_circles() const
+  {
+    Doubled_problem result(*this);
+    result.m_circles = Vertex_circles();
+    return result;
+  }
+
   // Returns the radii of the circles at the vertices of the triangulation, if they have circles.
   template <typename FT>
   std::vector<FT> radii() const
