@@ -71,8 +71,8 @@ public:
     shrink(shrinkage);
   }
 
-  // Moves a plane with this normal vector, which has nearly the unit length, to the center. The
-  // plane is close to the center.
+  // Moves a plane at this hyperbolic distance from the center to the center. Its normal vector has
+  // nearly the unit length.
   void move_plane_to_center(const Eigen::Vector3d& normal, double distance)
   {
     std::vector<Extended> shrinkage(m_pole.size(), Extended(1));

@@ -171,9 +171,9 @@ private:
     add_promises(circles);
   }
 
-  // Moves the mirror plane of a disk to the center, if rounding of the center of mass has left it
-  // too far from the center. The difference of the vectors (pole, 1) / e^u of mirror images is
-  // orthogonal to the plane in Minkowski space.
+  // Moves the mirror plane of a disk to the center, because rounding of the center of mass and its
+  // limits leave it beside the center. The difference of the vectors (pole, 1) / e^u of mirror
+  // images is orthogonal to the plane in Minkowski space.
   template <typename FT>
   void move_mirror_to_center(Balanced_circles<FT>& circles) const
   {
@@ -190,8 +190,8 @@ private:
       time += static_cast<double>(1 - factor);
     }
     const double norm = normal.norm();
-    if(std::abs(time / norm) > tolerance::inscribed)
-      circles.move_plane_to_center(normal / norm, time / norm);
+    if(std::abs(time) < norm)
+      circles.move_plane_to_center(normal / norm, std::atanh(time / norm));
   }
 
   // Returns the rows of a rotation. It moves the vertex at infinity to (0, 0, -1), and the mirror
