@@ -292,6 +292,90 @@ TEST(Circles_on_the_sphere, that_touch_are_the_packing)
   }
 }
 
+// Checks that the circles at the ends of each edge of the input touch.
+void check_tangency(const Spherical_conformal_map& map, const Delta_complex& mesh)
+{
+  for(Edge_index e : mesh.edges()) {
+    const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    const Vector d = difference(map.position(v), map.position(w));
+    EXPECT_NEAR(2 * std::asin(std::sqrt(dot(d, d)) / 2),
+                map.circle_radius(v) + map.circle_radius(w), 1e-9)
+      << e;
+  }
+}
+
+// All edges of such a tetrahedron are weighted Delaunay. Without circles, some are not Delaunay.
+TEST(Circles_on_the_sphere, that_touch_are_the_packing_of_a_tetrahedron)
+{
+  const Triangulation t(tetrahedron());
+  for(unsigned int seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    Radii radii;
+    for(std::size_t v = 0; v < 4; ++v)
+      radii.push_back(std::exp(std::uniform_real_distribution<double>(-1.5, 1.5)(random)));
+    std::vector<double> length;
+    for(Edge_index e : t.mesh().edges())
+      length.push_back(radii[t.mesh().vertex(e, 0)] + radii[t.mesh().vertex(e, 1)]);
+    const Spherical_conformal_map map =
+      DCM::map_to_sphere(t.mesh(), length_parameter(length).vertex_radius_map(as_radii(radii)));
+    check(map);
+    check_tangency(map, t.mesh());
+  }
+}
+
+// Three circles on the equator touch each other and the circle between them. Without circles,
+// their common edges are no Delaunay edges of the double.
+TEST(Circles_of_a_disk, that_touch_form_a_wheel)
+{
+  const double circumradius = 2 / std::sqrt(3.);
+  std::vector<Point> points{Point(0, 0, 0)};
+  for(int i = 0; i < 3; ++i)
+    points.emplace_back(circumradius * std::cos(2 * pi * i / 3),
+                        circumradius * std::sin(2 * pi * i / 3), 0);
+  const Triangulation t(make_mesh(points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}));
+  const Spherical_conformal_map map = decorated(t, {circumradius - 1, 1, 1, 1});
+  check(map);
+  EXPECT_NEAR(map.circle_radius(Vertex_index(0)), pi / 6, 1e-12);
+  EXPECT_NEAR(map.position(Vertex_index(0))[2], 1, 1e-12);
+  for(unsigned int v = 1; v < 4; ++v) {
+    EXPECT_NEAR(map.circle_radius(Vertex_index(v)), pi / 3, 1e-12);
+    EXPECT_NEAR(map.position(Vertex_index(v))[2], 0, 1e-15);
+  }
+}
+
+// The circles of a packing in the plane touch on the sphere, too.
+TEST(Circles_of_a_disk, that_are_packed_touch)
+{
+  for(unsigned int seed = 1; seed <= 30; ++seed) {
+    Mesh mesh = punctured(random_sphere(8 + seed / 2, seed), {0});
+    const DCM::Circle_packing packing = DCM::pack_circles(mesh);
+    ASSERT_EQ(packing.status(), DCM::Map_status::success);
+    Radii radii;
+    for(const auto v : mesh.vertices()) {
+      const auto circle = packing.circle(Vertex_index(v.idx()));
+      radii.push_back(circle.radius);
+      mesh.point(v) = Point(circle.center.real(), circle.center.imag(), 0);
+    }
+    const Triangulation t(mesh);
+    const Spherical_conformal_map map = decorated(t, radii);
+    EXPECT_EQ(map.status(), DCM::Map_status::success) << seed << ' ' << map.cause();
+    check_tangency(map, t.mesh());
+  }
+}
+
+TEST(Circles_of_a_disk, lie_on_a_hemisphere_if_they_touch)
+{
+  for(const std::size_t n : {2, 4, 6}) {
+    const Triangulation t(grid(n, n, [](double x, double y) { return Point(x, y, 0); }));
+    const Spherical_conformal_map map = decorated(t, Radii(t.mesh().num_vertices(), 0.5));
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    for(Vertex_index v : t.mesh().vertices())
+      if(t.mesh().is_border(v)) {
+        EXPECT_NEAR(map.position(v)[2], 0, 1e-15);
+      }
+  }
+}
+
 TEST(Circles_on_the_sphere, are_near_points_if_they_are_small)
 {
   const Triangulation t(random_sphere(60, 5));
@@ -338,7 +422,7 @@ TEST(Circles_of_a_disk, lie_on_a_hemisphere)
       EXPECT_GT(check_inversive_distances(map, radii), 20u);
       for(Vertex_index v : t.mesh().vertices()) {
         if(t.mesh().is_border(v)) {
-          EXPECT_NEAR(map.position(v)[2], 0, 1e-14);
+          EXPECT_NEAR(map.position(v)[2], 0, 1e-15);
         } else {
           EXPECT_GT(map.position(v)[2], 0);
         }
@@ -436,7 +520,7 @@ TEST(Circles_of_a_disk, lie_on_a_hemisphere_if_they_are_crowded)
   EXPECT_FALSE(map.crowded_faces().empty());
   for(Vertex_index v : t.mesh().vertices())
     if(t.mesh().is_border(v)) {
-      EXPECT_NEAR(map.position(v)[2], 0, 1e-14);
+      EXPECT_NEAR(map.position(v)[2], 0, 1e-15);
     }
 }
 
