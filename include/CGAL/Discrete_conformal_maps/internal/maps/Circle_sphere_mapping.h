@@ -172,26 +172,36 @@ private:
   }
 
   // Moves the mirror plane of a disk to the center, because rounding of the center of mass and its
-  // limits leave it beside the center. The difference of the vectors (pole, 1) / e^u of mirror
-  // images is orthogonal to the plane in Minkowski space.
+  // limits leave it beside the center. The second move corrects rounding of the first one.
   template <typename FT>
   void move_mirror_to_center(Balanced_circles<FT>& circles) const
   {
+    for(int i = 0; i < 2; ++i) {
+      const auto [normal, time] = mirror_plane(circles);
+      const double norm = normal.norm();
+      if(std::abs(time) < norm)
+        circles.move_plane_to_center(normal / norm, std::atanh(time / norm));
+    }
+  }
+
+  // Returns a vector of Minkowski space that is orthogonal to the mirror plane. Such vectors are
+  // the differences of the vectors (pole, 1) / e^u of mirror images.
+  template <typename FT>
+  std::pair<Eigen::Vector3d, double> mirror_plane(const Balanced_circles<FT>& circles) const
+  {
     const std::vector<Extended>& u = circles.log_scale();
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    double time = 0;
+    std::pair<Eigen::Vector3d, double> result(Eigen::Vector3d::Zero(), 0);
     for(std::size_t v = m_problem.size(); v < m_problem.originals().size(); ++v) {
       const Vertex_index w = m_problem.originals()[v];
       const Extended factor = exp(u[w.idx()] - u[v]);
       const auto &p = circles.pole(w),
                  &copy = circles.pole(Vertex_index(static_cast<Delta_complex::size_type>(v)));
       for(std::size_t c = 0; c < 3; ++c)
-        normal[Eigen::Index(c)] += static_cast<double>(FT(p[c] - converted<FT>(factor) * copy[c]));
-      time += static_cast<double>(1 - factor);
+        result.first[Eigen::Index(c)] +=
+          static_cast<double>(FT(p[c] - converted<FT>(factor) * copy[c]));
+      result.second += static_cast<double>(1 - factor);
     }
-    const double norm = normal.norm();
-    if(std::abs(time) < norm)
-      circles.move_plane_to_center(normal / norm, std::atanh(time / norm));
+    return result;
   }
 
   // Returns the rows of a rotation. It moves the vertex at infinity to (0, 0, -1), and the mirror
