@@ -148,7 +148,7 @@ private:
       m_part = next;
       if(m_part < 1)
         m_circles.balance();
-      extend<FT>(path);
+      extend(path);
     }
     return m_part == 1;
   }
@@ -160,28 +160,28 @@ private:
     std::vector<Extended> log_scale;
   };
 
-  // If lengths exceed the range of `double`, tiny changes of scale factors can reverse faces. Then
-  // searches start at scale factors that are extrapolated from this number of points of the path.
+  // Tiny changes of scale factors can reverse faces in narrow parts of the surface. So searches
+  // start at scale factors that are extrapolated from this number of points of the path.
+  static constexpr std::size_t path_length = 3;
+  // Returns whether lengths may exceed the range of `double`. Then paths are longer.
   template <typename FT>
-  static constexpr std::size_t path_length = std::is_same_v<FT, Position<FT>> ? 1 : 3;
-  // The paths are longer, too.
+  static constexpr bool has_wide_range = !std::is_same_v<FT, Position<FT>>;
   template <typename FT>
-  static constexpr std::size_t most_steps = path_length<FT> > 1 ? 2000 : 1000;
+  static constexpr std::size_t most_steps = has_wide_range<FT> ? 2000 : 1000;
 
   // Returns the step at which the search ends. If lengths exceed the range of `double`, tiny
   // radii can change scale factors much.
   template <typename FT>
   double smallest_step() const
   {
-    return least_step * (path_length<FT> > 1 ? (std::max)(m_part, least_part) : 1.);
+    return least_step * (has_wide_range<FT> ? (std::max)(m_part, least_part) : 1.);
   }
 
   // Adds the last polyhedron to the path. Without circles, scale factors are no part of a smooth
   // function of the logarithm of the fraction.
-  template <typename FT>
   void extend(std::vector<Path_point>& path) const
   {
-    if(path.front().part == 0 || path.size() == path_length<FT>)
+    if(path.front().part == 0 || path.size() == path_length)
       path.erase(path.begin());
     path.push_back({m_part, m_circles.log_scale()});
   }
@@ -217,7 +217,7 @@ private:
   template <typename FT>
   bool is_near_ideal() const
   {
-    if(is_wide() && std::is_same_v<FT, Position<FT>>)
+    if(is_wide() && !has_wide_range<FT>)
       return false;
     const std::optional<double> error = ideal_error<FT>();
     return error && *error < greatest_start_error;
