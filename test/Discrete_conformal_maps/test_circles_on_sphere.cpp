@@ -308,11 +308,14 @@ void check_tangency(const Spherical_conformal_map& map, const Delta_complex& mes
 TEST(Circles_on_the_sphere, that_touch_are_the_packing_of_a_tetrahedron)
 {
   const Triangulation t(tetrahedron());
-  for(unsigned int seed = 0; seed < 60; ++seed) {
-    std::mt19937 random(seed);
-    Radii radii;
+  std::vector<Radii> cases{{0.2426, 0.4372, 15.73, 2.833}}; // leads along a path of many steps
+  std::mt19937 random(1);
+  for(int i = 0; i < 100; ++i) {
+    cases.emplace_back();
     for(std::size_t v = 0; v < 4; ++v)
-      radii.push_back(std::exp(std::uniform_real_distribution<double>(-1.5, 1.5)(random)));
+      cases.back().push_back(std::exp(std::uniform_real_distribution<double>(-2, 2)(random)));
+  }
+  for(const Radii& radii : cases) {
     std::vector<double> length;
     for(Edge_index e : t.mesh().edges())
       length.push_back(radii[t.mesh().vertex(e, 0)] + radii[t.mesh().vertex(e, 1)]);
