@@ -84,8 +84,8 @@ TEST(Weighted_certificate, confirms_regular_triangulations_with_hidden_points)
   EXPECT_GT(hidden, 100u);
 }
 
-// On lattices with such weights, points are hidden by as little as a rounding error. Rounded weights
-// of hidden vertices do not differ from the given ones then.
+// On lattices with such weights, points are hidden by as little as a rounding error. Then rounding
+// gives hidden vertices their own weights.
 TEST(Weighted_certificate, names_vertices_that_are_hidden_by_less_than_rounding)
 {
   CGAL::Random random(13);
