@@ -143,8 +143,9 @@ public:
   // Returns whether vertices have circles.
   bool has_radii() const { return m_circles.exist(); }
 
-  // Returns the ideal polyhedron of T_2 and its lengths. Another T_2 has another one, because
-  // Ptolemy flips change lengths. \pre the whole surface is copied, so T_2 is final
+  // Returns the problem with the same T_2 but without circles. Another T_2 has another ideal
+  // polyhedron, because Ptolemy flips change lengths.
+  // \pre `complete()` has been called, so T_2 is final
   Doubled_problem without_circles() const
   {
     Doubled_problem result(*this);
