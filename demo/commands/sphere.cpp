@@ -78,7 +78,7 @@ std::string precise_position(const Spherical_map& map, Mesh::Vertex_index v)
   // More digits are computed than are written, so that all written digits are correct.
   typedef boost::multiprecision::cpp_bin_float_50 Number;
   std::ostringstream text;
-  text.precision(std::numeric_limits<Spherical_map::Extended>::digits10);
+  text.precision(std::numeric_limits<Spherical_map::Double_double>::digits10);
   const auto p = map.position_in<Number>(DCM::Vertex_index(v.idx()));
   text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   return text.str();

@@ -10,9 +10,9 @@
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Difference_bounded_newton.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_work.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/exact_promises.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/texture_points.h>
@@ -391,7 +391,7 @@ TEST(Crowding, long_surfaces_in_the_Klein_disk)
 // factors end where all are equal. Angles of very low faces jump on the way.
 void lead_back_to_a_flat_rectangle(double height)
 {
-  typedef DCM::internal::Wide_number<DCM::internal::Extended> FT;
+  typedef DCM::internal::Wide_number<DCM::internal::Double_double> FT;
   const std::size_t n = 12, m = 3;
   const Mesh mesh = grid(n, m, [height](double x, double y) { return Point(x, height * y, 0); });
   std::vector<DCM::Vertex_condition> conditions(mesh.number_of_vertices());
@@ -437,8 +437,8 @@ TEST(Bounded_differences, lead_back_past_jumps_of_angles) { lead_back_to_a_flat_
 // Searches in more digits leave less work for others, and none can do more than the rest.
 TEST(Search_work, has_one_limit_for_all_searches)
 {
-  typedef DCM::internal::Extended Extended;
-  typedef DCM::internal::More_extended More_extended;
+  typedef DCM::internal::Double_double Double_double;
+  typedef DCM::internal::Decimal_115 Decimal_115;
   DCM::internal::Search_work work;
   const double whole = work.left(), end = work.end_of_part();
   const std::size_t face = 1000;
@@ -446,16 +446,16 @@ TEST(Search_work, has_one_limit_for_all_searches)
   EXPECT_LT(end, whole);
   work.add<double>(face);
   const double rounded = whole - work.left();
-  work.add<Extended>(face);
+  work.add<Double_double>(face);
   EXPECT_LT(rounded, double(face));
   EXPECT_EQ(work.left(), whole - rounded - double(face));
-  work.add<More_extended>(face);
+  work.add<Decimal_115>(face);
   EXPECT_LT(work.left() + 6 * double(face), whole - rounded - double(face));
   EXPECT_GT(work.end_of_part(), end);
-  work.add<Extended>(std::size_t(end));
+  work.add<Double_double>(std::size_t(end));
   EXPECT_EQ(work.left(end), 0);
   EXPECT_GT(work.left(), 0);
-  work.add<Extended>(std::size_t(whole));
+  work.add<Double_double>(std::size_t(whole));
   EXPECT_EQ(work.left(), 0);
 }
 

@@ -7,7 +7,7 @@
 #include "../Intrinsic_triangulations/testing.h"
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -15,7 +15,7 @@
 namespace Test_double_double {
 
 namespace DCM = CGAL::Discrete_conformal_maps;
-using Number = DCM::internal::Extended;
+using Number = DCM::internal::Double_double;
 using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>,
                                           boost::multiprecision::et_off>;
 
@@ -94,7 +94,7 @@ TEST(Double_double, transcendental_functions_have_all_digits)
     }
   }
   const Big pi = boost::math::constants::pi<Big>();
-  EXPECT_LE(error(DCM::internal::straight_angle<Number>(), pi), 4);
+  EXPECT_LE(error(IT::pi<Number>(), pi), 4);
   EXPECT_LE(error(CGAL::Intrinsic_triangulations::internal::ln_two(), log(Big(2))), 1);
 }
 

@@ -21,7 +21,7 @@ using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
 using DCM::Layer;
 using DCM::Spherical_conformal_map;
-using Extended = Spherical_conformal_map::Extended;
+using IT::Double_double;
 typedef std::array<double, 3> Position;
 
 double distance(const Position& p, const Position& q)
@@ -37,7 +37,7 @@ Position position(const Mesh& mesh, std::size_t v)
 
 // Returns the chord from the positions in the plane, which keep their digits if positions on the
 // sphere are close.
-Extended chord(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
+Double_double chord(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
 {
   const auto x = [&](Vertex_index i) { return map.stereographic_position(i)[0]; };
   const auto root = [&](Vertex_index i) { return sqrt(1 + x(i) * x(i)); };
@@ -46,12 +46,12 @@ Extended chord(const Spherical_conformal_map& map, Vertex_index v, Vertex_index 
   return 2 * abs(x(v) - x(w)) / root(v) / root(w);
 }
 
-Extended precise_distance(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
+Double_double precise_distance(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
 {
   if(map.is_flat())
     return chord(map, v, w);
   const auto p = map.precise_position(v), q = map.precise_position(w);
-  Extended square(0);
+  Double_double square(0);
   for(std::size_t c = 0; c < 3; ++c)
     square += (p[c] - q[c]) * (p[c] - q[c]);
   return sqrt(square);
@@ -731,15 +731,16 @@ TEST(Conformal_barycenter, is_in_balance)
 {
   CGAL::Random random(1);
   for(const double size : {1., 1e-3, 1e-9, 1e-15}) {
-    std::vector<std::array<Extended, 2>> position;
+    std::vector<std::array<Double_double, 2>> position;
     std::vector<double> mass;
     for(int i = 0; i < 60; ++i) {
       const double scale = i < 30 ? 1 : size;
-      position.push_back({Extended(i < 30 ? 0. : 3.) + Extended(scale * random.get_double(-1, 1)),
-                          Extended(scale * random.get_double(-1, 1))});
+      position.push_back(
+        {Double_double(i < 30 ? 0. : 3.) + Double_double(scale * random.get_double(-1, 1)),
+         Double_double(scale * random.get_double(-1, 1))});
       mass.push_back(i < 30 ? 0.01 : random.get_double(1, 2));
     }
-    const DCM::internal::Conformal_barycenter<Extended> center(position, mass, 7);
+    const DCM::internal::Conformal_barycenter<Double_double> center(position, mass, 7);
     Position sum{0, 0, -mass[7]};
     double total = mass[7];
     for(std::size_t i = 0; i < 60; ++i) {
@@ -778,12 +779,12 @@ TEST(Plane_predicates, are_exact)
   for(int i = 0; i < 20000; ++i) {
     // A grid of few points has the width of a few rounding errors, so most tuples are degenerate.
     std::array<std::array<double, 2>, 4> p;
-    std::array<std::array<Extended, 2>, 4> e;
+    std::array<std::array<Double_double, 2>, 4> e;
     std::array<Exact::Point_2, 4> q;
     for(std::size_t k = 0; k < 4; ++k) {
       for(std::size_t c = 0; c < 2; ++c) {
         p[k][c] = 0.1 + random.get_int(0, 4) * 1.4e-17 * (i % 2 == 0 ? 1 : 1e12);
-        e[k][c] = Extended(p[k][c]);
+        e[k][c] = Double_double(p[k][c]);
       }
       q[k] = {p[k][0], p[k][1]};
     }
@@ -792,20 +793,20 @@ TEST(Plane_predicates, are_exact)
   }
 }
 
-// Exponents are far apart, and numbers of type `Extended` have second parts.
+// Exponents are far apart, and numbers of type `Double_double` have second parts.
 TEST(Plane_predicates, have_all_digits)
 {
   CGAL::Random random(2);
   int degenerate = 0;
   for(int i = 0; i < 5000; ++i) {
-    std::array<std::array<Extended, 2>, 4> e;
+    std::array<std::array<Double_double, 2>, 4> e;
     std::array<Exact::Point_2, 4> q;
     for(std::size_t k = 0; k < 4; ++k) {
       std::array<Exact::FT, 2> exact;
       for(std::size_t c = 0; c < 2; ++c) {
         const double high = random.get_int(-1, 2) * std::ldexp(1., 60 * random.get_int(-3, 4)),
                      low = random.get_int(-1, 2) * std::ldexp(1., -400);
-        e[k][c] = Extended(high) + Extended(low);
+        e[k][c] = Double_double(high) + Double_double(low);
         exact[c] = Exact::FT(e[k][c].high()) + Exact::FT(e[k][c].low());
       }
       q[k] = {exact[0], exact[1]};
@@ -814,7 +815,7 @@ TEST(Plane_predicates, have_all_digits)
   }
   EXPECT_GT(degenerate, 50);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const DCM::internal::Plane_predicates<Extended> predicates;
+  const DCM::internal::Plane_predicates<Double_double> predicates;
   EXPECT_EQ(predicates.orientation({nan, nan}, {1, 0}, {0, 1}), 0);
   EXPECT_EQ(predicates.in_circle({0, 0}, {1, 0}, {0, 1}, {nan, 1}), 0);
 }

@@ -449,7 +449,7 @@ TEST(Laplacian_elimination, chain_of_any_weights)
 // steps.
 TEST(Root_of_increasing, steep_steps)
 {
-  typedef DCM::internal::More_extended Number;
+  typedef DCM::internal::Decimal_115 Number;
   for(const double root : {0., 1e-12, -0.3, 1e5}) {
     const auto function = [&](const Number& x) {
       const auto step = [](const Number& y) {

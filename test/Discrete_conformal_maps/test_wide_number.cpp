@@ -16,14 +16,14 @@ namespace Test_wide_number {
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 using DCM::internal::converted;
-using DCM::internal::Extended;
-using DCM::internal::Long_number;
+using DCM::internal::Decimal_1500;
+using DCM::internal::Double_double;
 using DCM::internal::Wide_number;
 using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>,
                                           boost::multiprecision::et_off>;
 
 Big big(double x) { return x; }
-Big big(const Extended& x) { return Big(x.high()) + Big(x.low()); }
+Big big(const Double_double& x) { return Big(x.high()) + Big(x.low()); }
 template <typename Mantissa>
 Big big(const Wide_number<Mantissa>& x)
 {
@@ -56,7 +56,7 @@ protected:
   CGAL::Random m_random{7};
 };
 
-typedef testing::Types<double, Extended> Mantissas;
+typedef testing::Types<double, Double_double> Mantissas;
 TYPED_TEST_SUITE(Wide_numbers, Mantissas);
 
 TYPED_TEST(Wide_numbers, arithmetic_beyond_the_range_of_double)
@@ -133,7 +133,7 @@ TYPED_TEST(Wide_numbers, filtered_Delaunay_decisions_agree_with_many_digits)
     typedef std::decay_t<decltype(x.ij)> Number;
     return DCM::internal::Delaunay_filter<Number>::is_Delaunay(x);
   };
-  EXPECT_EQ(Filter::is_useful, (std::is_same_v<TypeParam, Extended>));
+  EXPECT_EQ(Filter::is_useful, (std::is_same_v<TypeParam, Double_double>));
   int certain = 0, close = 0;
   for(int i = 0; i < 2000; ++i) {
     const int shift = this->m_random.get_int(-5000, 5000), range = i % 4 == 0 ? 2000 : 4;
@@ -178,10 +178,10 @@ TYPED_TEST(Wide_numbers, conversions_keep_what_fits)
 {
   for(int i = 0; i < 100; ++i) {
     const auto x = this->random_number(5000);
-    const Long_number same = converted<Long_number>(x);
+    const Decimal_1500 same = converted<Decimal_1500>(x);
     EXPECT_EQ(converted<Wide_number<double>>(same), converted<Wide_number<double>>(x));
     const auto y = this->random_number(300);
-    EXPECT_EQ(converted<Extended>(converted<Long_number>(y)), converted<Extended>(y));
+    EXPECT_EQ(converted<Double_double>(converted<Decimal_1500>(y)), converted<Double_double>(y));
   }
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 
 #include <CGAL/assertions.h>
 
@@ -192,7 +193,7 @@ FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_we
 {
   using std::log;
   CGAL_precondition(!this->surface().has_radii());
-  const FT pi = internal::straight_angle<FT>();
+  const FT pi = Intrinsic_triangulations::pi<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
     if(!mesh().is_isolated(v))

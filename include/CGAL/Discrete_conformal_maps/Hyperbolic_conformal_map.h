@@ -9,8 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Disk_motion.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace CGAL::Discrete_conformal_maps {
 struct Fuchsian_group
 {
   /// a number of 115 decimal digits.
-  typedef internal::More_extended Precise_number;
+  typedef internal::Decimal_115 Precise_number;
 
   /// a generator or its inverse.
   struct Letter

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 
 #include <cmath>
 #include <cstddef>
@@ -58,7 +59,7 @@ template <typename FT>
 FT Lobachevsky_function(const FT& theta)
 {
   using std::log;
-  const FT pi = internal::straight_angle<FT>();
+  const FT pi = Intrinsic_triangulations::pi<FT>();
   if(2 * theta > pi)
     return -Lobachevsky_function(FT(pi - theta));
   const FT x = 2 * theta;

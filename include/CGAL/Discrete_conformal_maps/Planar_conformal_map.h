@@ -11,7 +11,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/verification/Plane_picture.h>
 
 #include <array>
-#include <cmath>
 #include <complex>
 #include <memory>
 #include <utility>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ struct Spherical_layout
   bool exists = false, is_disk = false, is_flat = false;
   bool is_extended = false; // whether more digits than those of `double` were needed
   Vertex_index at_infinity;
-  std::vector<std::array<Extended, 2>> in_plane;
+  std::vector<std::array<Double_double, 2>> in_plane;
   std::vector<std::array<double, 3>> position; // on the unit sphere
   Convexity_certificate certificate;
   std::size_t lost_in_output = 0, bound_violations = 0;
@@ -40,7 +40,7 @@ struct Spherical_layout
   {
     if(v == at_infinity)
       return turned<Number>({Number(0), Number(0), Number(-1)});
-    const auto number = [](const Extended& x) {
+    const auto number = [](const Double_double& x) {
       return Number(Number(x.high()) + Number(x.low()));
     };
     const Number x = number(in_plane[v.idx()][0]), y = number(in_plane[v.idx()][1]),
@@ -104,9 +104,10 @@ class Spherical_conformal_map : public Discrete_conformal_map
 public:
   /// a point in space.
   typedef std::array<double, 3> Point;
-  /// a number of about 106 binary digits: the sum of two `double`, `high()` and `low()`. `high()`
-  /// is the rounded number.
-  typedef internal::Extended Extended;
+  /// a number with twice the digits of `double`.
+  typedef Intrinsic_triangulations::Double_double Double_double;
+  /// \deprecated Use `Double_double`.
+  [[deprecated("use Double_double")]] typedef Double_double Extended;
 
   /// \cond SKIP_IN_MANUAL
   Spherical_conformal_map() = default;
@@ -140,9 +141,9 @@ public:
   double circle_radius(Vertex_index v) const { return std::atan(scaled_radius(v)); }
 
   /// returns the position of `v` on the unit sphere, in more digits.
-  std::array<Extended, 3> precise_position(Vertex_index v) const
+  std::array<Double_double, 3> precise_position(Vertex_index v) const
   {
-    return position_in<Extended>(v);
+    return position_in<Double_double>(v);
   }
 
   /// returns the point of the unit sphere whose stereographic projection is
@@ -157,7 +158,7 @@ public:
 
   /// returns the position of `v` in the plane: the stereographic projection, from the vertex at
   /// infinity, of its position on the sphere. It is unspecified for the vertex at infinity.
-  const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
+  const std::array<Double_double, 2>& stereographic_position(Vertex_index v) const
   {
     return m_layout.in_plane[v.idx()];
   }

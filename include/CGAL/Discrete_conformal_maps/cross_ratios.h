@@ -16,8 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -105,7 +103,7 @@ inline double max_cross_ratio_error(const Spherical_conformal_map& map)
              ? internal::max_inversive_distance_error<internal::Wide_number<double>>(map)
              : internal::max_inversive_distance_error<double>(map);
   const Delta_complex& mesh = map.ideal().mesh();
-  std::vector<std::array<Spherical_conformal_map::Extended, 2>> position;
+  std::vector<std::array<Spherical_conformal_map::Double_double, 2>> position;
   for(Vertex_index v : mesh.vertices())
     position.push_back(map.stereographic_position(v));
   const auto is_known = [&](Edge_index e) { return internal::has_known_length(e, map); };

@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>

@@ -16,7 +16,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/surface_type.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/function_property_map.hpp>

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -35,29 +36,7 @@ class Euclidean_strip
 {
   /// \cond SKIP_IN_MANUAL
 protected:
-  struct Vector
-  {
-    FT x, y;
-
-    friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
-    friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
-    friend Vector operator-(const Vector& v) { return {-v.x, -v.y}; }
-    friend Vector operator*(const FT& s, const Vector& v) { return {s * v.x, s * v.y}; }
-    friend FT dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
-    friend FT cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
-
-    // Returns the product as complex numbers.
-    friend Vector operator*(const Vector& v, const Vector& w)
-    {
-      return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
-    }
-
-    // Returns the vector turned counterclockwise by the angle with this cosine and sine.
-    Vector turned(const FT& cos, const FT& sin) const
-    {
-      return {cos * x - sin * y, sin * x + cos * y};
-    }
-  };
+  typedef internal::Plane_vector<FT> Vector;
 
   struct Segment
   {
@@ -252,13 +231,13 @@ private:
   // Returns the direction of i->l in the triangle jil.
   Vector direction_at_source(const FT& ij, const FT& jl, const FT& li) const
   {
-    return m_direction.turned(corner_cosine(jl, li, ij), -corner_sine(jl, li, ij));
+    return m_direction * Vector{corner_cosine(jl, li, ij), -corner_sine(jl, li, ij)};
   }
 
   // Returns the direction of l->j in the triangle jil.
   Vector direction_to_target(const FT& ij, const FT& jl, const FT& li) const
   {
-    return m_direction.turned(corner_cosine(li, ij, jl), corner_sine(li, ij, jl));
+    return m_direction * Vector{corner_cosine(li, ij, jl), corner_sine(li, ij, jl)};
   }
 
   // Returns the position of l in the triangle jil.

@@ -24,8 +24,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_outgoing_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
-#include <array>
-#include <cstddef>
 #include <iostream>
 #include <string>
 #include <utility>

@@ -115,7 +115,7 @@ constexpr double roundings_of_squares = 16;
 constexpr double roundings_of_position = 8;
 // Coordinates in the plane beyond the first number are not stored, because their squares exceed
 // the range of `double`. The second number is a distance of two positions relative to their
-// coordinates. At this distance or a greater one, `Extended` resolves the distance with ten
+// coordinates. At this distance or a greater one, `Double_double` resolves the distance with ten
 // digits.
 constexpr double greatest_position = 0x1p480, least_known_distance = 0x1p-70;
 // Close to the image of infinity on the sphere, the square of the distance from it determines the
@@ -130,7 +130,7 @@ constexpr double narrow_log_scales = 100;
 // without progress is rounding. If all masses lie in two points, the third number replaces the
 // missing curvature along the line through both.
 constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
-// Products of distances beyond this number have all digits of `Extended`.
+// Products of distances beyond this number have all digits of `Double_double`.
 constexpr double least_distance = 1e-270;
 // If the relative growth of an energy is less than this number, slopes decide. Energies have
 // rounding errors of this size.

@@ -33,7 +33,7 @@ public:
 
   // `mass` contains the mass of each vertex. `log_scale` and `position` describe the sphere for
   // radii of zero.
-  explicit Balanced_circles(std::vector<double> mass, std::vector<Extended> log_scale = {},
+  explicit Balanced_circles(std::vector<double> mass, std::vector<Double_double> log_scale = {},
                             std::vector<Point> position = {})
     : m_mass(std::move(mass)), m_log_scale(std::move(log_scale)), m_pole(std::move(position))
   {
@@ -44,7 +44,7 @@ public:
       m /= total;
   }
 
-  void assign(std::vector<Extended> log_scale, const std::vector<FT>& radii,
+  void assign(std::vector<Double_double> log_scale, const std::vector<FT>& radii,
               std::vector<Point> position)
   {
     m_log_scale = std::move(log_scale);
@@ -54,7 +54,7 @@ public:
   }
 
   const std::vector<double>& mass() const { return m_mass; }
-  const std::vector<Extended>& log_scale() const { return m_log_scale; }
+  const std::vector<Double_double>& log_scale() const { return m_log_scale; }
   // Returns the point p / cos R, which is the pole of the plane of the circle.
   const Point& pole(Vertex_index v) const { return m_pole[v.idx()]; }
   // Returns the center of a circle.
@@ -65,7 +65,7 @@ public:
   // space. A move ends early if a circle would otherwise reach the size of a hemisphere.
   void balance()
   {
-    std::vector<Extended> shrinkage(m_pole.size(), Extended(1));
+    std::vector<Double_double> shrinkage(m_pole.size(), Double_double(1));
     for(int i = 0; i < most_steps && balance_step(shrinkage); ++i) {
     }
     shrink(shrinkage);
@@ -75,7 +75,7 @@ public:
   // nearly the unit length.
   void move_plane_to_center(const Eigen::Vector3d& normal, double distance)
   {
-    std::vector<Extended> shrinkage(m_pole.size(), Extended(1));
+    std::vector<Double_double> shrinkage(m_pole.size(), Double_double(1));
     move(normal, distance, shrinkage);
     shrink(shrinkage);
   }
@@ -95,7 +95,7 @@ private:
   static constexpr double longest_step = 1, least_cosine = 0.05;
   static constexpr int most_steps = 200;
 
-  void shrink(const std::vector<Extended>& shrinkage)
+  void shrink(const std::vector<Double_double>& shrinkage)
   {
     for(std::size_t v = 0; v < shrinkage.size(); ++v)
       m_log_scale[v] -= log(shrinkage[v]);
@@ -108,7 +108,7 @@ private:
 
   // Makes one step of `balance()`, and multiplies the factors by which circles have shrunk by
   // theirs. Returns whether a step has been necessary.
-  bool balance_step(std::vector<Extended>& shrinkage)
+  bool balance_step(std::vector<Double_double>& shrinkage)
   {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Matrix3d Hessian = tolerance::least_curvature * Eigen::Matrix3d::Identity();
@@ -139,7 +139,7 @@ private:
     });
   }
 
-  void move(const Eigen::Vector3d& direction, double length, std::vector<Extended>& shrinkage)
+  void move(const Eigen::Vector3d& direction, double length, std::vector<Double_double>& shrinkage)
   {
     const Point d{direction[0], direction[1], direction[2]};
     const FT x = FT(length), e = exp(x), cosh = (e + 1 / e) / 2, unit = dot(d, d),
@@ -150,12 +150,12 @@ private:
                inverse = 1 / time;
       for(std::size_t c = 0; c < 3; ++c)
         q[c] = inverse * (q[c] + shift * d[c]);
-      shrinkage[v] *= converted<Extended>(time);
+      shrinkage[v] *= converted<Double_double>(time);
     }
   }
 
   std::vector<double> m_mass; // the masses, whose sum is one
-  std::vector<Extended> m_log_scale;
+  std::vector<Double_double> m_log_scale;
   std::vector<Point> m_pole;
 };
 

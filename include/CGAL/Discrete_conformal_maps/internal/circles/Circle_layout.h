@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <queue>
 #include <vector>
 

@@ -12,7 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Cholesky.h>
 
@@ -47,8 +47,8 @@ public:
   // `mesh` is T_2 with the lengths of its tangents and the radii. `circles` contains the scale
   // factors and positions of the ideal polyhedron, and the masses of vertices. `order` is an
   // elimination order of the vertices, if it is known.
-  Circles_on_sphere(const Delta_complex& mesh, std::vector<Extended> tangent,
-                    std::vector<Extended> radius, Balanced_circles<Extended> circles,
+  Circles_on_sphere(const Delta_complex& mesh, std::vector<Double_double> tangent,
+                    std::vector<Double_double> radius, Balanced_circles<Double_double> circles,
                     std::shared_ptr<Shared_order> order)
     : m_mesh(mesh),
       m_tangent(std::move(tangent)),
@@ -58,9 +58,9 @@ public:
   {}
 
   // Follows the polyhedra to the final radii with numbers of this type. If they suffice and the
-  // layout is good, the last polyhedron has their digits, and otherwise the digits of `Extended`.
+  // layout is good, the last polyhedron has their digits, and otherwise the digits of `Double_double`.
   // If these digits do not distinguish the centers of circles, centers have the digits of
-  // `Long_number`. Returns whether the search has reached the radii.
+  // `Decimal_1500`. Returns whether the search has reached the radii.
   template <typename FT>
   bool run(bool digits_suffice, Any_visitor& visitor)
   {
@@ -75,11 +75,11 @@ public:
     return true;
   }
 
-  // Returns whether lengths on the sphere may exceed the range of `double` and of `Extended`.
+  // Returns whether lengths on the sphere may exceed the range of `double` and of `Double_double`.
   bool is_wide() const
   {
-    const std::vector<Extended>& u = m_circles.log_scale();
-    return std::any_of(u.begin(), u.end(), [](const Extended& x) {
+    const std::vector<Double_double>& u = m_circles.log_scale();
+    return std::any_of(u.begin(), u.end(), [](const Double_double& x) {
       return !(std::abs(x.high()) <= tolerance::narrow_log_scales);
     });
   }
@@ -90,7 +90,7 @@ public:
     if(m_part > 0)
       return "circles grow only to the part " + std::to_string(m_part) +
              " of the squares of their radii";
-    const std::optional<double> error = ideal_error<Wide_number<Extended>>();
+    const std::optional<double> error = ideal_error<Wide_number<Double_double>>();
     return !error ? "lengths on the sphere exceed the range of numbers"
            : !std::isfinite(*error)
              ? "a face of the polyhedron without circles contains the center "
@@ -128,9 +128,9 @@ private:
     has_more_digits<FT> ? tolerance::extended_gradient : tolerance::gradient;
   // The number type of the last polyhedron, and of positions on the path to it.
   template <typename FT>
-  using Precise = std::conditional_t<std::is_same_v<FT, double>, Extended, FT>;
+  using Precise = std::conditional_t<std::is_same_v<FT, double>, Double_double, FT>;
   template <typename FT>
-  using Position = std::conditional_t<std::is_same_v<FT, double>, double, Extended>;
+  using Position = std::conditional_t<std::is_same_v<FT, double>, double, Double_double>;
 
   // Grows the radii, starting from the fraction of their squares that has been reached.
   template <typename FT>
@@ -157,7 +157,7 @@ private:
   struct Path_point
   {
     double part;
-    std::vector<Extended> log_scale;
+    std::vector<Double_double> log_scale;
   };
 
   // Tiny changes of scale factors can reverse faces in narrow parts of the surface. So searches
@@ -187,13 +187,13 @@ private:
   }
 
   // Returns the scale factors for `next` on the polynomial through the points of the path.
-  static std::vector<Extended> predicted(const std::vector<Path_point>& path, double next)
+  static std::vector<Double_double> predicted(const std::vector<Path_point>& path, double next)
   {
     if(path.size() == 1)
       return path.front().log_scale;
-    std::vector<Extended> result(path.front().log_scale.size(), Extended(0));
+    std::vector<Double_double> result(path.front().log_scale.size(), Double_double(0));
     for(const Path_point& p : path) {
-      Extended weight = 1;
+      Double_double weight = 1;
       for(const Path_point& q : path)
         if(q.part != p.part)
           weight *= std::log(next / q.part) / std::log(p.part / q.part);
@@ -230,14 +230,14 @@ private:
   template <typename FT>
   Spherical_circle_surface<FT> surface_with(double part) const
   {
-    const Extended factor = sqrt(Extended(part));
+    const Double_double factor = sqrt(Double_double(part));
     std::vector<FT> radii;
-    for(const Extended& r : m_radius)
+    for(const Double_double& r : m_radius)
       radii.push_back(converted<FT>(factor * r));
     const auto tangent = [this, part](Edge_index e) {
-      const Extended t = m_tangent[e.idx()], sum = m_radius[m_mesh.vertex(e, 0).idx()] +
-                                                   m_radius[m_mesh.vertex(e, 1).idx()];
-      return converted<FT>(part == 1 ? t : Extended(sqrt(t * t + (1 - part) * (sum * sum))));
+      const Double_double t = m_tangent[e.idx()], sum = m_radius[m_mesh.vertex(e, 0).idx()] +
+                                                        m_radius[m_mesh.vertex(e, 1).idx()];
+      return converted<FT>(part == 1 ? t : Double_double(sqrt(t * t + (1 - part) * (sum * sum))));
     };
     return {m_mesh, boost::make_function_property_map<Edge_index>(tangent), std::move(radii)};
   }
@@ -245,7 +245,7 @@ private:
   // Makes steps of Newton's method for the radii of this fraction. A factorization is used again
   // while its steps reduce the defects.
   template <typename FT>
-  bool reach(double part, Any_visitor& visitor, std::vector<Extended> u)
+  bool reach(double part, Any_visitor& visitor, std::vector<Double_double> u)
   {
     auto surface = surface_with<FT>(part);
     double before = std::numeric_limits<double>::infinity();
@@ -273,7 +273,7 @@ private:
   // can end the search before defects are as small as possible. If it is bad in `double`, more
   // digits follow. If it is good in more digits, defects of this size do not change it.
   template <typename FT>
-  bool ends_with(const Spherical_circle_surface<FT>& surface, const std::vector<Extended>& u,
+  bool ends_with(const Spherical_circle_surface<FT>& surface, const std::vector<Double_double>& u,
                  double error, double before)
   {
     const bool is_last = is_enough<FT>(error, before);
@@ -348,7 +348,7 @@ private:
     std::array<Vertex_index, 3> m_corner;
   };
 
-  static bool move(std::vector<Extended>& u, const Vector& change)
+  static bool move(std::vector<Double_double>& u, const Vector& change)
   {
     const double greatest = change.lpNorm<Eigen::Infinity>();
     if(!std::isfinite(greatest))
@@ -360,12 +360,12 @@ private:
   }
 
   template <typename FT>
-  void keep(const Spherical_circle_surface<FT>& surface, const std::vector<Extended>& u,
+  void keep(const Spherical_circle_surface<FT>& surface, const std::vector<Double_double>& u,
             double error)
   {
     const auto centers = surface.template centers<Position<FT>>();
     m_layout_error = surface.layout_error(centers);
-    m_circles.assign(u, radii<Extended>(surface), points(centers));
+    m_circles.assign(u, radii<Double_double>(surface), points(centers));
     m_flips = surface.flips();
     m_angle_error = error;
   }
@@ -377,8 +377,8 @@ private:
     auto surface = surface_with<FT>(1);
     surface.scale(m_circles.log_scale());
     m_separate_circles.emplace(m_circles.mass());
-    m_separate_circles->assign(m_circles.log_scale(), radii<Long_number>(surface),
-                               surface.template centers<Long_number>());
+    m_separate_circles->assign(m_circles.log_scale(), radii<Decimal_1500>(surface),
+                               surface.template centers<Decimal_1500>());
     m_separate_circles->balance();
   }
 
@@ -391,20 +391,20 @@ private:
     return result;
   }
 
-  // Returns the points with the digits of `Extended`.
+  // Returns the points with the digits of `Double_double`.
   template <typename Point>
-  static std::vector<std::array<Extended, 3>> points(const std::vector<Point>& points)
+  static std::vector<std::array<Double_double, 3>> points(const std::vector<Point>& points)
   {
-    std::vector<std::array<Extended, 3>> result;
+    std::vector<std::array<Double_double, 3>> result;
     for(const auto& [x, y, z] : points)
-      result.push_back({Extended(x), Extended(y), Extended(z)});
+      result.push_back({Double_double(x), Double_double(y), Double_double(z)});
     return result;
   }
 
   const Delta_complex& m_mesh;
-  std::vector<Extended> m_tangent, m_radius;
-  Balanced_circles<Extended> m_circles;
-  std::optional<Balanced_circles<Long_number>> m_separate_circles;
+  std::vector<Double_double> m_tangent, m_radius;
+  Balanced_circles<Double_double> m_circles;
+  std::optional<Balanced_circles<Decimal_1500>> m_separate_circles;
   std::vector<Halfedge_index> m_flips;
   Fixed_face m_newton;
   double m_part = 0; // the fraction of the squared radii

@@ -87,14 +87,14 @@ public:
   const FT& scaled_radius(Vertex_index v) const { return m_surface.scaled_radius(v); }
 
   // Sets scale factors. Returns whether all scaled lengths exist.
-  bool scale(const std::vector<Extended>& u)
+  bool scale(const std::vector<Double_double>& u)
   {
     std::vector<FT> converted_u;
-    for(const Extended& x : u)
+    for(const Double_double& x : u)
       converted_u.push_back(converted<FT>(x));
     try {
       m_surface.scale(converted_u);
-    } catch(const Intrinsic_triangulations::Numerical_error&) {
+    } catch(const Intrinsic_triangulations::Error&) {
       return false;
     }
     for(Edge_index e : mesh().edges())
@@ -170,7 +170,7 @@ public:
 
   // Returns the centers of the circles with the digits of `Position`. Each face is positioned
   // beside its predecessor. Directions are rotated from face to face, because directions computed
-  // from positions would multiply errors. With the digits of `Long_number`, the shortest edges are
+  // from positions would multiply errors. With the digits of `Decimal_1500`, the shortest edges are
   // crossed first. Then no path between small faces leads across large faces, and errors are
   // proportional to the sizes of the faces.
   template <typename Position>
@@ -246,7 +246,7 @@ private:
   template <typename Position>
   int priority([[maybe_unused]] Halfedge_index h) const
   {
-    if constexpr(std::is_same<Position, Long_number>::value)
+    if constexpr(std::is_same<Position, Decimal_1500>::value)
       return -exponent_of(converted<Position>(half_chord(h)));
     else
       return 0;

@@ -9,14 +9,13 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Intrinsic_triangulations/Cut_graph.h>
 #include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <queue>
 #include <tuple>
 #include <type_traits>
@@ -130,7 +129,7 @@ std::vector<double> crossing_order(const std::vector<FT>& length)
 {
   std::vector<double> result;
   for(const FT& l : length)
-    if constexpr(std::is_same<FT, Long_number>::value)
+    if constexpr(std::is_same<FT, Decimal_1500>::value)
       result.push_back(-static_cast<double>(exponent_of(l)));
     else
       result.push_back(static_cast<double>(l));

@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
+
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
@@ -19,17 +21,14 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Stores the corners of a convex polygon in the plane, counterclockwise.
 typedef std::vector<std::complex<double>> Convex_polygon;
 
-inline double cross_product(const std::complex<double>& a, const std::complex<double>& b)
-{
-  return a.real() * b.imag() - a.imag() * b.real();
-}
+using Intrinsic_triangulations::internal::cross;
 
 // Returns the area, which is negative if the polygon is clockwise.
 inline double signed_area(const Convex_polygon& polygon)
 {
   double sum = 0;
   for(std::size_t n = 2; n < polygon.size(); ++n)
-    sum += cross_product(polygon[n - 1] - polygon[0], polygon[n] - polygon[0]);
+    sum += cross(polygon[n - 1] - polygon[0], polygon[n] - polygon[0]);
   return sum / 2;
 }
 
@@ -39,7 +38,7 @@ inline bool separates(const Convex_polygon& a, const Convex_polygon& b)
   for(std::size_t n = 0; n < a.size(); ++n) {
     const std::complex<double> p = a[n], side = a[(n + 1) % a.size()] - p;
     if(std::all_of(b.begin(), b.end(),
-                   [&](const std::complex<double>& z) { return cross_product(side, z - p) <= 0; }))
+                   [&](const std::complex<double>& z) { return cross(side, z - p) <= 0; }))
       return true;
   }
   return false;
@@ -51,7 +50,7 @@ inline Convex_polygon left_part(const Convex_polygon& polygon, const std::comple
                                 const std::complex<double>& q)
 {
   Convex_polygon result;
-  const auto height = [&](const std::complex<double>& x) { return cross_product(q - p, x - p); };
+  const auto height = [&](const std::complex<double>& x) { return cross(q - p, x - p); };
   for(std::size_t n = 0; n < polygon.size(); ++n) {
     const std::complex<double>&a = polygon[n], &b = polygon[(n + 1) % polygon.size()];
     const double at_a = height(a), at_b = height(b);

@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,8 @@
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+using Intrinsic_triangulations::internal::Plane_vector;
 
 // Computes the positions of the vertices of a doubled disk in the plane, with one vertex of the
 // boundary at infinity. All other boundary vertices lie on the real line, and the disk lies above
@@ -47,7 +49,7 @@ public:
       height += p.y;
     if(height < 0)
       turn_around();
-    if(std::is_same<FT, Long_number>::value)
+    if(std::is_same<FT, Decimal_1500>::value)
       shift_to_axis(unfolded);
     for(Vertex_index v : problem.surface().vertices())
       if(problem.is_on_boundary(v))

@@ -12,9 +12,9 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/length_cross_ratios.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
@@ -85,14 +85,14 @@ public:
   // Returns the logarithmic scale factors in the unit disk. Let x be the position of a vertex on
   // the line in units of `m_scale`, and c its chord from infinity. Its scale factor is 2 /
   // (m_scale c^2 (1 + x^2)).
-  std::vector<More_extended> log_scales_in_disk() const
+  std::vector<Decimal_115> log_scales_in_disk() const
   {
-    const More_extended unit = converted<More_extended>(m_scale);
-    std::vector<More_extended> result;
+    const Decimal_115 unit = converted<Decimal_115>(m_scale);
+    std::vector<Decimal_115> result;
     for(std::size_t v = 0; v < m_chord.size(); ++v) {
-      const More_extended chord = converted<More_extended>(m_chord[v]),
-                          x = converted<More_extended>(m_position[v][0]);
-      result.push_back(log(More_extended(
+      const Decimal_115 chord = converted<Decimal_115>(m_chord[v]),
+                        x = converted<Decimal_115>(m_position[v][0]);
+      result.push_back(log(Decimal_115(
         v == m_at_infinity.idx() ? 2 * unit : 2 / (unit * chord * chord * (1 + x * x)))));
     }
     for(Vertex_index v : m_problem.surface().vertices())
@@ -105,12 +105,12 @@ public:
   // other edges.
   std::vector<double> side_lengths_in_disk() const
   {
-    const std::vector<More_extended> u = log_scales_in_disk();
+    const std::vector<Decimal_115> u = log_scales_in_disk();
     std::vector<double> result(m_problem.surface().num_edges(), 0);
     for(const auto& [h, input] : m_sides)
       result[input.idx()] = static_cast<double>(scaled_length(
-        converted<More_extended>(length(h)),
-        length_factor(More_extended(u[mesh().source(h).idx()] + u[mesh().target(h).idx()]))));
+        converted<Decimal_115>(length(h)),
+        length_factor(Decimal_115(u[mesh().source(h).idx()] + u[mesh().target(h).idx()]))));
     return result;
   }
 
@@ -261,7 +261,7 @@ private:
   // Returns whether products of distances are in the range of their type, and have all digits.
   bool is_in_range(const std::vector<Halfedge_index>& sides) const
   {
-    if(std::is_same<FT, Long_number>::value)
+    if(std::is_same<FT, Decimal_1500>::value)
       return true;
     const double least = static_cast<double>(gap(smallest_side())),
                  greatest = static_cast<double>(at(mesh().target(sides.back())) -

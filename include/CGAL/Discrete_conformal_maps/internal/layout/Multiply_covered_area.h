@@ -95,7 +95,7 @@ private:
       Complex last = s.source;
       const auto go_to = [&](const Complex& point) {
         if(number == 1)
-          result += cross_product(last, point);
+          result += cross(last, point);
         last = point;
       };
       for(const Crossing& c : crossings(s)) {
@@ -130,8 +130,8 @@ private:
   static Complex crossing(const Side& s, const Side& other)
   {
     const Complex line = other.target - other.source;
-    const double at_source = cross_product(line, s.source - other.source),
-                 at_target = cross_product(line, s.target - other.source),
+    const double at_source = cross(line, s.source - other.source),
+                 at_target = cross(line, s.target - other.source),
                  part = at_source / (at_source - at_target);
     return s.source + (std::isnan(part) ? 0.5 : std::clamp(part, 0., 1.)) * (s.target - s.source);
   }

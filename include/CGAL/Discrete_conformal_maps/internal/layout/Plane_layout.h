@@ -12,7 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Half_plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Least_squares_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ public:
 private:
   // The weights of sides for the distribution of errors are squares in `double`. If the sizes of
   // faces exceed the range of `double`, positions do not change, because they have enough digits.
-  static constexpr bool distributes_errors = !std::is_same<FT, Long_number>::value;
+  static constexpr bool distributes_errors = !std::is_same<FT, Decimal_1500>::value;
 
   // Returns the finite faces that can be reached from an interior vertex of the surface itself.
   // The result lacks copies of faces that only further copies lead to.

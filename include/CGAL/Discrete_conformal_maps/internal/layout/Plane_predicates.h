@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Intrinsic_triangulations/exact_numbers.h>
 
 #ifdef CGAL_USE_MPFR
@@ -22,7 +22,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Evaluates exact predicates on points with coordinates of type `double` or `Extended`. A filter
+// Evaluates exact predicates on points with coordinates of type `double` or `Double_double`. A filter
 // comes first, and exact numbers follow if it fails. A point that is not finite is on every line,
 // circle and plane.
 template <typename FT>
@@ -67,7 +67,10 @@ private:
   };
 
   static Exact_ring exact(double x) { return x; }
-  static Exact_ring exact(const Extended& x) { return Exact_ring(x.high()) + Exact_ring(x.low()); }
+  static Exact_ring exact(const Double_double& x)
+  {
+    return Exact_ring(x.high()) + Exact_ring(x.low());
+  }
 
   // Converts a number, which is an integer times a power of two, without rounding.
   template <typename Number>

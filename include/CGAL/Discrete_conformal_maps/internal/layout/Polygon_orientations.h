@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/layout/Number_lists.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <algorithm>
 #include <array>
@@ -124,8 +124,8 @@ private:
   static double height(const std::array<double, 2>& p, const std::array<double, 2>& q,
                        const std::array<double, 2>& r)
   {
-    const auto minus = [](double x, double y) { return Extended::exact_sum(x, -y); };
-    const Extended area =
+    const auto minus = [](double x, double y) { return Double_double::exact_sum(x, -y); };
+    const Double_double area =
       minus(q[0], p[0]) * minus(r[1], p[1]) - minus(q[1], p[1]) * minus(r[0], p[0]);
     return over_longest_side(static_cast<double>(area), p, q, r);
   }
@@ -134,8 +134,8 @@ private:
   static double height(const std::array<double, 3>& p, const std::array<double, 3>& q,
                        const std::array<double, 3>& r)
   {
-    const auto product = [](double x, double y) { return Extended::exact_product(x, y); };
-    Extended volume(0);
+    const auto product = [](double x, double y) { return Double_double::exact_product(x, y); };
+    Double_double volume(0);
     for(std::size_t c = 0, d = 1, e = 2; c < 3; d = e, e = c++)
       volume += p[c] * (product(q[d], r[e]) - product(q[e], r[d]));
     return over_longest_side(static_cast<double>(volume) / (norm(p) * norm(q) * norm(r)),

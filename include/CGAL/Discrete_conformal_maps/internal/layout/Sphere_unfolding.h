@@ -36,7 +36,7 @@ enum class Unfolding_use
 {
   map,
   rough_start,  // the start of a search, with few digits
-  precise_start // the start of a search, with the digits of `Extended`
+  precise_start // the start of a search, with the digits of `Double_double`
 };
 
 // Unfolds a sphere from one of its vertices. Increases the number of digits until the result is
@@ -85,34 +85,34 @@ private:
       rounded, is_rough() ? tolerance::gradient_without_circles : tolerance::gradient, visitor);
     if((is_found && m_use != Unfolding_use::precise_start) || m_problem.is_measured() || is_rough())
       return; // lengths of the exact surface or a better start follow
-    const std::vector<Extended> start = is_lost(rounded.result())
-                                          ? flat_start(m_problem, m_at_infinity, visitor)
-                                          : std::vector<Extended>();
+    const std::vector<Double_double> start = is_lost(rounded.result())
+                                               ? flat_start(m_problem, m_at_infinity, visitor)
+                                               : std::vector<Double_double>();
     if(!start.empty() && search_beyond_range(start, visitor))
       return;
-    Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
+    Spherical_scale_factors<Double_double> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
     if(!search_with_more_digits(precise, visitor) && start.empty())
       search_beyond_range({}, visitor);
   }
 
-  // Searches on the exact surface, whose needles have more digits. Beyond the range of `Extended`,
-  // numbers with a wide exponent are tried before `More_extended`, because their steps cost less.
+  // Searches on the exact surface, whose needles have more digits. Beyond the range of `Double_double`,
+  // numbers with a wide exponent are tried before `Decimal_115`, because their steps cost less.
   // Returns whether the result is good.
   bool search_on_exact_surface(Any_visitor& visitor)
   {
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
     visitor.start(Flattening_stage::optimize);
     rounded.minimize(tolerance::gradient, visitor);
-    Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
+    Spherical_scale_factors<Double_double> precise(m_problem, m_at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start_of_groups(rounded);
     if(descend(precise, tolerance::parts_of_work_for_sphere, visitor))
       return true;
     if(is_in_range(precise))
       return descend_with_most_digits(precise, visitor);
-    Spherical_scale_factors<Wide_number<Extended>> wide(m_problem, m_at_infinity);
+    Spherical_scale_factors<Wide_number<Double_double>> wide(m_problem, m_at_infinity);
     return descend(wide, tolerance::parts_of_work, visitor) ||
            descend_with_most_digits(wide, visitor);
   }
@@ -131,13 +131,13 @@ private:
     return scale.result().gradient_norm <= tolerance::lost_curvature;
   }
 
-  // Continues with the digits of `More_extended`, close to a minimum or else from an estimate. This
+  // Continues with the digits of `Decimal_115`, close to a minimum or else from an estimate. This
   // is the only search on surfaces beyond the range of `FT`, and may take long on them. Returns
   // whether the result is good.
   template <typename FT>
   bool descend_with_most_digits(const Spherical_scale_factors<FT>& precise, Any_visitor& visitor)
   {
-    Spherical_scale_factors<More_extended> most_precise(m_problem, m_at_infinity);
+    Spherical_scale_factors<Decimal_115> most_precise(m_problem, m_at_infinity);
     if(is_near_minimum(precise))
       most_precise.set_start(precise);
     return descend(most_precise,
@@ -166,20 +166,20 @@ private:
 
   // Finds scale factors beyond the range of `double`, starting from `start` or from an estimate.
   // Returns whether the result is good.
-  bool search_beyond_range(const std::vector<Extended>& start, Any_visitor& visitor)
+  bool search_beyond_range(const std::vector<Double_double>& start, Any_visitor& visitor)
   {
     Spherical_scale_factors<Wide_number<double>> rounded(m_problem, m_at_infinity);
     if(!start.empty())
       rounded.set_start(start);
     visitor.start(Flattening_stage::optimize);
     rounded.minimize(tolerance::gradient, visitor);
-    Spherical_scale_factors<Wide_number<Extended>> precise(m_problem, m_at_infinity);
+    Spherical_scale_factors<Wide_number<Double_double>> precise(m_problem, m_at_infinity);
     precise.set_start(rounded);
     return search_with_more_digits(precise, visitor);
   }
 
   // Searches for scale factors up to rounding. If the search comes close to them, but not to a good
-  // layout, it continues with the digits of `More_extended`. Returns whether the result is good.
+  // layout, it continues with the digits of `Decimal_115`. Returns whether the result is good.
   template <typename FT>
   bool search_with_more_digits(Spherical_scale_factors<FT>& scale, Any_visitor& visitor)
   {
@@ -232,12 +232,12 @@ private:
       m_above_bound.push_back(static_cast<double>(scale.values()[v] - scale.bounds()[v]));
       m_u.push_back(static_cast<double>(scale.values()[v]));
       m_result.in_plane.push_back(
-        {converted<Extended>(scale.values()[v]), m_above_bound.back() == 0});
+        {converted<Double_double>(scale.values()[v]), m_above_bound.back() == 0});
     }
     if(std::is_same<FT, double>::value && is_good_in<double>(surface))
       return;
-    if(!is_good_in<Extended>(surface) && !std::is_same<FT, double>::value)
-      lay_out(surface.mesh(), surface.flips(), lengths<Long_number>(surface));
+    if(!is_good_in<Double_double>(surface) && !std::is_same<FT, double>::value)
+      lay_out(surface.mesh(), surface.flips(), lengths<Decimal_1500>(surface));
   }
 
   // Lays out the sphere with numbers of this type. Returns whether the result is good.

@@ -26,7 +26,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // Stores the logarithmic scale factor of a vertex in the plane.
 struct Scale_in_plane
 {
-  Extended value;
+  Double_double value;
   bool is_at_bound;
 };
 
@@ -55,15 +55,16 @@ struct Unfolded_sphere
 
   // Returns the logarithmic scale factor of a vertex of the surface itself with all digits. The
   // result is rounded to `double` if positions exceed their range.
-  Extended precise_log_scale(Vertex_index v) const
+  Double_double precise_log_scale(Vertex_index v) const
   {
     const double rounded = log_scale[v.idx()], shift = log_scale[layout.at_infinity.idx()];
     if(v == layout.at_infinity || rounded == 0 || in_plane.empty())
       return rounded;
     const auto& [x, y] = layout.in_plane[v.idx()];
-    const Extended ln_four = 2 * Intrinsic_triangulations::internal::ln_two(),
-                   result = ln_four + in_plane[v.idx()].value - shift - log(1 + (x * x + y * y));
-    return std::abs(result.high() - rounded) < tolerance::bound ? result : Extended(rounded);
+    const Double_double ln_four = 2 * Intrinsic_triangulations::internal::ln_two(),
+                        result =
+                          ln_four + in_plane[v.idx()].value - shift - log(1 + (x * x + y * y));
+    return std::abs(result.high() - rounded) < tolerance::bound ? result : Double_double(rounded);
   }
 
   // Compares results. Certified results come first, and then results with smaller errors.
@@ -77,14 +78,14 @@ struct Unfolded_sphere
 // Returns positions in the plane as a map stores them. If the square of a position exceeds the
 // range of `double`, the position cannot be distinguished from infinity.
 template <typename FT>
-std::vector<std::array<Extended, 2>>
+std::vector<std::array<Double_double, 2>>
 in_range_of_squares(const std::vector<std::array<FT, 2>>& position)
 {
   const FT limit = tolerance::greatest_position;
   const auto clamped = [&](const FT& x) {
-    return converted<Extended>(x > limit ? limit : x < -limit ? FT(-limit) : x);
+    return converted<Double_double>(x > limit ? limit : x < -limit ? FT(-limit) : x);
   };
-  std::vector<std::array<Extended, 2>> result;
+  std::vector<std::array<Double_double, 2>> result;
   for(const auto& p : position)
     result.push_back({clamped(p[0]), clamped(p[1])});
   return result;
@@ -106,7 +107,8 @@ std::vector<double> spherical_log_scales(const std::vector<double>& u, const FT&
                                          const std::vector<std::array<FT, 2>>& position,
                                          Vertex_index at_infinity, const Delta_complex& surface)
 {
-  typedef std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, Extended>
+  typedef std::conditional_t<std::is_same<FT, Decimal_1500>::value, Wide_number<double>,
+                             Double_double>
     Number;
   const double shift = static_cast<double>(log(converted<Number>(plane_scale)));
   std::vector<double> result;

@@ -56,7 +56,7 @@ public:
     }
     if(!m_layout.exists && !m_search->is_wide()) {
       start_from(unfolding(Unfolding_use::precise_start));
-      m_layout.exists = grow<double>() || grow<Extended>() || grow_beyond_range();
+      m_layout.exists = grow<double>() || grow<Double_double>() || grow_beyond_range();
     }
     m_layout.at_infinity = m_ideal.layout.at_infinity;
     if(!m_layout.exists)
@@ -95,7 +95,7 @@ private:
   {
     m_ideal = std::move(ideal);
     m_steps += m_ideal.minimization.iterations;
-    m_search.emplace(m_problem.triangulation().mesh(), tangents(), m_problem.radii<Extended>(),
+    m_search.emplace(m_problem.triangulation().mesh(), tangents(), m_problem.radii<Double_double>(),
                      ideal_circles(), m_without_circles.expanded_order());
     m_visitor.start(Flattening_stage::optimize);
   }
@@ -112,36 +112,36 @@ private:
   }
 
   // Lets the circles grow if lengths on the sphere may exceed the range of `double`.
-  bool grow_beyond_range() { return m_search->is_wide() && grow<Wide_number<Extended>>(); }
+  bool grow_beyond_range() { return m_search->is_wide() && grow<Wide_number<Double_double>>(); }
 
   // Returns whether the digits of `double` can suffice. Two mirror images need the digits of
-  // `Extended`, because their boundary lies on a great circle up to rounding.
+  // `Double_double`, because their boundary lies on a great circle up to rounding.
   bool double_suffices() const { return m_problem.has_no_copies() && !m_problem.is_measured(); }
 
-  std::vector<Extended> tangents() const
+  std::vector<Double_double> tangents() const
   {
-    const auto length = m_problem.lengths<Extended>(m_problem.triangulation());
-    std::vector<Extended> result;
+    const auto length = m_problem.lengths<Double_double>(m_problem.triangulation());
+    std::vector<Double_double> result;
     for(Edge_index e : m_problem.triangulation().mesh().edges())
       result.push_back(get(length, e));
     return result;
   }
 
   // Returns the ideal polyhedron. Copies of vertices are mirror images.
-  Balanced_circles<Extended> ideal_circles() const
+  Balanced_circles<Double_double> ideal_circles() const
   {
-    std::vector<std::array<Extended, 3>> position;
-    std::vector<Extended> log_scale;
+    std::vector<std::array<Double_double, 3>> position;
+    std::vector<Double_double> log_scale;
     for(std::size_t v = 0; v < m_problem.originals().size(); ++v) {
       const Vertex_index w = m_problem.originals()[v];
-      log_scale.push_back(m_ideal.layout.exists ? m_ideal.precise_log_scale(w) : Extended(0));
-      position.push_back(m_ideal.layout.exists ? m_ideal.layout.position_in<Extended>(w)
-                                               : std::array<Extended, 3>{0, 0, 1});
+      log_scale.push_back(m_ideal.layout.exists ? m_ideal.precise_log_scale(w) : Double_double(0));
+      position.push_back(m_ideal.layout.exists ? m_ideal.layout.position_in<Double_double>(w)
+                                               : std::array<Double_double, 3>{0, 0, 1});
       if(v >= m_problem.size())
         position.back()[1] = -position.back()[1];
     }
-    return Balanced_circles<Extended>(m_problem.expanded(m_mass), std::move(log_scale),
-                                      std::move(position));
+    return Balanced_circles<Double_double>(m_problem.expanded(m_mass), std::move(log_scale),
+                                           std::move(position));
   }
 
   // Stores the scale factors and the triangulation, and how they were found.
@@ -189,11 +189,11 @@ private:
   template <typename FT>
   std::pair<Eigen::Vector3d, double> mirror_plane(const Balanced_circles<FT>& circles) const
   {
-    const std::vector<Extended>& u = circles.log_scale();
+    const std::vector<Double_double>& u = circles.log_scale();
     std::pair<Eigen::Vector3d, double> result(Eigen::Vector3d::Zero(), 0);
     for(std::size_t v = m_problem.size(); v < m_problem.originals().size(); ++v) {
       const Vertex_index w = m_problem.originals()[v];
-      const Extended factor = exp(u[w.idx()] - u[v]);
+      const Double_double factor = exp(u[w.idx()] - u[v]);
       const auto &p = circles.pole(w),
                  &copy = circles.pole(Vertex_index(static_cast<Delta_complex::size_type>(v)));
       for(std::size_t c = 0; c < 3; ++c)
@@ -258,7 +258,8 @@ private:
     }
     m_layout.in_plane = in_range_of_squares(in_plane);
     for(std::size_t v = 0; v < in_plane.size(); ++v) {
-      const auto turned = m_layout.position_in<Extended>(Vertex_index(Delta_complex::size_type(v)));
+      const auto turned =
+        m_layout.position_in<Double_double>(Vertex_index(Delta_complex::size_type(v)));
       m_layout.position.push_back({turned[0].high(), turned[1].high(), turned[2].high()});
     }
   }

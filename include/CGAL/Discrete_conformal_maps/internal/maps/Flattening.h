@@ -60,8 +60,11 @@ public:
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
   // Starts from scale factors that were found with bounded differences for the same surface.
-  void resume(const std::vector<Extended>& found) { m_scale.resume(found); }
-  const std::vector<Extended>& found_with_bounds() const { return m_scale.found_with_bounds(); }
+  void resume(const std::vector<Double_double>& found) { m_scale.resume(found); }
+  const std::vector<Double_double>& found_with_bounds() const
+  {
+    return m_scale.found_with_bounds();
+  }
 
   // Finds scale factors. If scale factors have a finite bound, the first call places cones before.
   void find_scale_factors(const Any_minimizer& minimizer, const Cone_choice& choice)
@@ -82,7 +85,7 @@ public:
   }
 
   // Stores scale factors that need no search, and the flips from T_2 to T_3.
-  void take(const std::vector<More_extended>& log_scale, const std::vector<Halfedge_index>& flips)
+  void take(const std::vector<Decimal_115>& log_scale, const std::vector<Halfedge_index>& flips)
   {
     m_visitor.start(Flattening_stage::cones);
     m_visitor.start(Flattening_stage::optimize);
@@ -270,25 +273,25 @@ private:
       if(m_errors.greatest() <= tolerance::promised_angle && is_faithful(length, layout))
         return;
     }
-    if(m_scale.is_more_extended()) {
-      const auto length = measured(m_scale.precise_values<More_extended>(), correction);
+    if(m_scale.has_115_digits()) {
+      const auto length = measured(m_scale.precise_values<Decimal_115>(), correction);
       if(!is_faithful(length, Incremental_layout()))
         lay_out_with_all_digits(length);
       return;
     }
-    const std::vector<Extended> u = m_scale.precise_values<Extended>();
+    const std::vector<Double_double> u = m_scale.precise_values<Double_double>();
     if(!m_scale.is_wide() && is_faithful(measured(u, correction), layout))
       return;
     lay_out_with_all_digits(
-      measured(std::vector<Wide_number<Extended>>(u.begin(), u.end()), correction));
+      measured(std::vector<Wide_number<Double_double>>(u.begin(), u.end()), correction));
   }
 
   template <typename FT>
   void lay_out_with_all_digits(const std::vector<FT>& length)
   {
-    std::vector<Long_number> with_all_digits;
+    std::vector<Decimal_1500> with_all_digits;
     for(const FT& l : length)
-      with_all_digits.push_back(converted<Long_number>(l));
+      with_all_digits.push_back(converted<Decimal_1500>(l));
     lay_out(with_all_digits, Incremental_layout());
   }
 
@@ -337,10 +340,10 @@ private:
   double rounded_curvature_error() const
   {
     const auto& u = m_builder.data().log_scale;
-    return defect_errors<Flat_triangle<Extended>>(
+    return defect_errors<Flat_triangle<Double_double>>(
              m_problem, mesh(),
              m_builder.scaled_lengths(
-               std::vector<Extended>(u.begin(), u.begin() + std::ptrdiff_t(m_problem.size()))))
+               std::vector<Double_double>(u.begin(), u.begin() + std::ptrdiff_t(m_problem.size()))))
       .greatest();
   }
 
@@ -457,7 +460,7 @@ private:
   Map_parameters m_parameters;
   Vertex_circles m_circles;
   Any_visitor& m_visitor;
-  std::vector<Extended> m_found;
+  std::vector<Double_double> m_found;
   std::shared_ptr<Search_work> m_work;
 };
 

@@ -142,9 +142,9 @@ private:
     if(!m_scale.is_extended())
       error = lay_out(m_builder.scaled_lengths(m_scale.precise_values<double>()));
     if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
-      error = lay_out_with_more_digits<Extended>();
+      error = lay_out_with_more_digits<Double_double>();
     if(!(error <= tolerance::gluing))
-      lay_out_with_more_digits<More_extended>();
+      lay_out_with_more_digits<Decimal_115>();
   }
 
   // Lays out the faces with more digits. If a triangulation is Delaunay with rounded scale factors,
@@ -305,14 +305,14 @@ private:
 
   // Returns the rounded motions, or all digits if `digits` is zero.
   template <typename FT>
-  static std::vector<Disk_motion<More_extended>>
+  static std::vector<Disk_motion<Decimal_115>>
   rounded_to_digits(const std::vector<Disk_motion<FT>>& motions, int digits)
   {
     const auto number = [&](const FT& x) {
-      const More_extended exact = converted<More_extended>(x);
-      return digits == 0 ? exact : More_extended(exact.str(digits));
+      const Decimal_115 exact = converted<Decimal_115>(x);
+      return digits == 0 ? exact : Decimal_115(exact.str(digits));
     };
-    std::vector<Disk_motion<More_extended>> result;
+    std::vector<Disk_motion<Decimal_115>> result;
     for(const Disk_motion<FT>& motion : motions) {
       const auto& e = motion.entries();
       result.emplace_back(number(e[0]), number(e[1]), number(e[2]), number(e[3]));

@@ -261,13 +261,13 @@ private:
   std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
   {
     if(scale.is_wide()) {
-      const std::vector<Extended> u = scale.template precise_values<Extended>();
-      return m_problem.scaled(std::vector<Wide_number<Extended>>(u.begin(), u.end())).flips();
+      const std::vector<Double_double> u = scale.template precise_values<Double_double>();
+      return m_problem.scaled(std::vector<Wide_number<Double_double>>(u.begin(), u.end())).flips();
     }
-    if(m_problem.has_needles() && scale.is_more_extended())
-      return m_problem.scaled(scale.template precise_values<More_extended>()).flips();
+    if(m_problem.has_needles() && scale.has_115_digits())
+      return m_problem.scaled(scale.template precise_values<Decimal_115>()).flips();
     if(scale.is_extended() && (m_problem.has_needles() || !m_problem.is_exact()))
-      return m_problem.scaled(scale.template precise_values<Extended>()).flips();
+      return m_problem.scaled(scale.template precise_values<Double_double>()).flips();
     const auto& values = scale.values();
     return m_problem.scaled(std::vector<double>(values.begin(), values.end())).flips();
   }

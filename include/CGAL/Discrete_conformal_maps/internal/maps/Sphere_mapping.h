@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/best_unfolding.h>
@@ -63,8 +62,8 @@ public:
       store(best_unfolding(m_problem, m_mass, m_visitor));
       if(m_layout.exists)
         find_lost_faces();
-    } else if(!store_polygon<Extended>())
-      store_polygon<Long_number>();
+    } else if(!store_polygon<Double_double>())
+      store_polygon<Decimal_1500>();
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_layout.exists)
@@ -83,7 +82,7 @@ private:
   {
     const Inscribed_polygon<FT> polygon(m_problem, m_mass,
                                         vertices_at_infinity(m_problem, m_mass).front(), m_visitor);
-    if(std::is_same<FT, Extended>::value && !polygon.result().is_good(tolerance::cross_ratio))
+    if(std::is_same<FT, Double_double>::value && !polygon.result().is_good(tolerance::cross_ratio))
       return false;
     store(polygon.result());
     m_layout.lost_in_output = number_of_faces(
@@ -108,7 +107,7 @@ private:
     if(!m_layout.exists)
       return;
     for(Vertex_index v : m_builder.mesh().vertices()) {
-      const auto p = m_layout.template position_in<Extended>(v);
+      const auto p = m_layout.template position_in<Double_double>(v);
       m_layout.position.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
@@ -138,8 +137,8 @@ private:
   {
     if(sphere.in_plane.empty())
       return {};
-    auto energy = spherical_energy<Extended>(m_problem, sphere.layout.at_infinity);
-    std::vector<Extended> u;
+    auto energy = spherical_energy<Double_double>(m_problem, sphere.layout.at_infinity);
+    std::vector<Double_double> u;
     Minimization_domain domain;
     for(Vertex_index v : m_problem.surface().vertices()) {
       const Scale_in_plane& scale = sphere.in_plane[v.idx()];

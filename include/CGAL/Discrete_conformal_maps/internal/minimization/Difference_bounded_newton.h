@@ -235,17 +235,6 @@ private:
     return static_cast<double>(precise_product(x, y));
   }
 
-  static double greatest_difference(const Matrix& matrix, const Values& direction)
-  {
-    double result = 0;
-    for(Eigen::Index column = 0; column < matrix.outerSize(); ++column)
-      for(Matrix::InnerIterator i(matrix, column); i; ++i)
-        result =
-          (std::max)(result, std::abs(static_cast<double>(FT(direction[std::size_t(i.row())] -
-                                                             direction[std::size_t(column)]))));
-    return result;
-  }
-
   Energy& m_energy;
   Free_variables m_variables;
   Newton_direction::Solver m_solver; // only its order is used

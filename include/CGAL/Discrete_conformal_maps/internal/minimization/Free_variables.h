@@ -12,10 +12,12 @@
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,19 @@ namespace CGAL::Discrete_conformal_maps::internal {
 inline double max_norm(const Eigen::VectorXd& v)
 {
   return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>();
+}
+
+// Returns the greatest difference of two variables in a direction, for which a Hessian has an entry.
+template <typename Direction>
+double greatest_difference(const Eigen::SparseMatrix<double>& hessian, const Direction& direction)
+{
+  typedef std::decay_t<decltype(direction[0])> FT;
+  double result = 0;
+  for(Eigen::Index column = 0; column < hessian.outerSize(); ++column)
+    for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, column); i; ++i)
+      result = (std::max)(
+        result, std::abs(static_cast<double>(FT(direction[i.row()] - direction[column]))));
+  return result;
 }
 
 // Stores the free variables, and the floating components, which have no fixed variable.

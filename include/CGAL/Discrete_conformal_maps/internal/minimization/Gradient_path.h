@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -53,7 +52,7 @@ public:
       return Status::not_finite;
     if(!m_direction.find(hessian, m_descent.gradient(), m_descent.point(), longest))
       return Status::no_descent;
-    return search(greatest_difference(hessian));
+    return search(greatest_difference(hessian, m_direction.direction()));
   }
 
   double step_length() const { return m_step * m_direction.length(); }
@@ -61,17 +60,6 @@ public:
 private:
   static constexpr double longest = 1e100;
   static constexpr std::size_t greatest_number_of_steps = 250;
-
-  // Returns the greatest difference of the direction between neighbors.
-  double greatest_difference(const Eigen::SparseMatrix<double>& hessian) const
-  {
-    const Eigen::VectorXd& d = m_direction.direction();
-    double result = 0;
-    for(Eigen::Index column = 0; column < hessian.outerSize(); ++column)
-      for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, column); i; ++i)
-        result = (std::max)(result, std::abs(d[i.row()] - d[column]));
-    return result;
-  }
 
   std::optional<Status> search(double difference)
   {

@@ -371,19 +371,8 @@ private:
   bool is_too_long(const std::vector<FT>& direction) const
   {
     return has_bounds() ? !(length(direction) <= longest_step_within_bounds)
-                        : !(greatest_difference(direction) <= greatest_difference_of_neighbors);
-  }
-
-  double greatest_difference(const std::vector<FT>& direction) const
-  {
-    const auto& hessian = m_energy.Hessian();
-    double result = 0;
-    for(Eigen::Index v : m_variables.indices())
-      for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, v); i; ++i)
-        result =
-          (std::max)(result, std::abs(static_cast<double>(
-                               FT(direction[std::size_t(i.row())] - direction[std::size_t(v)]))));
-    return result;
+                        : !(greatest_difference(m_energy.Hessian(), direction) <=
+                            greatest_difference_of_neighbors);
   }
 
   static double length(const std::vector<FT>& direction)

@@ -8,18 +8,19 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/Cut_graph.h>
+#include <CGAL/Intrinsic_triangulations/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+using Intrinsic_triangulations::internal::Plane_vector;
 
 using Intrinsic_triangulations::Cut_graph;
 

@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 

@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -26,7 +26,7 @@ int exponent_of(const FT& x)
   (void)frexp(x, &result);
   return result;
 }
-inline int exponent_of(const Extended& x) { return exponent_of(x.high()); }
+inline int exponent_of(const Double_double& x) { return exponent_of(x.high()); }
 
 // Stores the cosine and the sine of an angle, up to a common factor.
 template <typename FT>
@@ -65,13 +65,6 @@ struct Corner
     return {a.cosine * b.cosine - a.sine * b.sine, a.cosine * b.sine + a.sine * b.cosine};
   }
 };
-
-// Returns pi for any number type.
-template <typename FT>
-FT straight_angle()
-{
-  return Corner<FT>{FT(-1), FT(0)}.angle();
-}
 
 // Stores the excess of 2 pi over an angle and the angles that are subtracted from it. It has as
 // many digits as `double`, even if it is small.

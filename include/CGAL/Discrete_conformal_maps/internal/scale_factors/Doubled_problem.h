@@ -27,7 +27,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -135,7 +134,7 @@ public:
   // T_2 and its rounded lengths from the exact surface.
   double take_exact_lengths()
   {
-    m_precise_length = exact_lengths<Extended>(m_triangulation);
+    m_precise_length = exact_lengths<Double_double>(m_triangulation);
     return metric_error(m_triangulation, m_precise_length);
   }
   void drop_exact_lengths() { m_precise_length.clear(); }
@@ -166,9 +165,9 @@ public:
   auto lengths(const Triangulation& t) const
   {
     constexpr bool is_most_precise =
-      std::is_same_v<FT, More_extended> || std::is_same_v<FT, Long_number>;
+      std::is_same_v<FT, Decimal_115> || std::is_same_v<FT, Decimal_1500>;
     if(is_most_precise && has_precise_lengths() && m_most_precise_length.empty())
-      m_most_precise_length = exact_lengths<More_extended>(t);
+      m_most_precise_length = exact_lengths<Decimal_115>(t);
     return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
       if(!has_precise_lengths())
         return without_radii(FT(t.length(e)), e, t);
@@ -407,7 +406,7 @@ private:
   void find_precise_lengths()
   {
     try {
-      m_precise_length = exact_lengths<Extended>(m_triangulation);
+      m_precise_length = exact_lengths<Double_double>(m_triangulation);
     } catch(const Intrinsic_triangulations::Numerical_error&) {
       if(m_is_exact)
         throw;
@@ -425,8 +424,8 @@ private:
   std::vector<char> m_has_copy; // for each face of the surface
   std::size_t m_width = 1;      // that are copied the next time
   Triangulation m_triangulation;
-  std::vector<Extended> m_precise_length;                   // of T_2, if flips are exact
-  mutable std::vector<More_extended> m_most_precise_length; // where these have too few digits
+  std::vector<Double_double> m_precise_length;            // of T_2, if flips are exact
+  mutable std::vector<Decimal_115> m_most_precise_length; // where these have too few digits
   std::size_t m_number_of_flips = 0;
   std::vector<Vertex_index> m_original;
   std::vector<Face_index> m_original_face;

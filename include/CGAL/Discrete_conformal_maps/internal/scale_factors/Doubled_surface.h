@@ -17,7 +17,6 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {

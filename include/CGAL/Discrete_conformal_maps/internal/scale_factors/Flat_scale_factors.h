@@ -49,7 +49,7 @@ public:
   void place_cones(const Cone_choice& choice)
   {
     if(m_problem.has_needles())
-      place_cones<More_extended>(choice);
+      place_cones<Decimal_115>(choice);
     else
       place_cones<double>(choice);
   }

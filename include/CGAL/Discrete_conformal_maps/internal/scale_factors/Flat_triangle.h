@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Intrinsic_triangulations/Decorated_length.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 

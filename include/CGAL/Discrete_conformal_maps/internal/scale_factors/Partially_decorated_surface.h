@@ -12,9 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {

@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
@@ -182,7 +183,8 @@ public:
       excess(m_components.size(), FT(0));
     std::vector<double> count(m_components.size(), 0);
     for(std::size_t c = 0; c < excess.size(); ++c)
-      excess[c] = -2 * straight_angle<FT>() * double(characteristic(c)) * (has_boundary(c) ? 2 : 1);
+      excess[c] = -2 * Intrinsic_triangulations::pi<FT>() * double(characteristic(c)) *
+                  (has_boundary(c) ? 2 : 1);
     for(std::size_t v = 0; v < size(); ++v)
       if(result[v] != 0) {
         excess[m_components[v]] += number_of_copies(v) * result[v];

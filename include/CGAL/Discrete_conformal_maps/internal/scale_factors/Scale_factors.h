@@ -9,7 +9,6 @@
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/Factorization_counts.h>
-#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
@@ -55,17 +54,17 @@ public:
   // Returns whether the scale factors were found with bounded differences of neighbors.
   bool has_bounded_differences() const { return !m_found.empty(); }
   // Returns the scale factors that were found with bounded differences, if any.
-  const std::vector<Extended>& found_with_bounds() const { return m_found; }
+  const std::vector<Double_double>& found_with_bounds() const { return m_found; }
 
   // Begins with another search with bounded differences. It starts from scale factors found before,
   // if any.
-  void resume(const std::vector<Extended>& found) { m_found = m_resumed = found; }
+  void resume(const std::vector<Double_double>& found) { m_found = m_resumed = found; }
 
   // Lets all searches do only a part of the work that is left.
   void limit_work() { m_end_of_work = m_problem.work().end_of_part(); }
 
   // Uses scale factors that need no search.
-  void take(const std::vector<More_extended>& log_scale)
+  void take(const std::vector<Decimal_115>& log_scale)
   {
     note_rounded(log_scale);
     m_precise = log_scale;
@@ -83,10 +82,10 @@ public:
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     const bool is_resumed = !m_resumed.empty();
-    m_start = is_resumed ? std::exchange(m_resumed, {}) : precise_values<Extended>();
+    m_start = is_resumed ? std::exchange(m_resumed, {}) : precise_values<Double_double>();
     if(!has_bounded_differences() || !bounds_differences(visitor)) {
       if(is_resumed)
-        m_start = precise_values<Extended>();
+        m_start = precise_values<Double_double>();
       minimize_from_start(minimizer, tolerance, visitor);
     }
     m_start.clear();
@@ -101,17 +100,17 @@ public:
   {
     if(!m_problem.has_needles())
       return;
-    if(!is_more_extended())
-      sharpen_in<Extended>(visitor);
+    if(!has_115_digits())
+      sharpen_in<Double_double>(visitor);
     if(!can_be_laid_out())
-      sharpen_in<More_extended>(visitor);
+      sharpen_in<Decimal_115>(visitor);
   }
 
   // Returns the errors of the scale factors, with more digits and with the lengths that the problem
   // has now.
   Scale_errors errors()
   {
-    return m_is_wide ? errors_in<Wide_number<Extended>>() : errors_in<Extended>();
+    return m_is_wide ? errors_in<Wide_number<Double_double>>() : errors_in<Double_double>();
   }
 
   // Returns the scale factors as precisely as the rounding of `FT` allows. From now on, their
@@ -149,9 +148,9 @@ private:
     // The searches are tried in this order.
     static constexpr Search searches[] = {
       {&Scale_factors::is_open, &Scale_factors::minimize_rounded},
-      {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Extended>},
-      {&Scale_factors::needs_most_digits, &Scale_factors::minimize_in<More_extended>},
-      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Extended>, false, true},
+      {&Scale_factors::needs_digits, &Scale_factors::minimize_in<Double_double>},
+      {&Scale_factors::needs_most_digits, &Scale_factors::minimize_in<Decimal_115>},
+      {&Scale_factors::may_be_bent, &Scale_factors::minimize_in<Double_double>, false, true},
       {&Scale_factors::needs_range, &Scale_factors::minimize_beyond_range, true},
       {&Scale_factors::may_be_bent, &Scale_factors::minimize_beyond_range, true, true}};
     m_is_wide = false;
@@ -185,7 +184,7 @@ private:
     m_precise = std::vector<double>();
     if(!m_problem.has_precise_lengths())
       return;
-    const auto precise = energy_at_start<Extended>(m_problem.triangulation());
+    const auto precise = energy_at_start<Double_double>(m_problem.triangulation());
     note_values(precise);
     m_result.gradient_error = (std::max)(m_max_curvature_error, precise.gradient_error());
     store(precise.scale_factors());
@@ -230,7 +229,7 @@ private:
         const bool is_found = is_found_with_bounds(visitor);
         m_start.clear();
         if(is_found)
-          m_found = precise_values<Extended>();
+          m_found = precise_values<Double_double>();
         else {
           m_problem = std::move(problem);
           const Minimization_result last = m_result;
@@ -244,7 +243,7 @@ private:
   }
   bool is_found_with_bounds(Any_visitor& visitor)
   {
-    typedef Wide_number<Extended> FT;
+    typedef Wide_number<Double_double> FT;
     m_problem.straighten_boundaries();
     m_problem.make_precise();
     m_problem.complete();
@@ -253,7 +252,7 @@ private:
     if(!reaches_minimum(energy, visitor))
       return false;
     store(energy.scale_factors());
-    note_rounded(shift_to_zero(m_problem, std::get<std::vector<Extended>>(m_precise)));
+    note_rounded(shift_to_zero(m_problem, std::get<std::vector<Double_double>>(m_precise)));
     return m_is_wide = true;
   }
 
@@ -355,8 +354,9 @@ private:
       m_is_wide = true;
       auto energy = energy_at_start<Wide_number<double>>(m_problem.triangulation());
       run(energy, minimizer, visitor);
-      minimize_in<Wide_number<Extended>>(minimizer, tolerance, visitor);
-      if(const auto u = std::get_if<std::vector<Extended>>(&m_precise)) // null if needles failed
+      minimize_in<Wide_number<Double_double>>(minimizer, tolerance, visitor);
+      if(const auto u =
+           std::get_if<std::vector<Double_double>>(&m_precise)) // null if needles failed
         note_rounded(shift_to_zero(m_problem, *u));
     }
   }
@@ -370,7 +370,7 @@ private:
     descend(energy, tolerance::gradient, m_end_of_work, visitor);
     if(is_within(tolerance))
       store(energy.scale_factors());
-    else if(!std::is_same_v<FT, More_extended>)
+    else if(!std::is_same_v<FT, Decimal_115>)
       m_u = start;
     m_result.gradient_error = (std::max)(m_max_curvature_error, m_result.gradient_error);
   }
@@ -432,9 +432,9 @@ private:
   }
 
   double m_end_of_work = tolerance::work_for_map;
-  std::vector<Extended> m_start;   // empty if a search with bounded differences has used it
-  std::vector<Extended> m_found;   // with bounded differences
-  std::vector<Extended> m_resumed; // scale factors of a problem before, until they are used
+  std::vector<Double_double> m_start;   // empty if a search with bounded differences has used it
+  std::vector<Double_double> m_found;   // with bounded differences
+  std::vector<Double_double> m_resumed; // scale factors of a problem before, until they are used
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

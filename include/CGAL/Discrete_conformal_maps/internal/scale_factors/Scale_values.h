@@ -30,7 +30,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 struct Scale_state
 {
   Eigen::VectorXd m_u;
-  std::variant<std::vector<double>, std::vector<Extended>, std::vector<More_extended>> m_precise;
+  std::variant<std::vector<double>, std::vector<Double_double>, std::vector<Decimal_115>> m_precise;
   bool m_is_wide = false;
   Minimization_result m_result;
   Map_status m_status = Map_status::success;
@@ -67,11 +67,11 @@ public:
   const Vector& values() const { return m_u; }
   // Returns whether scale factors have more digits, because `double` has too few.
   bool is_extended() const { return m_precise.index() > 0; }
-  // Returns whether `Extended` has too few digits.
-  bool is_more_extended() const { return m_precise.index() > 1; }
+  // Returns whether `Double_double` has too few digits.
+  bool has_115_digits() const { return m_precise.index() > 1; }
   // Returns whether lengths with these scale factors may be beyond the range of `double`.
   bool is_wide() const { return m_is_wide; }
-  // Returns the scale factors as `Extended` or `More_extended`, with the available digits.
+  // Returns the scale factors as `Double_double` or `Decimal_115`, with the available digits.
   template <typename FT>
   std::vector<FT> precise_values() const
   {
@@ -110,8 +110,7 @@ protected:
   // of `double`.
   bool is_beyond_range() const
   {
-    return m_problem.flipping() == Flipping::to_Delaunay && !is_more_extended() &&
-           are_far_apart(m_u);
+    return m_problem.flipping() == Flipping::to_Delaunay && !has_115_digits() && are_far_apart(m_u);
   }
 
   // Stores the scale factors of an energy, rounded to `double`, and measures their errors.
@@ -141,7 +140,7 @@ protected:
   template <typename FT>
   void store(const std::vector<FT>& u)
   {
-    typedef std::conditional_t<std::is_same_v<FT, More_extended>, FT, Extended> Precise;
+    typedef std::conditional_t<std::is_same_v<FT, Decimal_115>, FT, Double_double> Precise;
     std::vector<Precise> result;
     for(const FT& x : u)
       result.push_back(converted<Precise>(x));

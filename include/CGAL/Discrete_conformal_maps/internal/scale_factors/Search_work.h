@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ public:
   static double of(std::size_t measured)
   {
     const double digits =
-      double(std::numeric_limits<FT>::digits) / double(std::numeric_limits<Extended>::digits);
+      double(std::numeric_limits<FT>::digits) / double(std::numeric_limits<Double_double>::digits);
     return double(measured) * (digits < 1 ? cost_of_double : digits * std::sqrt(digits));
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 
 #include <cmath>
 #include <vector>
@@ -88,7 +89,7 @@ template <typename FT>
 FT Spherical_energy<FT>::value() const
 {
   using std::log;
-  const FT pi = straight_angle<FT>();
+  const FT pi = Intrinsic_triangulations::pi<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
     if(v != surface().vertex_at_infinity() && !mesh().is_isolated(v))

@@ -61,7 +61,7 @@ public:
     m_bound.resize(problem.size());
     for(Vertex_index v : problem.surface().vertices())
       m_bound[v.idx()] = is_fixed(v) ? FT(0) : FT(-m_bound[v.idx()]);
-    m_u = start(std::vector<Extended>(problem.size(), Extended(0)));
+    m_u = start(std::vector<Double_double>(problem.size(), Double_double(0)));
   }
 
   // Returns the scale factors, which are zero at infinity and at isolated vertices.
@@ -105,7 +105,7 @@ public:
   }
 
   // Starts from the scale factors of a metric that is flat far from infinity.
-  void set_start(const std::vector<Extended>& flat) { m_u = start(flat); }
+  void set_start(const std::vector<Double_double>& flat) { m_u = start(flat); }
 
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
   // `double` limits only how far a step can change the scale factors. If scale factors have more
@@ -229,7 +229,7 @@ private:
   // as if they remained, the others are like `first`, up to a constant. With needles, this constant
   // is very small. Then scale factors of near vertices differ as little as their bounds, even if
   // some are neighbors of the vertex at infinity.
-  std::vector<FT> start(const std::vector<Extended>& first) const
+  std::vector<FT> start(const std::vector<Double_double>& first) const
   {
     FT sum(0), count(0), least = std::numeric_limits<FT>::infinity();
     std::vector<char> is_neighbor(m_bound.size(), 0);

@@ -24,7 +24,6 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -111,7 +110,7 @@ public:
       }
     try {
       note_work(usual_degree * vertices.size(), [&] { m_energy->move_some(vertices, values); });
-    } catch(const Intrinsic_triangulations::Numerical_error&) {
+    } catch(const Intrinsic_triangulations::Error&) {
       return std::numeric_limits<double>::quiet_NaN();
     }
     double result = 0;

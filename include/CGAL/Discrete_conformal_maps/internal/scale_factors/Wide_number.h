@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Represents a number with the digits of `Mantissa`, `double` or `Extended`, and a separate
+// Represents a number with the digits of `Mantissa`, `double` or `Double_double`, and a separate
 // exponent. The lengths of a strip that is mapped to a disk differ by a factor of e^n for n squares
 // in a row. They are beyond the range of both types. Exponents are multiples of 512, so that most
 // operations do not change them.
@@ -26,7 +26,7 @@ class Wide_number
 {
 public:
   Wide_number(double x = 0) : m_mantissa(x), m_window(0) { normalize(); }
-  Wide_number(const Extended& x) : m_mantissa(static_cast<Mantissa>(x)), m_window(0)
+  Wide_number(const Double_double& x) : m_mantissa(static_cast<Mantissa>(x)), m_window(0)
   {
     normalize();
   }

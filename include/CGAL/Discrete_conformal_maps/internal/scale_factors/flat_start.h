@@ -39,8 +39,8 @@ inline std::set<Vertex_index> closed_neighborhood(Vertex_index v, const Doubled_
 // sphere unfolds from the first one. No bounds hold for its scale factors, so that they are found
 // even if limbs of the sphere are long. The problem has no prescribed curvatures, neither before
 // nor afterwards.
-inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index at_infinity,
-                                        Any_visitor& visitor)
+inline std::vector<Double_double> flat_start(Doubled_problem& problem, Vertex_index at_infinity,
+                                             Any_visitor& visitor)
 {
   const std::set<Vertex_index> cones = closed_neighborhood(at_infinity, problem);
   double copies = 0;
@@ -64,7 +64,7 @@ inline std::vector<Extended> flat_start(Doubled_problem& problem, Vertex_index a
     // Searches without this start follow.
   }
   prescribe(0);
-  return is_found ? scale.precise_values<Extended>() : std::vector<Extended>();
+  return is_found ? scale.precise_values<Double_double>() : std::vector<Double_double>();
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal

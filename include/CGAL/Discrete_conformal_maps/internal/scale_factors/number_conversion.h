@@ -7,9 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 
 #include <type_traits>
 
@@ -25,7 +24,7 @@ To converted(double x)
 }
 
 template <typename To>
-To converted(const Extended& x)
+To converted(const Double_double& x)
 {
   if constexpr(std::is_same<To, double>::value)
     return x.high();
@@ -36,11 +35,11 @@ To converted(const Extended& x)
 template <typename To, unsigned int Digits>
 To converted(const Intrinsic_triangulations::Decimal_float<Digits>& x)
 {
-  if constexpr(std::is_same<To, Extended>::value) {
+  if constexpr(std::is_same<To, Double_double>::value) {
     const double high = static_cast<double>(x);
-    return Extended(high) + Extended(static_cast<double>(x - high));
+    return Double_double(high) + Double_double(static_cast<double>(x - high));
   } else if constexpr(std::is_same<To, Wide_number<double>>::value ||
-                      std::is_same<To, Wide_number<Extended>>::value) {
+                      std::is_same<To, Wide_number<Double_double>>::value) {
     typedef std::decay_t<decltype(To().mantissa())> Mantissa;
     int exponent = 0;
     const Intrinsic_triangulations::Decimal_float<Digits> mantissa = frexp(x, &exponent);
@@ -52,7 +51,7 @@ To converted(const Intrinsic_triangulations::Decimal_float<Digits>& x)
 template <typename To, typename Mantissa>
 To converted(const Wide_number<Mantissa>& x)
 {
-  if constexpr(std::is_same<To, double>::value || std::is_same<To, Extended>::value)
+  if constexpr(std::is_same<To, double>::value || std::is_same<To, Double_double>::value)
     return converted<To>(x.in_range_of_mantissa());
   else if constexpr(std::is_constructible<To, Wide_number<Mantissa>>::value)
     return To(x);
@@ -64,13 +63,13 @@ To converted(const Wide_number<Mantissa>& x)
 // digits of a long number only keep positions apart.
 template <typename FT>
 using Difference_of =
-  std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, FT>;
+  std::conditional_t<std::is_same<FT, Decimal_1500>::value, Wide_number<double>, FT>;
 
 // Selects a number type for distances that are compared with `double`. They exceed the range of
 // `double` only if positions do.
 template <typename FT>
 using Distance_of =
-  std::conditional_t<std::is_same<FT, Long_number>::value, Wide_number<double>, double>;
+  std::conditional_t<std::is_same<FT, Decimal_1500>::value, Wide_number<double>, double>;
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
@@ -17,7 +16,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <complex>
 #include <cstddef>
 #include <string>
 #include <vector>

@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -150,7 +149,7 @@ private:
   {
     if(!is_polygon(problem))
       return false;
-    const auto polygon = round_polygon<Extended>(problem, sources());
+    const auto polygon = round_polygon<Double_double>(problem, sources());
     return !polygon || spread(polygon->log_scale) > usual_spread;
   }
 
@@ -178,7 +177,7 @@ private:
   bool is_polygon_taken(Doubled_problem& problem, Flattening& flattening)
   {
     problem.straighten_boundaries();
-    const auto polygon = round_polygon<Long_number>(problem, sources());
+    const auto polygon = round_polygon<Decimal_1500>(problem, sources());
     if(!polygon || !take_angles(*polygon))
       return false;
     prescribe(problem);
@@ -243,14 +242,14 @@ private:
       return false;
     const std::optional<Round_disk> disk =
       has_vertices_inside(problem) ? round_hemisphere(problem, sources(), flattening.visitor())
-                                   : round_polygon<Extended>(problem, sources());
+                                   : round_polygon<Double_double>(problem, sources());
     if(!disk)
       return false;
     const bool is_usual = !is_flat(problem) || spread(disk->log_scale) <= usual_spread;
     if((flattening.has_succeeded() && is_usual) || !take_angles(*disk))
       return false;
     std::vector<double> log_scale;
-    for(const More_extended& u : disk->log_scale)
+    for(const Decimal_115& u : disk->log_scale)
       log_scale.push_back(static_cast<double>(u));
     problem.straighten_boundaries();
     flattening.start_from(log_scale);

@@ -13,11 +13,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {

@@ -14,8 +14,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -38,7 +38,7 @@ struct Round_disk
   // `half_arc` contains half of the angle of each boundary side as seen from the center.
   std::vector<double> half_arc;
   // `log_scale` contains the factors of lengths in the plane, at the vertices of the surface.
-  std::vector<More_extended> log_scale;
+  std::vector<Decimal_115> log_scale;
 };
 
 // Stores a round disk without interior vertices. Its corners are cocircular, so every triangulation
@@ -66,11 +66,11 @@ inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layo
   for(const int sign : {1, -1}) { // of the direction in which the boundary runs along the line
     std::vector<double> result;
     for(std::size_t i = 0; i < boundary.size(); ++i) {
-      const Extended x = sign * at(i), y = sign * at(i + 1);
-      const Extended sine = is_infinite(i) || is_infinite(i + 1) ? Extended(1) : y - x,
-                     cosine = is_infinite(i)       ? -y
-                              : is_infinite(i + 1) ? x
-                                                   : 1 + x * y;
+      const Double_double x = sign * at(i), y = sign * at(i + 1);
+      const Double_double sine = is_infinite(i) || is_infinite(i + 1) ? Double_double(1) : y - x,
+                          cosine = is_infinite(i)       ? -y
+                                   : is_infinite(i + 1) ? x
+                                                        : 1 + x * y;
       result.push_back(std::atan2(static_cast<double>(sine), static_cast<double>(cosine)));
     }
     // Against the direction of the boundary, angles between finite vertices are negative.
@@ -83,14 +83,14 @@ inline std::optional<std::vector<double>> half_arcs(const Spherical_layout& layo
 
 // Returns the logarithmic scale factors of the image of a half plane in the unit disk. The factors
 // of the hemisphere are `on_sphere`; the factor of the projection is one on the equator.
-inline std::vector<More_extended> log_scales_in_disk(const Spherical_layout& half_plane,
-                                                     const std::vector<double>& on_sphere)
+inline std::vector<Decimal_115> log_scales_in_disk(const Spherical_layout& half_plane,
+                                                   const std::vector<double>& on_sphere)
 {
-  std::vector<More_extended> result(on_sphere.begin(), on_sphere.end());
+  std::vector<Decimal_115> result(on_sphere.begin(), on_sphere.end());
   for(std::size_t v = 0; v < result.size(); ++v) {
-    const Extended x = half_plane.in_plane[v][0], height = half_plane.in_plane[v][1],
-                   y = height < 0 ? -height : height;
-    const Extended from_origin = 1 + x * x + y * y;
+    const Double_double x = half_plane.in_plane[v][0], height = half_plane.in_plane[v][1],
+                        y = height < 0 ? -height : height;
+    const Double_double from_origin = 1 + x * x + y * y;
     if(v != half_plane.at_infinity.idx())
       result[v] += std::log(static_cast<double>(from_origin / (from_origin + 2 * y)));
   }
@@ -139,17 +139,17 @@ inline std::optional<double> exterior_angle_error(const Doubled_problem& problem
 {
   return unless_numbers_fail([&]() -> std::optional<double> {
     const Doubled_problem::Triangulation& t = problem.triangulation();
-    Ptolemy_surface<More_extended> surface(t.mesh(), problem.lengths<More_extended>(t));
+    Ptolemy_surface<Decimal_115> surface(t.mesh(), problem.lengths<Decimal_115>(t));
     surface.replay(polygon.flips);
     const Delta_complex& mesh = surface.mesh();
     const auto u = [&](Edge_index e, unsigned int end) {
       return polygon.log_scale[problem.original(mesh.vertex(e, end)).idx()];
     };
-    std::vector<More_extended> length;
+    std::vector<Decimal_115> length;
     for(Edge_index e : mesh.edges())
       length.push_back(
-        scaled_length(surface.length(e), length_factor(More_extended(u(e, 0) + u(e, 1)))));
-    return defect_errors<Flat_triangle<More_extended>>(problem, mesh, length).greatest();
+        scaled_length(surface.length(e), length_factor(Decimal_115(u(e, 0) + u(e, 1)))));
+    return defect_errors<Flat_triangle<Decimal_115>>(problem, mesh, length).greatest();
   });
 }
 

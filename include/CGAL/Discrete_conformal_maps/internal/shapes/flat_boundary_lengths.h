@@ -10,10 +10,10 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_values.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Wide_number.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_conversion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/number_types.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Hyperideal_geometry_traits.h>
@@ -111,7 +111,7 @@ std::vector<double> flat_boundary_lengths(Doubled_problem& problem, const std::v
 inline std::vector<double> flat_boundary_lengths(Doubled_problem& problem,
                                                  const Scale_values& scale)
 {
-  return scale.is_extended() ? flat_boundary_lengths(problem, scale.precise_values<Extended>())
+  return scale.is_extended() ? flat_boundary_lengths(problem, scale.precise_values<Double_double>())
                              : flat_boundary_lengths(problem, scale.precise_values<double>());
 }
 

@@ -14,11 +14,8 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {

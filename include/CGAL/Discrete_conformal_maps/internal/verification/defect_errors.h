@@ -13,7 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -83,7 +83,7 @@ std::vector<Map_promise> exact_promises(Doubled_problem& problem, const Measure&
       {"exact_lengths", greater_error(length_error, errors.step), tolerance::promised_exact_length,
        Map_status::not_conformal},
       {"exact_curvature", errors.gradient, tolerance::promised_angle, Map_status::wrong_curvature}};
-  } catch(const Intrinsic_triangulations::Numerical_error&) {
+  } catch(const Intrinsic_triangulations::Error&) {
   }
   if(!has_lengths)
     problem.drop_exact_lengths();

@@ -81,7 +81,8 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
 
 // Returns whether stored positions in the plane, in the range of squares, determine their distance
 // with the digits promised for a cross ratio.
-inline bool has_known_distance(const std::array<Extended, 2>& p, const std::array<Extended, 2>& q)
+inline bool has_known_distance(const std::array<Double_double, 2>& p,
+                               const std::array<Double_double, 2>& q)
 {
   double size = 0, distance = 0;
   for(std::size_t c = 0; c < 2; ++c) {

@@ -13,9 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {

@@ -42,7 +42,7 @@ Distance squared_chord(const std::array<FT, 3>& p, const std::array<FT, 3>& q)
 
 // Returns the square of the norm of a vector in the plane.
 template <typename FT>
-FT squared_norm(const std::array<Extended, 2>& p)
+FT squared_norm(const std::array<Double_double, 2>& p)
 {
   const FT x = p[0].high(), y = p[1].high();
   return x * x + y * y;
@@ -51,7 +51,8 @@ FT squared_norm(const std::array<Extended, 2>& p)
 // Returns the square of the distance of two points of the unit sphere, from their stereographic
 // projections.
 template <typename FT>
-FT squared_chord_from_plane(const std::array<Extended, 2>& p, const std::array<Extended, 2>& q)
+FT squared_chord_from_plane(const std::array<Double_double, 2>& p,
+                            const std::array<Double_double, 2>& q)
 {
   return 4 * squared_norm<FT>({p[0] - q[0], p[1] - q[1]}) /
          ((1 + squared_norm<FT>(p)) * (1 + squared_norm<FT>(q)));
@@ -59,7 +60,7 @@ FT squared_chord_from_plane(const std::array<Extended, 2>& p, const std::array<E
 
 // Returns the square of the distance of the image of infinity.
 template <typename FT>
-FT squared_chord_to_infinity(const std::array<Extended, 2>& p)
+FT squared_chord_to_infinity(const std::array<Double_double, 2>& p)
 {
   return 4 / (1 + squared_norm<FT>(p));
 }

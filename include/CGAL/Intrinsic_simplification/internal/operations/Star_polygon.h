@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -22,18 +23,7 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// Represents a point of the plane.
-struct Plane_point
-{
-  double x, y;
-
-  friend Plane_point operator-(const Plane_point& p, const Plane_point& q)
-  {
-    return {p.x - q.x, p.y - q.y};
-  }
-  friend double cross(const Plane_point& p, const Plane_point& q) { return p.x * q.y - p.y * q.x; }
-  friend double squared_norm(const Plane_point& p) { return p.x * p.x + p.y * p.y; }
-};
+typedef Intrinsic_triangulations::internal::Plane_vector<double> Plane_vector;
 
 // Represents an edge from the center that is to be flipped.
 struct Star_flip
@@ -76,7 +66,7 @@ public:
 private:
   struct Corner
   {
-    Plane_point point;
+    Plane_vector point;
     Halfedge_index outgoing;
     std::size_t previous, next; // among the remaining corners
     double power;               // the ear of greatest power is cut off first
@@ -88,7 +78,7 @@ private:
   {
     m_corners.resize(star.size());
     m_is_border = star.is_border();
-    Plane_point direction{1, 0};
+    Plane_vector direction{1, 0};
     for(std::size_t n = 0; n < star.size(); ++n) {
       const double length = star.flat_length(n);
       m_corners[n] = {{length * direction.x, length * direction.y},
@@ -104,11 +94,10 @@ private:
   }
 
   // Returns `p` after a rotation by the angle between the sides a and b.
-  static Plane_point turned(const Plane_point& p, double a, double b, double opposite)
+  static Plane_vector turned(const Plane_vector& p, double a, double b, double opposite)
   {
-    const double cosine = Intrinsic_triangulations::corner_cosine(opposite, a, b);
-    const double sine = Intrinsic_triangulations::corner_sine(opposite, a, b);
-    return {cosine * p.x - sine * p.y, cosine * p.y + sine * p.x};
+    using namespace Intrinsic_triangulations;
+    return p * Plane_vector{corner_cosine(opposite, a, b), corner_sine(opposite, a, b)};
   }
 
   // Rates an ear, which can be cut off if it is convex and does not contain the center. The center
@@ -120,20 +109,19 @@ private:
     corner.power = never();
     if(m_is_border && (n == 0 || n + 1 == m_corners.size()))
       return;
-    const Plane_point &l = m_corners[corner.previous].point, &j = corner.point;
-    const Plane_point& k = m_corners[corner.next].point;
+    const Plane_vector &l = m_corners[corner.previous].point, &j = corner.point;
+    const Plane_vector& k = m_corners[corner.next].point;
     const double area = cross(j - l, k - j);
     const double inside = cross(l, k);
-    const double unit = std::sqrt(squared_norm(l) * squared_norm(k));
+    const double unit = std::sqrt(norm(l) * norm(k));
     if(area > rounding_unit() * unit && inside >= -rounding_unit() * unit)
       corner.power = -incircle(l, j, k) / area;
   }
 
   // Returns a positive number if the origin is inside the circle.
-  static double incircle(const Plane_point& a, const Plane_point& b, const Plane_point& c)
+  static double incircle(const Plane_vector& a, const Plane_vector& b, const Plane_vector& c)
   {
-    return squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
-           squared_norm(c) * cross(a, b);
+    return norm(a) * cross(b, c) + norm(b) * cross(c, a) + norm(c) * cross(a, b);
   }
 
   std::size_t best_ear() const
@@ -159,12 +147,12 @@ private:
   }
 
   // Returns the flip of the outgoing halfedge to j, between the outgoing halfedges to l and k.
-  static Star_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
+  static Star_flip flip(const Corner& j, const Plane_vector& l, const Plane_vector& k)
   {
     const double at_l = cross(l, j.point), at_k = cross(j.point, k);
     const double both = at_l + at_k;
     return {j.outgoing,
-            {std::sqrt(squared_norm(k - l)), std::clamp(cross(l, k) / both, 0., 1.),
+            {std::sqrt(norm(k - l)), std::clamp(cross(l, k) / both, 0., 1.),
              std::clamp(at_l / both, 0., 1.)}};
   }
 
@@ -172,7 +160,7 @@ private:
   bool set_last_three()
   {
     const std::size_t a = m_is_border ? 0 : m_first, b = m_corners[a].next, c = m_corners[b].next;
-    const Plane_point &p = m_corners[a].point, &q = m_corners[b].point, &r = m_corners[c].point;
+    const Plane_vector &p = m_corners[a].point, &q = m_corners[b].point, &r = m_corners[c].point;
     m_last = {m_corners[a].outgoing, m_corners[b].outgoing, m_corners[c].outgoing};
     const std::array<double, 3> area{cross(q, r), m_is_border ? 0 : cross(r, p), cross(p, q)};
     const double sum = area[0] + area[1] + area[2];

@@ -31,14 +31,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <typename Traits>
 struct Delaunay_condition
 {
-  typedef Exact_decisions<Traits> Decisions;
-
-  static Decisions decisions(const Triangulation_pair<Traits>& pair,
-                             const Edge_courses<Traits>& courses)
-  {
-    return Decisions(pair, courses);
-  }
-
   // Returns whether the edge of a halfedge is Delaunay for any rounding of lengths.
   static bool is_certain(Halfedge_index, const Diamond<double>& length)
   {
@@ -46,7 +38,10 @@ struct Delaunay_condition
       .is_certain(length);
   }
 
-  static Sign sign(Halfedge_index h, Decisions& decisions) { return decisions.Delaunay_sign(h); }
+  static Sign sign(Halfedge_index h, Exact_decisions<Traits>& decisions)
+  {
+    return decisions.Delaunay_sign(h);
+  }
 };
 
 // Proves that T2 is a geodesic triangulation and that its edges satisfy a condition, edge by edge.
@@ -56,7 +51,7 @@ class Certifier
   typedef Triangulation_pair<Traits> Pair;
 
 public:
-  typedef typename Condition::Decisions Decisions;
+  typedef Exact_decisions<Traits> Decisions;
 
   Certifier(const Pair& pair, const Edge_courses<Traits>& courses, Concurrency concurrency,
             Condition condition = {})
@@ -83,7 +78,7 @@ public:
   }
 
   // Returns decisions for several calls of `straight_length()`.
-  Decisions decisions() const { return m_condition.decisions(m_pair, m_courses); }
+  Decisions decisions() const { return Decisions(m_pair, m_courses); }
 
   // Returns the length of the edge `e`. Returns zero if the edge cannot be proved straight, or the
   // faces at inserted ends are not proved to turn around once.

@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {

@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Precise_vector.h>
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -43,9 +44,6 @@ struct Coordinates_in_triangle
   Coordinates_in_triangle(const std::complex<double>& p,
                           const std::array<std::complex<double>, 3>& q)
   {
-    const auto cross = [](const std::complex<double>& a, const std::complex<double>& b) {
-      return a.real() * b.imag() - a.imag() * b.real();
-    };
     const double area = cross(q[1] - q[0], q[2] - q[0]),
                  size = norm(q[1] - q[0]) + norm(q[2] - q[0]);
     for(std::size_t c = 0; c < 3; ++c)

@@ -18,7 +18,6 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {

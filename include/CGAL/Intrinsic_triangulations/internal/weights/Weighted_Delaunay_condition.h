@@ -32,17 +32,9 @@ template <typename Traits>
 class Weighted_Delaunay_condition
 {
 public:
-  typedef Exact_decisions<Traits> Decisions;
-
   Weighted_Delaunay_condition(const Delta_complex& mesh, const Vertex_weights& weights)
     : m_mesh(mesh), m_weights(weights)
   {}
-
-  static Decisions decisions(const Triangulation_pair<Traits>& pair,
-                             const Edge_courses<Traits>& courses)
-  {
-    return Decisions(pair, courses);
-  }
 
   // Returns whether the edge of `h` is weighted Delaunay for any rounding of lengths. The weights
   // of its corners must be known exactly.
@@ -58,7 +50,7 @@ public:
 
   // Returns the sign of the dual edge of the edge of `h`: ZERO is a tie.
   // \throws Numerical_error if it is not determined
-  Sign sign(Halfedge_index h, Decisions& decisions) const
+  Sign sign(Halfedge_index h, Exact_decisions<Traits>& decisions) const
   {
     if(m_weights.ties().count(m_mesh.edge(h)) > 0)
       return ZERO;

@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_PLANE_VECTOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_PLANE_VECTOR_H
 
-#include <CGAL/license/Discrete_conformal_maps.h>
+#include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <complex>
 
-namespace CGAL::Discrete_conformal_maps::internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Represents a vector in the plane with the product of complex numbers. `std::complex` supports
 // only built-in number types.
@@ -26,12 +26,15 @@ struct Plane_vector
   {
     return {v.x - w.x, v.y - w.y};
   }
+  friend Plane_vector operator-(const Plane_vector& v) { return {-v.x, -v.y}; }
   friend Plane_vector operator*(const FT& s, const Plane_vector& v) { return {s * v.x, s * v.y}; }
   friend Plane_vector operator*(const Plane_vector& v, const Plane_vector& w)
   {
     return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
   }
   friend Plane_vector conj(const Plane_vector& v) { return {v.x, -v.y}; }
+  friend FT dot(const Plane_vector& v, const Plane_vector& w) { return v.x * w.x + v.y * w.y; }
+  friend FT cross(const Plane_vector& v, const Plane_vector& w) { return v.x * w.y - v.y * w.x; }
   friend FT norm(const Plane_vector& v) { return v.x * v.x + v.y * v.y; }
   friend std::complex<double> to_complex(const Plane_vector& v)
   {
@@ -39,6 +42,6 @@ struct Plane_vector
   }
 };
 
-} // namespace CGAL::Discrete_conformal_maps::internal
+} // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_PLANE_VECTOR_H

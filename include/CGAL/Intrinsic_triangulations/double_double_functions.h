@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_EXTENDED_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_EXTENDED_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_FUNCTIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_FUNCTIONS_H
 
-#include <CGAL/license/Discrete_conformal_maps.h>
+#include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/Plane_vector.h>
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ inline Double_double log(Double_double x)
 // Returns e^(ix) - 1.
 inline auto turn(Double_double x)
 {
-  return exponential(Discrete_conformal_maps::internal::Plane_vector<Double_double>{0, x},
+  return exponential(Plane_vector<Double_double>{0, x},
                      10 + std::clamp(std::ilogb(x.high()), 0, 60));
 }
 
@@ -85,11 +85,4 @@ inline Double_double atan2(Double_double y, Double_double x)
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-namespace CGAL::Discrete_conformal_maps::internal {
-
-// This type is used if `double` has too few digits.
-typedef Intrinsic_triangulations::Double_double Extended;
-
-} // namespace CGAL::Discrete_conformal_maps::internal
-
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_EXTENDED_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_FUNCTIONS_H
