@@ -151,7 +151,38 @@ TEST(Curve_sides, inside_a_face)
   const Curve loop{{f, {0.6, 0.2, 0.2}, {0.2, 0.6, 0.2}},
                    {f, {0.2, 0.6, 0.2}, {0.2, 0.2, 0.6}},
                    {f, {0.2, 0.2, 0.6}, {0.6, 0.2, 0.2}}};
-  EXPECT_FALSE(sides_of(t.mesh(), loop));
+  EXPECT_EQ(sides_of(t.mesh(), loop), std::vector<int>(3, 1));
+  EXPECT_EQ(sides_of(t.mesh(), reversed(loop)), std::vector<int>(3, -1));
+  EXPECT_FALSE(sides_of(t.mesh(), {loop[0], loop[1]}));
+  const Curve eight{{f, {0.8, 0.1, 0.1}, {0.2, 0.4, 0.4}},
+                    {f, {0.2, 0.4, 0.4}, {0.2, 0.6, 0.2}},
+                    {f, {0.2, 0.6, 0.2}, {0.6, 0.1, 0.3}},
+                    {f, {0.6, 0.1, 0.3}, {0.8, 0.1, 0.1}}};
+  EXPECT_FALSE(sides_of(t.mesh(), eight));
+}
+
+// The boundary of a face separates a sphere. After flips, the face is a thin region that meets some
+// edges only between its ends.
+TEST(Curve_sides, thin_faces_after_flips)
+{
+  for(unsigned int seed = 0; seed < 300; ++seed) {
+    Mesh mesh = random_sphere(5 + seed % 9, seed);
+    for(const Vertex_index v : mesh.vertices()) {
+      const Point p = mesh.point(v);
+      mesh.point(v) = Point(p.x(), 0.1 * p.y(), 0.1 * p.z());
+    }
+    Triangulation t(mesh);
+    IT::make_Delaunay(t);
+    const IT::Correspondence correspondence(t);
+    for(const Face_index f : t.input_mesh().faces()) {
+      const auto around = IT::sides(f, t.input_mesh());
+      std::vector<int> expected(t.mesh().num_vertices(), 1);
+      for(const Halfedge_index h : around)
+        expected[t.input_mesh().source(h).idx()] = 0;
+      const Curve curve = IT::curve_along_edges(t.input(), around);
+      EXPECT_EQ(sides_of(t.mesh(), IT::curve_across(correspondence, Side::input, curve)), expected);
+    }
+  }
 }
 
 TEST(Signed_distance, method)

@@ -158,6 +158,10 @@ constexpr double plane_tolerance() { return 1e-6; }
 // that triangulation.
 constexpr double inserted_edge_tolerance() { return 1e-6; }
 
+// Consecutive segments of a curve count as connected inside a face if their barycentric coordinates
+// differ by less.
+constexpr double curve_gap() { return 1e-9; }
+
 // The first width is requested for intervals that enclose a crossing along its edges. The second
 // one is the greatest width that counts as success. If edges almost run along each other, more
 // digits do not help.

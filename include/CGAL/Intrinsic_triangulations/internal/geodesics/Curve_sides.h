@@ -11,6 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -78,12 +81,22 @@ private:
     Segments;
 
   // Stores values of the function around a face, minus its value before the first vertex. Vertices
-  // and points of edges have values, and points inside the face beside points of edges.
+  // and points of edges have values, and points inside the face beside points of edges. `range`
+  // contains the least and the greatest value.
   struct Values
   {
     std::array<int, 3> vertex{0, 0, 0}, edge{0, 0, 0}, inside{0, 0, 0};
+    std::array<int, 2> range{0, 0};
     bool exist = true;
+
+    void extend_range(int value)
+    {
+      range = {(std::min)(range[0], value), (std::max)(range[1], value)};
+    }
   };
+  // Stores positions on the boundary of a face, in their order, and by how much the function
+  // increases there.
+  typedef std::vector<std::pair<FT, int>> Changes;
 
   // Points this near to a vertex or a side count as being on it. They differ by rounding only.
   static FT tolerance() { return 16 * rounding_unit<FT>(); }
@@ -157,7 +170,7 @@ private:
     if(segments.first == segments.second)
       return result;
     m_has_curve = true;
-    const auto changes = changes_around(segments);
+    const Changes changes = changes_around(segments);
     const auto up_to = [&](const FT& position) {
       int sum = 0;
       for(const auto& [at, change] : changes)
@@ -172,22 +185,63 @@ private:
       for(auto i = segments.first; i != segments.second; ++i)
         result.inside[k] -= direction_at(*i->second, k, t);
     }
-    // A loop inside a face has no ends on its boundary.
-    result.exist = !changes.empty() && up_to(FT(3)) == 0;
+    const int in_loop = changes.empty() ? value_in_loop(segments) : 0;
+    result.extend_range(in_loop);
+    extend_range_between(changes, result);
+    result.exist = changes.empty() ? in_loop != 0 : up_to(FT(3)) == 0;
     return result;
   }
 
-  // Returns where the function changes along the boundary of a face, and by how much.
-  static std::vector<std::pair<FT, int>> changes_around(const Segments& segments)
+  static Changes changes_around(const Segments& segments)
   {
-    std::vector<std::pair<FT, int>> result;
+    Changes result;
     for(auto i = segments.first; i != segments.second; ++i) {
       if(const auto at = boundary_position(i->second->source))
         result.emplace_back(*at, 1);
       if(const auto at = boundary_position(i->second->target))
         result.emplace_back(*at, -1);
     }
+    std::sort(result.begin(), result.end());
     return result;
+  }
+
+  // Adds the values between changes to the range. A thin region can meet edges there alone.
+  static void extend_range_between(const Changes& changes, Values& values)
+  {
+    int value = 0;
+    for(Size n = 0; n < changes.size(); ++n) {
+      value += changes[n].second;
+      const FT next = n + 1 < changes.size() ? changes[n + 1].first : FT(3);
+      if(next - changes[n].first > tolerance())
+        values.extend_range(value);
+    }
+  }
+
+  // Returns the value in a loop inside a face, minus the value around it. Returns zero if the
+  // segments are not one simple loop, in their order or the reverse order.
+  static int value_in_loop(const Segments& segments)
+  {
+    typedef Exact_predicates_inexact_constructions_kernel Kernel;
+    const auto point = [](const Point& p) {
+      return Kernel::Point_2(static_cast<double>(p[1]), static_cast<double>(p[2]));
+    };
+    std::vector<Kernel::Point_2> sources, targets;
+    for(auto i = segments.first; i != segments.second; ++i) {
+      sources.push_back(point(i->second->source));
+      targets.push_back(point(i->second->target));
+    }
+    const auto follow = [&](const auto& from, const auto& to) {
+      for(Size n = 0; n < from.size(); ++n)
+        if(squared_distance(to[n], from[(n + 1) % from.size()]) > curve_gap() * curve_gap())
+          return false;
+      return true;
+    };
+    const bool is_forward = follow(sources, targets);
+    if(sources.size() < 3 || !(is_forward || follow(targets, sources)) ||
+       !is_simple_2(sources.begin(), sources.end(), Kernel()))
+      return 0;
+    const int orientation = orientation_2(sources.begin(), sources.end(), Kernel());
+    return is_forward ? -orientation : orientation;
   }
 
   // Returns 1 if the segment runs along side `k` past the position `t` on it. Returns -1 for the
@@ -241,6 +295,8 @@ private:
         m_vertices.push_back(v);
       extend_range(base + values.inside[k]);
     }
+    for(const int value : values.range)
+      extend_range(base + value);
     return agrees;
   }
 
