@@ -7,6 +7,7 @@
 docstrings.
 A sentence has at most 25 words, no pronoun in place of a noun ("that of"), and words of the field only.
 A comment on lines of its own starts with a capital letter, a digit or a name, and ends with a mark.
+The command ingroup of Doxygen has a line of its own.
 Prints file:line of each violation, and exits with 1 if there is any. Without arguments all files are
 checked."""
 
@@ -327,6 +328,16 @@ def unmarked_comments(path):
             yield line, f"a comment that does not end with a mark: ... {text[-40:]}"
 
 
+TEXT_IN_GROUP = re.compile(r"[\\\\@]ingroup\s+\w+\s+\S")
+
+
+def texts_as_groups(path):
+    """Pairs of a line and what is wrong: Doxygen takes words after a group for further groups."""
+    for number, line in enumerate(path.read_text().split("\n"), 1):
+        if TEXT_IN_GROUP.search(line):
+            yield number, "text behind \\ingroup belongs on the next line"
+
+
 def violations(path):
     """Pairs of a line and what is wrong in it."""
     if path.suffix in [".txt", ".md"]:
@@ -339,6 +350,7 @@ def violations(path):
         blocks = blocks_of_header(path) + blocks_of_source(path)
     if path.suffix in [".h", ".cpp"]:
         yield from unmarked_comments(path)
+        yield from texts_as_groups(path)
     for block in blocks:
         for sentence in sentences(block.words):
             words = count(sentence)

@@ -41,6 +41,7 @@ CASES = [
     ("a.h", f"// Returns {WORDS}.\n/// returns {WORDS}.\nint a; ///< the place of a\n", [3]),
     ("a.h", "// the length\nint f();\n// Returns it\n//\n// by name.\nint g();\n", [1, 1, 3, 5]),
     ("a.h", "// Returns it.\n// \\pre `f` is set\nint f(); // of g\n         // and h\n// ---- Queries ----\n", []),
+    ("a.h", "/// \\ingroup Package\n/// returns it.\nint f();\n/// \\ingroup Package returns it.\nint g();\n", [4]),
     ("demo/a.cpp", f'auto help =\n  R"(Words:\n  free  those of\n  disk  a {WORDS}\n\nMore.)";\n', [3]),
     ("a.py", f'"""A {WORDS} too.\n"""\n# that of\ndef f():\n    """Return that of `f`."""\n', [1, 5]),
     ("a.py", f'"""Words.\n\nAttributes\n----------\na : those of {WORDS}\n    A {WORDS}.\n>>> 1\nthose of\n"""\n', []),

@@ -52,10 +52,11 @@ inline auto number_of_target(const Input_part& part)
 
 } // namespace internal
 
-/// \ingroup PkgDiscreteConformalMapsSubdivision returns the images on the sphere of the vertices of
-/// a part, in their order. They are rounded such that no face is reversed, as seen from the center,
-/// if possible. A polygon (`map.is_flat()`) has no orientation from the center, and does not
-/// change. Complexity: linear if rounding reverses no face.
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// returns the images on the sphere of the vertices of a part, in their order. They are rounded
+/// such that no face is reversed, as seen from the center, if possible. A polygon
+/// (`map.is_flat()`) has no orientation from the center, and does not change. Complexity: linear if
+/// rounding reverses no face.
 /// \param map the map
 /// \param part the part of the input, of `map`
 /// \param homogeneous the homogeneous coordinates of the vertices
@@ -71,10 +72,11 @@ sphere_points(const Spherical_conformal_map& map, const Input_part& part,
                                           internal::number_of_target(part));
 }
 
-/// \ingroup PkgDiscreteConformalMapsSubdivision returns the images in the unit disk of the vertices
-/// of a part of a disk, from their images on the hemisphere, `points`. They are rounded such that
-/// no face is reversed, if possible. Edges are arcs in the disk, and a thin face can be reversed
-/// with straight edges. Complexity: linear if rounding reverses no face.
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// returns the images in the unit disk of the vertices of a part of a disk, from their images on
+/// the hemisphere, `points`. They are rounded such that no face is reversed, if possible. Edges are
+/// arcs in the disk, and a thin face can be reversed with straight edges. Complexity: linear if
+/// rounding reverses no face.
 inline Rounded_points<std::array<double, 2>>
 disk_points(const Input_part& part, const std::vector<std::array<double, 3>>& points)
 {

@@ -77,9 +77,10 @@ inline std::array<double, 2> coordinates(const std::complex<double>& z)
 
 } // namespace internal
 
-/// \ingroup PkgDiscreteConformalMapsSubdivision returns the images \f$(x, y)\f$ in the plane of the
-/// corners of a part, in their order. They are rounded such that no face is reversed, if that is
-/// possible (\ref dcm_reversed). Complexity: linear if rounding reverses no face.
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// returns the images \f$(x, y)\f$ in the plane of the corners of a part, in their order. They are
+/// rounded such that no face is reversed, if that is possible (\ref dcm_reversed). Complexity:
+/// linear if rounding reverses no face.
 /// \pre `map.is_laid_out()`
 inline Rounded_points<std::array<double, 2>> texture_points(const Planar_conformal_map& map,
                                                             const Input_part& part,
@@ -90,10 +91,10 @@ inline Rounded_points<std::array<double, 2>> texture_points(const Planar_conform
   });
 }
 
-/// \ingroup PkgDiscreteConformalMapsSubdivision returns the homogeneous coordinates of the images
-/// of the corners of a part, in their order. They are rounded such that no face is reversed for the
-/// exact quotients of these numbers, not for quotients in `double`. Complexity: linear if rounding
-/// reverses no face.
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// returns the homogeneous coordinates of the images of the corners of a part, in their order. They
+/// are rounded such that no face is reversed for the exact quotients of these numbers, not for
+/// quotients in `double`. Complexity: linear if rounding reverses no face.
 /// \tparam Map `Planar_conformal_map` or `Hyperbolic_conformal_map`
 /// \pre the map is laid out
 template <typename Map>

@@ -21,12 +21,13 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsRefinement returns how many vertices `refine()` may insert by
-/// default. If circumradii are bounded, the limit is 10,000,000. Otherwise it is 1,000,000 plus 20
-/// for each face of \f$T_1\f$. For angles of more than 30 degrees, refinement need not end, and the
-/// limit is 100,000 plus 20 for each face. It never exceeds 10,000,000. Refinements of ordinary
-/// meshes to 32 degrees that end insert fewer than 8 vertices for each face. The number for a
-/// narrow tube or strip is proportional to its length divided by its width. Complexity: constant.
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// returns how many vertices `refine()` may insert by default. If circumradii are bounded, the
+/// limit is 10,000,000. Otherwise it is 1,000,000 plus 20 for each face of \f$T_1\f$. For angles of
+/// more than 30 degrees, refinement need not end, and the limit is 100,000 plus 20 for each face.
+/// It never exceeds 10,000,000. Refinements of ordinary meshes to 32 degrees that end insert fewer
+/// than 8 vertices for each face. The number for a narrow tube or strip is proportional to its
+/// length divided by its width. Complexity: constant.
 /// \param faces the number of faces of \f$T_1\f$
 /// \param minimum_angle the least angle, in degrees
 /// \param maximum_circumradius the greatest circumradius
