@@ -34,8 +34,8 @@ format supports them. Groups and materials of faces are kept from .obj to .obj.
 
 Edges must be between 2^-127 and 2^127 (5.9e-39 and 1.7e38) long.
 
-Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong, 3 a map that failed
-was written with --keep-going.)";
+Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong. It is 3 if
+--keep-going wrote a map that failed, or left out a component.)";
 
 // Lets all options of an application, its commands and groups refuse empty texts.
 void refuse_empty_values(CLI::App& app)

@@ -61,11 +61,11 @@ struct Distance_options : Output_options
 };
 
 constexpr const char* distance_help =
-  R"(Distances are exact, as lengths of shortest paths up to rounding, if this is expected to take
-less than two seconds. Up to 65,000 vertices with one source are within this time, and more with
-several sources. Otherwise the heat method approximates distances. Heat is also used with --method
-heat, and for triangles that are not a surface. With --signed, it is used for a curve that does not
-separate the surface.
+  R"(Distances are exact on surfaces of up to 65,000 vertices with one source, or more with several.
+Exact distances are lengths of shortest paths, up to rounding. At the limit, they take about two
+seconds. Otherwise the heat method approximates distances. Heat is also used with --method heat, and
+for triangles that are not a surface. With --signed, it is used for a curve that does not separate
+the surface.
 
 The error of heat is about two percent on average on evenly distributed vertices, and greater on
 coarse or uneven meshes. The last line and the statistics name the method. With heat they have an
@@ -634,8 +634,8 @@ void add_distance_method(CLI::App& command, Distance_options& options)
       .add_option(
         "--method", options.method,
         "exact (lengths of shortest paths, up to rounding), heat (the heat method, with "
-        "an estimate of its error), or auto. Method auto is exact if this is expected to take "
-        "less than two seconds, without --time-step")
+        "an estimate of its error), or auto. Method auto is exact up to 65,000 vertices with "
+        "one source, without --time-step")
       ->check(CLI::IsMember({"exact", "heat", "auto"}))
       ->capture_default_str();
   command

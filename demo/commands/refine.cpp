@@ -32,13 +32,15 @@ struct Refine_options : Subdivision_options
 };
 
 constexpr const char* refine_help =
-  R"(The result is Delaunay, and is written with exit code 0 for every status. The statistics and
-the last line on standard error have the status:
+  R"(The result is Delaunay, and is written with exit code 0 for every status. With --simplicial,
+nothing is written, with exit code 2, if loops or edges with the same ends remain. The statistics
+and the last line on standard error have the status:
   bounds_met              every face obeys the bounds
   bounds_met_but_excused  small-angle vertices excuse all faces that violate the bound on angles
   insertion_limit         --max-insertions was reached, and some faces violate the bounds. Lower
                           --min-angle, or raise --max-insertions
-  no_room                 no floating-point coordinates are left for a vertex. Lower --min-angle
+  no_room                 rounding prevents vertices that the bounds need. Lower --min-angle, or
+                          accept the faces
 
 Refinement to at most 30 degrees is proven to terminate in exact arithmetic, on closed meshes
 without small-angle vertices and constrained edges. With boundary this is an open question;

@@ -105,7 +105,8 @@ def distance(
     method : "auto", "exact" or "heat"
         "exact" gives the lengths of shortest paths, up to rounding. "heat" is faster on large
         meshes and has errors of some percent. If they are estimated to be large, it gives an
-        `AccuracyWarning`. "auto" is exact if that is expected to take less than two seconds.
+        `AccuracyWarning`. "auto" is exact up to 65,000 vertices with one source, or more with
+        several. At this limit it takes about two seconds.
     curve : (k,) integers, pair of (k,) integers and (k, 3) floats, Path, or a list of these
         One or more polylines, as of `signed_distance()`. All their points are sources, too.
     time_step_factor : float
@@ -655,8 +656,8 @@ def signed_distance(
     method : "auto", "exact" or "heat"
         "exact" gives the lengths of shortest paths, up to rounding. The curve must separate its
         left from its right, such as a loop around a region. "heat" has errors of some
-        percent, and bridges gaps of a curve. "auto" is exact if the curve separates the surface
-        and this is expected to take less than two seconds.
+        percent, and bridges gaps of a curve. "auto" is exact, within the limit of `distance()`,
+        if the curve separates the surface.
     time_step_factor : float
         The time for which heat flows, in squared mean edge lengths. "auto" is then "heat". By
         default it is 0.7 at first, and more if normals do not reach all faces.

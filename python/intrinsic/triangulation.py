@@ -142,7 +142,9 @@ class Refinement:
     Attributes
     ----------
     status : str
-        "bounds_met" or, if some faces had to violate a bound, why.
+        "bounds_met", or "bounds_met_but_excused" if small angles of the input excuse the remaining
+        faces. "insertion_limit" if more insertions are not allowed, "no_room" if rounding prevents
+        them.
     insertions, removals, flips : int
         Numbers of operations.
     remaining_faces : (r,) int array
@@ -235,8 +237,8 @@ class Triangulation:
         exactly the same length. Indices in F are then less than 3 m.
     mollify : float or "auto"
         Lengthens all edges until triangle inequalities have this slack, relative to the mean edge
-        length. "auto" does that only if rounding leaves no triangulation otherwise; an edge between
-        equal positions needs a number.
+        length. The default 0 changes no length. "auto" lengthens edges only if rounding leaves no
+        triangulation otherwise; an edge between equal positions needs a number.
 
     Raises
     ------

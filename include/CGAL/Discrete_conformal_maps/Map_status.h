@@ -51,9 +51,9 @@ inline Status_text text_of(Map_status status)
   switch(status) {
     case Map_status::success: return {"success", "the map keeps all of its promises", ""};
     case Map_status::not_converged:
-      return {
-        "not_converged", "the minimization has not converged",
-        "lengthen the edges of almost flat faces (mollification), or prescribe smaller curvatures"};
+      return {"not_converged", "the minimization has not converged",
+              "allow cones or choose another target; as a last resort, lengthen the edges of "
+              "almost flat faces (mollification)"};
     case Map_status::triangle_inequality:
       return {"triangle_inequality",
               "the scale factors of the triangulation of the mesh violate the triangle inequality",
@@ -62,9 +62,9 @@ inline Status_text text_of(Map_status status)
       return {"no_minimum", "the triangulation of the mesh has no such scale factors",
               "allow flips (the parameter flipping)"};
     case Map_status::wrong_curvature:
-      return {
-        "wrong_curvature", "the scaled surface does not have the prescribed curvatures",
-        "lengthen the edges of almost flat faces (mollification), or prescribe smaller curvatures"};
+      return {"wrong_curvature", "the scaled surface does not have the prescribed curvatures",
+              "prescribe smaller curvatures; as a last resort, lengthen the edges of almost flat "
+              "faces (mollification)"};
     case Map_status::not_laid_out:
       return {"not_laid_out", "numbers have too few digits for a layout",
               "allow cones, or prescribe smaller curvatures, so that scale factors differ less"};
@@ -82,14 +82,15 @@ inline Status_text text_of(Map_status status)
               "choose other corners, as far from each other as possible"};
     case Map_status::not_convex:
       return {"not_convex", "the image is not convex",
-              "lengthen the edges of almost flat faces (mollification), or flatten with cones"};
+              "flatten with cones; as a last resort, lengthen the edges of almost flat faces "
+              "(mollification)"};
     case Map_status::not_inscribed:
       return {"not_inscribed", "the vertices are not on the sphere or the hemisphere",
               "flatten with cones, so that scale factors differ less"};
     case Map_status::not_conformal:
       return {"not_conformal", "length cross ratios of the image differ from the mesh",
-              "lengthen the edges of thin faces (mollification), or allow cones, so that scale "
-              "factors differ less"};
+              "allow cones, so that scale factors differ less; as a last resort, lengthen the "
+              "edges of thin faces (mollification)"};
     case Map_status::not_glued:
       return {"not_glued", "the faces do not close up in the hyperbolic plane",
               "cut the surface, or prescribe cones, so that its domain is smaller"};

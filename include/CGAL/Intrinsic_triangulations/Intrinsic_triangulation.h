@@ -167,7 +167,9 @@ public:
   /// \name Flipping
   /// @{
 
-  /// sets whether the edge `e` must not be flipped.
+  /// sets whether the edge `e` must not be flipped. If `e` is neither an edge of \f$T_1\f$ nor a
+  /// part of one, functions cannot restart from \f$T_1\f$, and rounding can cause a
+  /// `Numerical_error`.
   void set_constrained(Edge_index e, bool is_constrained) { m_is_constrained[e] = is_constrained; }
 
   /// returns whether `flip()` of the edge of `h` gives a triangulation of the surface. The edge

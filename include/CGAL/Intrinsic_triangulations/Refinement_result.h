@@ -97,7 +97,8 @@ struct Refinement_result
   Refinement_status status = Refinement_status::bounds_met; ///< how it ended
   std::size_t insertions = 0;                               ///< the number of vertices inserted
   std::size_t removals = 0;                                 ///< how many of them were removed again
-  std::size_t flips = 0;                 ///< the number of flips, removals not counted
+  std::size_t flips = 0;                 ///< the number of flips to Delaunay, without
+                                         ///< flips that remove vertices
   bool is_exact = false;                 ///< whether the decisions were exact
   std::vector<Remaining_face> remaining; ///< the faces that violate the bounds
 };

@@ -44,7 +44,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// names how `geodesic_distances()` computes distances.
 enum class Distance_method
 {
-  automatic, ///< exact unless that is expected to take more than two seconds
+  automatic, ///< exact if at most \f$2^{23}\f$ windows are expected, otherwise heat
   exact,     ///< as `Shortest_paths`, accurate to rounding
   heat       ///< as `heat_distance()`, with an estimate of the error
 };

@@ -385,14 +385,16 @@ Flipping_result make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t 
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: linear in the edges and flips. On real meshes flips are about as many as edges; no
-/// function of the number of edges bounds them. Memory: a mark for each edge and a stack of edges.
+/// Complexity: linear in the edges and flips. Real meshes take at most about as many flips as
+/// edges; no function of the number of edges bounds them. Memory: a mark for each edge and a stack
+/// of edges.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error in these cases:
 /// - A flipped length is not positive and finite.
 /// - An exact decision involves too many square roots (see `certify_Delaunay()`).
-/// - Rounding of the lengths prevents the postcondition, and exact decisions are not possible.
+/// - Rounding of the lengths prevents the postcondition, and exact decisions are not possible. They
+///   are not if a constrained edge is neither an edge of \f$T_1\f$ nor a part of one.
 /// \throws Overflow_error if a normal coordinate is out of range
 ///
 /// After an exception `tri` is a valid triangulation of the same surface.

@@ -141,7 +141,7 @@ Eigen::SparseMatrix<FT> laplacian_of(const Delta_complex& mesh, std::vector<FT> 
 /// The row of an isolated (or removed) vertex is empty. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 /// \throws Numerical_error if the area of a face is zero, or an area or a cotangent is out of
-///         range; `make_Delaunay()` often resolves such faces, `mollify()` always
+///         range; `make_Delaunay()` often resolves such faces (otherwise: \ref it_thin)
 template <typename Surface>
 auto cotan_laplacian(const Surface& surface)
 {
