@@ -31,7 +31,7 @@ FIGURES = [re.compile(pattern) for pattern in (
 
 # What sentences of a page may say: parameters, bounds and definitions are not measured.
 DEFINITIONS = [
-    ("Hard_surfaces.txt", r"100 times as long as thick"),
+    ("Benchmarks.txt", r"100 times as long as thick"),
     ("Refinement.txt", r"within 10 %"),
 ]
 
