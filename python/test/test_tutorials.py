@@ -31,7 +31,7 @@ class Tutorials(unittest.TestCase):
         n = len(names["V"])
         self.assertEqual((names["L"].shape, names["d"].shape, names["P"].shape), ((n, n), (n,), (n, 200)))
         self.assertEqual(names["d"][0], 0)
-        self.assertEqual(names["uv"].shape[1:], (3, 2))
+        self.assertEqual(names["pieces"].uv.shape[1:], (3, 2))
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ apt-get update
 eval "$(sed -n 's/^    //p' <<<"$section")"
 run_example()
 {
-  (cd / && "$OLDPWD/env/bin/python" -c "$example"$'\nprint(len(V), uv.shape, P.shape)')
+  (cd / && "$OLDPWD/env/bin/python" -c "$example"$'\nprint(len(V), pieces.uv.shape, P.shape)')
 }
 run_example
 env/bin/pip install --no-build-isolation --force-reinstall --no-deps .
