@@ -94,8 +94,8 @@ private:
       range = {(std::min)(range[0], value), (std::max)(range[1], value)};
     }
   };
-  // Stores positions on the boundary of a face, in their order, and by how much the function
-  // increases there.
+  // Stores positions on the boundary of a face, in their order, and the increase of the function at
+  // each of them.
   typedef std::vector<std::pair<FT, int>> Changes;
 
   // Points this near to a vertex or a side count as being on it. They differ by rounding only.
@@ -205,7 +205,8 @@ private:
     return result;
   }
 
-  // Adds the values between changes to the range. A thin region can meet edges there alone.
+  // Adds the values between changes to the range. A thin region may contain no vertex, and no point
+  // of an edge with a value.
   static void extend_range_between(const Changes& changes, Values& values)
   {
     int value = 0;
