@@ -294,6 +294,58 @@ TEST(Flatten, places_cones_where_they_are_needed)
     }
 }
 
+// Returns a grid with hills so steep that a linear estimate of scale factors is much too great.
+Mesh hilly_disk(unsigned int seed, double height)
+{
+  CGAL::Random random(seed);
+  return grid(7, 6, [&](double x, double y) { return Point(x, y, random.get_double(0, height)); });
+}
+
+TEST(Flatten, places_no_cones_on_components_within_the_bound)
+{
+  const double bound = 5;
+  std::size_t within_bound = 0;
+  for(const double height : {1., 3., 6.})
+    for(unsigned int seed = 0; seed < 10; ++seed) {
+      SCOPED_TRACE(std::to_string(height) + ", seed " + std::to_string(seed));
+      Mesh mesh = hilly_disk(seed, height);
+      const Planar_conformal_map without = DCM::flatten(mesh, np::cones(DCM::Cones::none));
+      ASSERT_EQ(without.status(), DCM::Map_status::success);
+      double greatest = 0;
+      for(Vertex_index v : mesh.vertices())
+        if(!mesh.is_border(v))
+          greatest = (std::max)(greatest, std::abs(without.log_scale(v)));
+      const Planar_conformal_map map = DCM::flatten(mesh);
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
+      EXPECT_EQ(map.cones().empty(), greatest <= bound);
+      if(greatest > bound)
+        continue;
+      ++within_bound;
+      for(Vertex_index v : mesh.vertices())
+        EXPECT_NEAR(map.log_scale(v), without.log_scale(v), 1e-8);
+      // A sphere beside it needs cones.
+      const std::size_t n = mesh.number_of_vertices();
+      mesh += random_sphere(30, seed);
+      const Planar_conformal_map both = DCM::flatten(mesh);
+      EXPECT_FALSE(both.cones().empty());
+      for(Vertex_index v : both.cones())
+        EXPECT_GE(v.idx(), n);
+    }
+  EXPECT_GT(within_bound, 15u);
+}
+
+// The image of a torus keeps the area, and its scale factors keep the bound then.
+TEST(Flatten, places_no_cones_on_tori_within_the_bound)
+{
+  const Mesh mesh = perturbed(embedded_torus(12, 8), 0.05, 1);
+  double greatest = 0;
+  const Planar_conformal_map without = DCM::flatten(mesh, np::cones(DCM::Cones::none));
+  for(Vertex_index v : mesh.vertices())
+    greatest = (std::max)(greatest, std::abs(without.log_scale(v)));
+  EXPECT_TRUE(DCM::flatten(mesh, np::maximum_log_scale(1.01 * greatest)).cones().empty());
+  EXPECT_FALSE(DCM::flatten(mesh, np::maximum_log_scale(0.99 * greatest)).cones().empty());
+}
+
 TEST(Flatten, the_only_vertex_can_be_a_cone)
 {
   const Delta_complex octagon = double_torus();

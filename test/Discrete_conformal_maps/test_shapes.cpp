@@ -203,6 +203,13 @@ TEST(Circle_angles, are_those_of_right_triangles)
   }
 }
 
+TEST(Circle_angles, need_a_circle)
+{
+  for(const std::vector<double>& length : {std::vector<double>{1, 1, 3}, {1, 2, 1}, {2, 1, 4, 1}})
+    for(const double angle : DCM::internal::circle_angles(length))
+      EXPECT_TRUE(std::isnan(angle));
+}
+
 // ---- Rectangles ----
 
 // The rectangles are longer on one side, turned, and have different numbers of cells.
@@ -490,6 +497,41 @@ TEST(Flatten_to_disk, keeps_cones_inside)
     }
     expect_cones_inside(map, mesh, condition, bound);
   }
+}
+
+// The boundary of a surface with a handle may have no circle if it has few edges. An edge can be
+// longer than all others together.
+TEST(Flatten_to_disk, says_if_there_is_no_circle)
+{
+  std::size_t successes = 0;
+  for(unsigned int seed = 0; seed < 3; ++seed)
+    for(const std::vector<std::size_t>& hole :
+        {std::vector<std::size_t>{seed}, {2 * seed, 2 * seed + 1}, {0, 1, 2, 3}}) {
+      const Mesh mesh = punctured(perturbed(embedded_torus(12, 8), 0.03, seed), hole);
+      const Planar_conformal_map map = DCM::flatten_to_disk(mesh, np::cones(DCM::Cones::greedy));
+      EXPECT_FALSE(map.cones().empty());
+      if(map.status() == DCM::Map_status::success)
+        ++successes;
+      else
+        EXPECT_FALSE(map.promises().empty());
+    }
+  EXPECT_GT(successes, 2u);
+}
+
+// Cones that are not needed would keep the boundary from a circle.
+TEST(Flatten_to_disk, of_hilly_disks_needs_no_cones)
+{
+  for(const double height : {1., 3.})
+    for(unsigned int seed = 0; seed < 10; ++seed) {
+      CGAL::Random random(seed);
+      const Mesh mesh =
+        grid(7, 6, [&](double x, double y) { return Point(x, y, random.get_double(0, height)); });
+      const Planar_conformal_map map = DCM::flatten_to_disk(mesh, np::cones(DCM::Cones::greedy));
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
+      for(const Flat_boundary& b : flat_boundaries(map))
+        if(map.cones().empty())
+          expect_circle(b);
+    }
 }
 
 TEST(Flatten_to_disk, says_how_it_failed)

@@ -58,9 +58,9 @@ public:
   {}
 
   // Follows the polyhedra to the final radii with numbers of this type. If they suffice and the
-  // layout is good, the last polyhedron has their digits, and otherwise the digits of `Double_double`.
-  // If these digits do not distinguish the centers of circles, centers have the digits of
-  // `Decimal_1500`. Returns whether the search has reached the radii.
+  // layout is good, the last polyhedron has their digits, and otherwise the digits of
+  // `Double_double`. If these digits do not distinguish the centers of circles, centers have the
+  // digits of `Decimal_1500`. Returns whether the search has reached the radii.
   template <typename FT>
   bool run(bool digits_suffice, Any_visitor& visitor)
   {

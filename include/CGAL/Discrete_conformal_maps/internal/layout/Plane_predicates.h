@@ -22,9 +22,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Evaluates exact predicates on points with coordinates of type `double` or `Double_double`. A filter
-// comes first, and exact numbers follow if it fails. A point that is not finite is on every line,
-// circle and plane.
+// Evaluates exact predicates on points with coordinates of type `double` or `Double_double`. A
+// filter comes first, and exact numbers follow if it fails. A point that is not finite is on every
+// line, circle and plane.
 template <typename FT>
 class Plane_predicates
 {

@@ -97,9 +97,9 @@ private:
       search_beyond_range({}, visitor);
   }
 
-  // Searches on the exact surface, whose needles have more digits. Beyond the range of `Double_double`,
-  // numbers with a wide exponent are tried before `Decimal_115`, because their steps cost less.
-  // Returns whether the result is good.
+  // Searches on the exact surface, whose needles have more digits. Beyond the range of
+  // `Double_double`, numbers with a wide exponent are tried before `Decimal_115`, because their
+  // steps cost less. Returns whether the result is good.
   bool search_on_exact_surface(Any_visitor& visitor)
   {
     Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);

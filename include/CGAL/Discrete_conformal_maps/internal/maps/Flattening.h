@@ -73,7 +73,7 @@ public:
     m_visitor.start(Flattening_stage::cones);
     const bool is_bounded = bound < std::numeric_limits<double>::infinity();
     if(is_bounded && !std::exchange(m_has_placed_cones, true))
-      m_scale.place_cones(choice);
+      m_scale.place_cones(choice, m_visitor);
     m_problem.check();
     if(!is_bounded) // otherwise cones may be added around which circles touch
       Touching_circles(m_problem).check();

@@ -28,7 +28,7 @@ inline double max_norm(const Eigen::VectorXd& v)
   return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>();
 }
 
-// Returns the greatest difference of two variables in a direction, for which a Hessian has an entry.
+// Returns the greatest difference of two variables in a direction for which a Hessian has an entry.
 template <typename Direction>
 double greatest_difference(const Eigen::SparseMatrix<double>& hessian, const Direction& direction)
 {

@@ -70,6 +70,16 @@ public:
   const std::vector<FT>& scale_factors() const { return m_scale_factor; }
   const Surface& surface() const { return m_surface; }
 
+  // Returns the scaled length of the edge of `h`, or with circles, the distance between their
+  // centers.
+  FT length(Halfedge_index h) const
+  {
+    if constexpr(has_circles)
+      if(m_surface.has_radii())
+        return Triangle::length(m_surface.scaled_decorated_length(h));
+    return m_surface.scaled_length(Edge_index(h));
+  }
+
   // Returns the angle at the source of `h`, in the scaled metric.
   // \pre the face of `h` remains
   FT angle(Halfedge_index h) const { return m_corner[h.idx()].angle(); }
@@ -177,16 +187,6 @@ private:
         return m_surface.scale(u);
       }
     m_surface.scale(m_scale_factor);
-  }
-
-  // Returns the scaled length of the edge of `h`, or with circles, the distance between their
-  // centers.
-  FT length(Halfedge_index h) const
-  {
-    if constexpr(has_circles)
-      if(m_surface.has_radii())
-        return Triangle::length(m_surface.scaled_decorated_length(h));
-    return m_surface.scaled_length(Edge_index(h));
   }
 
   Derived& derived() { return static_cast<Derived&>(*this); }

@@ -7,13 +7,18 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Abstract_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_choice.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_exchange.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_bounds.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/component_areas.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -35,26 +40,23 @@ public:
   explicit Flat_scale_factors(Doubled_problem& problem)
     : Scale_factors<Flat_triangle>(problem, Vector::Zero(Eigen::Index(problem.size()))),
       m_problem(problem),
-      m_may_be_cone(problem.size(), 1)
-  {
-    // Prescriptions on the boundary, or other than zero, are kept.
-    const Vector target = problem.target_defect();
-    for(std::size_t v = 0; v < problem.size(); ++v)
-      m_may_be_cone[v] = !problem.is_on_boundary(vertex(v)) && target[Eigen::Index(v)] == 0;
-  }
+      m_bounds(problem),
+      m_has_no_cones(problem.components().size(), 0)
+  {}
 
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
-  // Places cones until a linear estimate of the scale factors lies within a bound.
-  void place_cones(const Cone_choice& choice)
+  // Places cones until a linear estimate of the scale factors lies within a bound. Components whose
+  // scale factors lie within it without cones get none.
+  void place_cones(const Cone_choice& choice, Any_visitor& visitor)
   {
     if(m_problem.has_needles())
-      place_cones<Decimal_115>(choice);
+      place_cones<Decimal_115>(choice, visitor);
     else
-      place_cones<double>(choice);
+      place_cones<double>(choice, visitor);
   }
   template <typename FT>
-  void place_cones(const Cone_choice& choice)
+  void place_cones(const Cone_choice& choice, Any_visitor& visitor)
   {
     const double bound = choice.maximum_log_scale;
     auto energy = symmetric_energy<FT, Flat_triangle<FT>>(m_problem, m_problem.triangulation());
@@ -62,10 +64,12 @@ public:
     Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
                              m_problem.order());
     placement.estimate(balanced(energy.gradient()));
+    if constexpr(std::is_same_v<FT, double>)
+      find_components_without_cones(placement.estimate(), bound, visitor);
     place_first_cones(placement, bound);
     placement.estimate(balanced(energy.gradient()));
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
-      const std::size_t v = placement.worst(c, m_may_be_cone);
+      const std::size_t v = placement.worst(c, m_bounds.may_be_cone());
       placement.add(v);
       add_cone(v);
     }
@@ -80,7 +84,7 @@ public:
   // vertices would move relatively far from them, so that their angles would be lost.
   bool add_cone_if_beyond(double bound)
   {
-    const std::size_t v = vertex_beyond(bound, values());
+    const std::size_t v = m_bounds.vertex_beyond(bound, normalized(values()));
     if(v == none)
       return false;
     if(m_problem.has_needles()) {
@@ -102,42 +106,92 @@ public:
       return minimizer;
     return newton
       ->ending_where([this, bound](const Vector& change, double step) {
-        return certainly_beyond(bound, values() + change, step) != none;
+        return m_bounds.certainly_beyond(bound, values() + change, step) != none;
       })
       .correcting_steps(std::isfinite(bound) ? tolerance::corrections : 0);
   }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::size_t none = Scale_bounds::none;
 
   static Vertex_index vertex(std::size_t v)
   {
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
   }
 
-  // Returns the vertex whose scale factor is farthest from zero, if it is out of bounds and can be
-  // a cone. If no scale factors are prescribed, zero may end up anywhere between the least and the
-  // greatest. Then the distance from the farther of both counts.
-  std::size_t vertex_beyond(double bound, const Vector& scale) const
+  // Finds the components with estimates out of bounds whose scale factors are within bounds
+  // without cones. Estimates are much too great on rough surfaces. Components that need cones are
+  // left out. The search ends if all others are certainly out of bounds.
+  void find_components_without_cones(const Vector& estimate, double bound, Any_visitor& visitor)
+  {
+    const std::vector<double> excess = m_problem.curvature_excess();
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<char> is_open = m_bounds.components_beyond(bound, estimate);
+    for(std::size_t c = 0; c < is_open.size(); ++c)
+      is_open[c] =
+        fixed[c] >= Doubled_problem::needed_cones(excess[c]) &&
+        (fixed[c] > 0 ? is_open[c] != 0 : farthest_from_mean(c, estimate).second > bound);
+    const auto are_beyond = [&](double bound_of_all, const Vector& u) {
+      const std::vector<char> is_beyond =
+        m_bounds.components_beyond(bound_of_all, m_bounds.centered(u));
+      return std::equal(is_open.begin(), is_open.end(), is_beyond.begin(),
+                        [](char open, char beyond) { return !open || beyond; });
+    };
+    if(std::count(is_open.begin(), is_open.end(), 1) == 0)
+      return;
+    Minimization_domain part = domain();
+    part.is_fixed.resize(m_problem.size(), 0);
+    Vector u = values();
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      if(m_problem.is_fixed()[v])
+        u[Eigen::Index(v)] = m_problem.scale_factor(v);
+      part.is_fixed[v] |= !is_open[m_problem.components()[v]];
+    }
+    const auto minimizer = Newton_minimizer().ending_where([&](const Vector& x, double step) {
+      return step < bound / 10 && are_beyond(bound + step / 2, x);
+    });
+    try {
+      Energy energy =
+        symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+      Energy_reference<Energy> any_energy(energy);
+      const Minimization_result last = minimizer(any_energy, u, part, visitor);
+      m_result = last.after(m_result);
+      if(last.status != Minimization_status::converged)
+        return;
+    } catch(const Intrinsic_triangulations::Error&) { // the estimates decide
+      return;
+    }
+    const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(u));
+    for(std::size_t c = 0; c < is_open.size(); ++c)
+      m_has_no_cones[c] = is_open[c] && !is_beyond[c];
+    m_without_cones = u;
+  }
+
+  // Returns scale factors after the normalization of the map: components without prescribed scale
+  // factors keep their area. If their area is out of range, zero is in the middle instead.
+  Vector normalized(const Vector& u)
   {
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    std::vector<double> least(fixed.size(), 0), greatest(fixed.size(), 0);
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0) {
-        least[c] = (std::min)(least[c], scale[Eigen::Index(v)]);
-        greatest[c] = (std::max)(greatest[c], scale[Eigen::Index(v)]);
-      }
-    std::size_t worst = none;
-    double farthest = bound;
-    for(std::size_t v = 0; v < m_problem.size(); ++v) {
-      const std::size_t c = m_problem.components()[v];
-      const double u = scale[Eigen::Index(v)], extent = (std::max)(u - least[c], greatest[c] - u);
-      if(m_may_be_cone[v] && extent > farthest) {
-        farthest = extent;
-        worst = v;
-      }
+    if(std::count(fixed.begin(), fixed.end(), 0) == 0)
+      return u;
+    Vector result = m_bounds.centered(u);
+    try {
+      const auto& Delaunay = m_problem.triangulation();
+      const std::vector<double> curved =
+        component_areas(m_problem, Delaunay.mesh(),
+                        [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
+      Energy energy = symmetric_energy<double, Flat_triangle<double>>(m_problem, Delaunay);
+      energy.evaluate(u);
+      const auto& scaled = energy.energy();
+      const std::vector<double> flat = component_areas(
+        m_problem, scaled.surface().mesh(), [&](Halfedge_index h) { return scaled.length(h); });
+      for(std::size_t v = 0; v < m_problem.size(); ++v)
+        if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
+          if(const double change = std::log(curved[c] / flat[c]) / 2; std::isfinite(change))
+            result[Eigen::Index(v)] = u[Eigen::Index(v)] + change;
+    } catch(const Intrinsic_triangulations::Error&) { // lengths are out of range
     }
-    return worst == none || m_problem.is_fixed()[worst] ? none : worst;
+    return result;
   }
 
   // Returns the vertices with prescribed scale factors, and one of every component without them.
@@ -155,13 +209,6 @@ private:
   {
     m_problem.set_condition(vertex(v), Vertex_condition::log_scale(0));
     m_cones.push_back(vertex(v));
-  }
-
-  // Returns the vertex that is beyond a bound at the minimum, too, if the minimum is closer to
-  // `scale` than half of the last step.
-  std::size_t certainly_beyond(double bound, const Vector& scale, double step) const
-  {
-    return step < bound / 10 ? vertex_beyond(bound + step / 2, scale) : none;
   }
 
   typedef Symmetric_energy<Conformal_energy<>> Energy;
@@ -189,6 +236,9 @@ private:
     if(m_problem.flipping() == Flipping::none || !values().isZero(0) || has_prescribed_scale())
       return;
     Vector start = placement.estimate();
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_has_no_cones[m_problem.components()[v]])
+        start[Eigen::Index(v)] = m_without_cones[Eigen::Index(v)];
     Free_variables(domain(), m_problem.size()).remove_means(start);
     const double slope = free_gradient(energy).dot(start);
     if(gradient_at(start, energy).dot(start) <= -slope / 2)
@@ -249,7 +299,7 @@ private:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.components()[v] == c) {
         own[Eigen::Index(v)] = defect[Eigen::Index(v)];
-        if(m_may_be_cone[v])
+        if(m_bounds.may_be_cone()[v])
           result.candidates.push_back(Eigen::Index(v));
       }
     result.without_cones = placement.solve_with_fixed(-own);
@@ -295,7 +345,7 @@ private:
       u += step;
       norm *= ratio;
       const std::size_t v =
-        ratio <= tolerance::contraction ? certainly_beyond(bound, u, length) : none;
+        ratio <= tolerance::contraction ? m_bounds.certainly_beyond(bound, u, length) : none;
       if(v != none) {
         placement.set_estimate(u);
         add_cone(v, placement);
@@ -338,13 +388,23 @@ private:
     const std::vector<double> excess = m_problem.curvature_excess();
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     for(std::size_t c = 0; c < fixed.size(); ++c)
-      if(fixed[c] == 0)
+      if(fixed[c] == 0 && !m_has_no_cones[c])
         place_first_cone(c, placement, excess[c], bound);
   }
 
   void place_first_cone(std::size_t c, Cone_placement& placement, double excess, double bound)
   {
-    const Vector& estimate = placement.estimate();
+    const auto [v, distance] = farthest_from_mean(c, placement.estimate());
+    if(v != none && (Doubled_problem::needed_cones(excess) > 0 || distance > bound)) {
+      placement.add_first(v);
+      add_cone(v);
+    }
+  }
+
+  // Returns the possible cone of a component whose estimate is farthest from the mean value, and
+  // its distance from the mean value.
+  std::pair<std::size_t, double> farthest_from_mean(std::size_t c, const Vector& estimate) const
+  {
     std::size_t least = none, greatest = none;
     double sum = 0, count = 0;
     for(std::size_t v = 0; v < m_problem.size(); ++v)
@@ -352,7 +412,7 @@ private:
         const double u = estimate[Eigen::Index(v)];
         sum += m_problem.number_of_copies(v) * u;
         count += m_problem.number_of_copies(v);
-        if(!m_may_be_cone[v])
+        if(!m_bounds.may_be_cone()[v])
           continue;
         if(least == none || u < estimate[Eigen::Index(least)])
           least = v;
@@ -360,13 +420,10 @@ private:
           greatest = v;
       }
     if(least == none)
-      return;
+      return {none, 0};
     const double below = sum / count - estimate[Eigen::Index(least)],
                  above = estimate[Eigen::Index(greatest)] - sum / count;
-    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound) {
-      placement.add_first(above > below ? greatest : least);
-      add_cone(above > below ? greatest : least);
-    }
+    return above > below ? std::pair(greatest, above) : std::pair(least, below);
   }
 
   // Returns a component with cones whose estimate is out of bounds, or that needs more cones.
@@ -377,7 +434,7 @@ private:
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       const std::size_t c = m_problem.components()[v];
       const double u = std::abs(estimate[Eigen::Index(v)]);
-      if(m_may_be_cone[v] && fixed[c] > 0 &&
+      if(m_bounds.may_be_cone()[v] && fixed[c] > 0 && !m_has_no_cones[c] &&
          (u > bound || (u > 0 && fixed[c] < Doubled_problem::needed_cones(excess[c]))))
         return c;
     }
@@ -385,7 +442,9 @@ private:
   }
 
   Doubled_problem& m_problem;
-  std::vector<char> m_may_be_cone;
+  Scale_bounds m_bounds;
+  std::vector<char> m_has_no_cones; // of each component: whether it is known to need none
+  Vector m_without_cones;           // scale factors of these components
   std::vector<Vertex_index> m_cones;
 };
 

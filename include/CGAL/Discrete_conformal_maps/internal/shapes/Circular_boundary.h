@@ -36,7 +36,8 @@ class Circular_boundary : public Free_shape
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
 
 public:
-  // The first angles are the angles of circles with the lengths of the boundary on the surface.
+  // The first angles are the angles of circles with the lengths of the boundary on the surface. If
+  // there are no such circles, they are the angles of regular polygons.
   // \throws Invalid_input if vertices have circles
   Circular_boundary(const Surface& surface, const Map_parameters& parameters)
     : m_components(surface.mesh()), m_rounds(parameters.number_of_rounds)
@@ -51,6 +52,10 @@ public:
         m_circles.back().push_back({mesh.source(h), mesh.edge(h)});
     }
     m_angle = angles([&](Edge_index e) { return surface.length(e); });
+    for_each_circle(m_angle, [](auto own) {
+      if(!own.allFinite())
+        own.setConstant(2 * CGAL_PI / double(own.size()));
+    });
   }
 
   void prescribe(std::vector<Vertex_condition>& conditions) const
@@ -215,9 +220,8 @@ private:
       find();
       if(flattening.has_succeeded()) {
         m_change = update(flat_boundary_lengths(problem, flattening.scale_factors()));
-        if(m_change <= tolerance::circle_angle || !std::isfinite(m_change) ||
-           (flattening.scale_factors().is_wide() &&
-            ++wide_rounds == greatest_number_of_wide_rounds))
+        if(m_change <= tolerance::circle_angle || (flattening.scale_factors().is_wide() &&
+                                                   ++wide_rounds == greatest_number_of_wide_rounds))
           return;
       } else if(has_started_again)
         return;
@@ -257,17 +261,26 @@ private:
   }
 
   // Moves the angles towards the angles of circles with the lengths of the image, and returns the
-  // greatest previous difference of both.
+  // greatest previous difference of both. If there is no circle, the angles move towards the best
+  // ones before.
   double update(const std::vector<double>& length)
   {
     const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
-    if(!image.allFinite())
+    if(!are_possible(image)) {
+      if(m_acceleration.has_best())
+        m_angle = (m_angle + m_acceleration.best()) / 2;
       return std::numeric_limits<double>::infinity();
+    }
     const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
     const Vector next = closed(m_acceleration.next(m_angle, image));
-    // Angles of pi and above are too great for a boundary.
-    m_angle = (next.array() < CGAL_PI).all() ? next : image;
+    m_angle = are_possible(next) ? next : image;
     return change;
+  }
+
+  // Returns whether angles are possible at a boundary.
+  static bool are_possible(const Vector& angle)
+  {
+    return angle.allFinite() && (angle.array() < CGAL_PI).all();
   }
 
   template <typename Length>
@@ -288,13 +301,19 @@ private:
   // angles lose digits.
   Vector closed(Vector angle) const
   {
+    for_each_circle(angle, [](auto own) { own *= 2 * CGAL_PI / own.sum(); });
+    return angle;
+  }
+
+  // Calls `change(own)` with the angles of each circle.
+  template <typename Change>
+  void for_each_circle(Vector& angle, const Change& change) const
+  {
     Eigen::Index begin = 0;
     for(const Circle& circle : m_circles) {
-      auto own = angle.segment(begin, Eigen::Index(circle.size()));
-      own *= 2 * CGAL_PI / own.sum();
-      begin += own.size();
+      change(angle.segment(begin, Eigen::Index(circle.size())));
+      begin += Eigen::Index(circle.size());
     }
-    return angle;
   }
 
   Intrinsic_triangulations::Mesh_components m_components;

@@ -22,6 +22,10 @@ class Fixed_point_acceleration
 public:
   typedef Eigen::VectorXd Vector;
 
+  // Returns whether the function has been evaluated, and the best argument.
+  bool has_best() const { return m_image.size() > 0; }
+  Vector best() const { return m_image - m_residual; }
+
   // Returns the next argument of the function, whose value at `x` is `image`. The sum of entries is
   // the sum of the entries of the images.
   Vector next(const Vector& x, const Vector& image)
@@ -35,7 +39,7 @@ public:
       image_steps.col(i) = m_image_steps[static_cast<std::size_t>(i)];
       residual_steps.col(i) = m_residual_steps[static_cast<std::size_t>(i)];
     }
-    return image - image_steps * residual_steps.colPivHouseholderQr().solve(m_residual);
+    return m_image - image_steps * residual_steps.colPivHouseholderQr().solve(m_residual);
   }
 
 private:
@@ -43,17 +47,15 @@ private:
 
   void remember(const Vector& image, const Vector& residual)
   {
-    const bool is_first = m_image.size() == 0;
-    if(!is_first && residual.norm() < m_residual.norm()) {
+    if(m_image.size() > 0) {
       m_image_steps.push_back(image - m_image);
       m_residual_steps.push_back(residual - m_residual);
-    } else { // steps that led away are forgotten
-      m_image_steps.clear();
-      m_residual_steps.clear();
-    }
-    if(m_image_steps.size() > memory) {
-      m_image_steps.pop_front();
-      m_residual_steps.pop_front();
+      if(m_image_steps.size() > memory) {
+        m_image_steps.pop_front();
+        m_residual_steps.pop_front();
+      }
+      if(!(residual.norm() < m_residual.norm()))
+        return;
     }
     m_image = image;
     m_residual = residual;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -31,14 +32,17 @@ inline std::vector<double> angles_between(const std::vector<double>& half_arc)
 // Returns the exterior angles of the polygon in a circle whose edges have these lengths, at the
 // start of each edge. In a circle with the diameter 1 / x, the center sees an edge of length l
 // under twice the angle asin(l x). If the center is outside, the half angle of the longest edge is
-// pi minus this angle. Precondition: no length is zero, and none is greater than the sum of the
-// others.
+// pi minus this angle. Angles are NaN if one length is not less than the sum of the others.
+// Precondition: no length is zero.
 inline std::vector<double> circle_angles(const std::vector<double>& length)
 {
   constexpr double pi = CGAL_PI;
   const std::size_t n = length.size();
   const auto longest =
     static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  const double sum = std::accumulate(length.begin(), length.end(), 0.);
+  if(!(length[longest] < sum - length[longest]))
+    return std::vector<double>(n, std::numeric_limits<double>::quiet_NaN());
   const auto half_arcs = [&](double x, bool is_center_outside) {
     std::vector<double> result(n);
     std::transform(length.begin(), length.end(), result.begin(),
