@@ -330,6 +330,20 @@ class Files(unittest.TestCase):
             path.write_bytes(text + b"\n\n")
             intrinsic.Triangulation.load(path)
 
+    def test_constraints_that_cross_the_input(self):
+        T = intrinsic.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]],
+                                    [[0, 1, 2], [1, 0, 3]])
+        T.delaunay()
+        T.constrain(T.crossings > 0)
+        with tempfile.TemporaryDirectory() as folder:
+            T.save(Path(folder, "T.save"))
+            same = intrinsic.Triangulation.load(Path(folder, "T.save"))
+        np.testing.assert_array_equal(same.constrained, T.constrained)
+        same.refine(20)
+        copied = pickle.loads(pickle.dumps(same))
+        self.assertEqual(copied.constrained.sum(), same.constrained.sum())
+        self.assertTrue(copied.certify().is_geodesic)
+
     def test_pickle(self):
         V, F = support.meshes()["flat_torus"]
         lengths = support.lengths_of(V, F)

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <cctype>
@@ -19,14 +20,20 @@ namespace Test_io {
 
 using namespace Test_surfaces;
 
-void check_round_trip(const Triangulation& t)
+// Returns what is loaded after `t` has been saved.
+Triangulation checked_round_trip(const Triangulation& t)
 {
   const std::string text = text_of(t);
   Triangulation loaded = triangulation_of(text);
   expect_equal(t, loaded);
   EXPECT_EQ(text_of(loaded), text);
   EXPECT_TRUE(loaded.is_valid(true));
+  return loaded;
+}
 
+void check_round_trip(const Triangulation& t)
+{
+  Triangulation loaded = checked_round_trip(t);
   Triangulation original(t); // what is loaded works as what was saved
   EXPECT_EQ(IT::make_Delaunay(original), IT::make_Delaunay(loaded));
   expect_equal(original, loaded);
@@ -170,6 +177,47 @@ TEST(IO, round_trip_with_constraints)
     flip_at_random(t, std::size_t(20) * m.mesh.number_of_edges(), 1);
     check_round_trip(t);
   }
+}
+
+std::size_t number_of_constraints(const Triangulation& t)
+{
+  const auto edges = t.mesh().edges();
+  return static_cast<std::size_t>(
+    std::count_if(edges.begin(), edges.end(), [&](Edge_index e) { return t.is_constrained(e); }));
+}
+
+// Returns T2 where constrained edges cross the input. Every second such edge is constrained.
+Triangulation with_crossing_constraints(const Mesh& mesh, unsigned int seed)
+{
+  Triangulation t(mesh);
+  flip_at_random(t, std::size_t(2) * mesh.number_of_edges(), seed);
+  for(Edge_index e : t.mesh().edges())
+    t.set_constrained(e, !t.coordinates().is_shared(e) && e.idx() % 2 == 0);
+  return t;
+}
+
+// A restart from the input drops constraints of edges that are not in the input.
+TEST(IO, constraints_that_cross_the_input)
+{
+  std::size_t constrained = 0, insertions = 0;
+  for(const Named_mesh& m : traced(meshes())) {
+    Triangulation t = with_crossing_constraints(m.mesh, 1);
+    constrained += number_of_constraints(t);
+    check_round_trip(t);
+    Triangulation flipped = triangulation_of(text_of(t));
+    flip_to_input(flipped);
+    EXPECT_EQ(number_of_constraints(flipped), 0u);
+
+    t = triangulation_of(text_of(t));
+    insertions += IT::refine(t, IT::parameters::minimum_angle(20)).insertions;
+    EXPECT_TRUE(IT::is_Delaunay(t));
+    IT::certify_Delaunay(t);
+    checked_round_trip(t);
+    t.reset_to_input();
+    EXPECT_EQ(number_of_constraints(t), 0u);
+  }
+  EXPECT_GT(constrained, 100u);
+  EXPECT_GT(insertions, 100u);
 }
 
 TEST(IO, lengths_of_all_magnitudes_are_exact)

@@ -233,12 +233,13 @@ public:
   }
 
   /// turns \f$T_2\f$ back into \f$T_1\f$, with its elements and without inserted vertices. An edge
-  /// of \f$T_1\f$ is constrained if a part of it was constrained. Complexity: linear.
+  /// of \f$T_1\f$ is constrained if a part of it was constrained. Other constraints are dropped.
+  /// Complexity: linear.
   void reset_to_input()
   {
     std::vector<Edge_index> constrained;
     for(Edge_index e : m_mesh.edges())
-      if(is_constrained(e))
+      if(is_constrained(e) && m_coordinates.is_shared(e))
         constrained.emplace_back(Base::input_outgoing_before(m_mesh.halfedge(e)));
     m_mesh = m_input;
     m_inserted.clear();

@@ -34,6 +34,9 @@ public:
 
   std::size_t flip_to_input()
   {
+    for(Edge_index e : m_result.mesh().edges())
+      if(!m_result.coordinates().is_shared(e))
+        m_result.set_constrained(e, false);
     const auto flips =
       flip_to_shared(m_result.m_coordinates, m_result.m_mesh, m_result.m_outgoing_halfedges).size();
     for(Edge_index e : m_result.mesh().edges())
@@ -69,8 +72,8 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// turns \f$T_2\f$ of `tri` back into \f$T_1\f$ by flips that follow the integer coordinates alone
-/// (Mosher's algorithm, Algorithm 4). Constraints stay, because they are on edges of \f$T_1\f$.
-/// Complexity: finite; in practice below the number of crossings.
+/// (Mosher's algorithm, Algorithm 4). Edges of \f$T_1\f$ stay constrained; other constraints are
+/// dropped. Complexity: finite; in practice below the number of crossings.
 /// \returns the number of flips
 /// \throws Overflow_error if an intermediate normal coordinate is out of range; nothing has
 ///   changed then.

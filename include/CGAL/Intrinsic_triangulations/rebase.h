@@ -51,10 +51,10 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 ///
 /// The integer coordinates of \f$T_2\f$ over \f$T_3\f$ follow from the coordinates of \f$T_1\f$
 /// over both, by flips (Section 3.4), without a length. The elements have the indices that they
-/// have in `base` and `tri`. Lengths and constraints are copied; an edge of both has its length in
-/// `base`. With exact traits the stored lengths of \f$T_2\f$ are the exact metric of the result.
-/// Complexity: linear in the flips from \f$T_2\f$ and from \f$T_3\f$ to \f$T_1\f$, see
-/// `flip_to_input()`.
+/// have in `base` and `tri`. Lengths are copied; an edge of both has its length in `base`.
+/// Constraints are copied for edges of both. With exact traits the stored lengths of \f$T_2\f$ are
+/// the exact metric of the result. Complexity: linear in the flips from \f$T_2\f$ and from
+/// \f$T_3\f$ to \f$T_1\f$, see `flip_to_input()`.
 ///
 /// Inserted vertices at equal positions on \f$T_1\f$ are the same vertices. Vertices that only
 /// \f$T_2\f$ has are inserted into \f$T_3\f$. Vertices that only \f$T_3\f$ has are inserted

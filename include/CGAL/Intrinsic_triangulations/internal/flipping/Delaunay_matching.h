@@ -389,13 +389,14 @@ private:
 };
 
 // Returns the halfedges of `whole` on constrained edges of `tri`. They are parts of these edges.
+// Omits constrained edges that are not in the input, because their parts are unknown.
 template <typename Traits>
 std::vector<Halfedge_index> on_constrained_edges(const Intrinsic_triangulation<Traits>& whole,
                                                  const Intrinsic_triangulation<Traits>& tri)
 {
   std::vector<bool> is_constrained(tri.input_mesh().num_edges(), false);
   for(Edge_index e : tri.mesh().edges())
-    if(tri.is_constrained(e))
+    if(tri.is_constrained(e) && tri.coordinates().is_shared(e))
       is_constrained[Edge_index(tri.input_outgoing_before(first_halfedge(e)))] = true;
   std::vector<Halfedge_index> result;
   for(Edge_index e : whole.mesh().edges())
