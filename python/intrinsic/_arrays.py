@@ -39,11 +39,14 @@ def array_of(values: ArrayLike | None, name: str) -> NDArray[Any]:
     return array
 
 
-def _check_shape(array: NDArray[Any], shape: tuple[int | None, ...], name: str) -> None:
+def _shaped(array: NDArray[Any], shape: tuple[int | None, ...], name: str) -> NDArray[Any]:
+    """Return an array of this shape. An empty list has no rows of any size."""
+    if array.shape == (0,) and shape[0] in (None, 0):
+        return array.reshape([n or 0 for n in shape])
     if array.ndim == len(shape) and all(
         expected in (None, n) for n, expected in zip(array.shape, shape)
     ):
-        return
+        return array
     letters = iter("nmk")
     text = ", ".join(next(letters) if n is None else str(n) for n in shape)
     raise ArrayError(f"{name} has the shape {array.shape}; it must be ({text}{',' * (len(shape) == 1)})")
@@ -58,7 +61,7 @@ def unchecked_floats(values: ArrayLike, shape: tuple[int | None, ...], name: str
     array = array_of(values, name)
     if array.dtype.kind not in "fiu" and not (array.size == 0 and array.dtype == object):
         raise ArrayError(f"{name} has the type {array.dtype}; it must be real numbers")
-    _check_shape(array, shape, name)
+    array = _shaped(array, shape, name)
     if array.dtype == np.float64:
         return np.require(array, None, ["C", "A"])
     with np.errstate(over="ignore"):
@@ -100,7 +103,7 @@ def unchecked_integers(
         hint = {"f": "; convert it by .astype(int)",
                 "b": "; np.flatnonzero() returns the indices of a mask"}.get(array.dtype.kind, "")
         raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
-    _check_shape(array, shape, name)
+    array = _shaped(array, shape, name)
     return array, np.require(array, np.int64, ["C", "A"])
 
 
@@ -187,8 +190,7 @@ def complexes(values: Any, shape: tuple[int | None, ...], name: str) -> Complexe
     array = array_of(values, name)
     if array.dtype.kind not in "fiuc" and array.size > 0:
         raise ArrayError(f"{name} has the type {array.dtype}; it must be complex numbers")
-    _check_shape(array, shape, name)
-    result = np.require(array, np.complex128, ["C", "A"])
+    result = np.require(_shaped(array, shape, name), np.complex128, ["C", "A"])
     with np.errstate(over="ignore"):
         is_bad = ~np.isfinite(np.abs(result))
     if is_bad.any():
@@ -210,7 +212,8 @@ def points_on(
         raise ArrayError(f"{name} must be a pair of faces and barycentric coordinates") from None
     rows = integers(np.atleast_1d(array_of(faces, name)), (None,), f"the faces of {name}",
                     number_of_faces, "faces")
-    weights = floats(np.atleast_2d(array_of(coordinates, name)), (len(rows), 3),
+    of_points = array_of(coordinates, name)
+    weights = floats(of_points if of_points.size == 0 else np.atleast_2d(of_points), (len(rows), 3),
                      f"the barycentric coordinates of {name}")
     is_bad = (weights < 0).any(axis=1) | (np.abs(weights.sum(axis=1) - 1) > 1e-6)
     if is_bad.any():

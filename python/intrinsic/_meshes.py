@@ -91,16 +91,12 @@ def arrays(V: Any, F: ArrayLike | None) -> tuple[Floats, Integers]:
 
 def _unchecked_arrays(V: Any, F: Any) -> tuple[Floats, Integers]:
     """Return arrays (n, 3) and (m, 3), whose values the compiled part checks."""
-    return (unchecked_floats(V, (None, 3), "V"), unchecked_integers(_rows(F), (None, 3), "F")[1])
-
-
-def _rows(F: Any) -> Any:
-    return np.zeros((0, 3), np.int64) if isinstance(F, (list, tuple)) and len(F) == 0 else F
+    return (unchecked_floats(V, (None, 3), "V"), unchecked_integers(F, (None, 3), "F")[1])
 
 
 def _faces(F: Any, size: int | None) -> Integers:
     try:
-        return integers(_rows(F), (None, 3), "F", size, "vertices")
+        return integers(F, (None, 3), "F", size, "vertices")
     except InputError as error:
         if error.row is not None:
             error.face = error.row

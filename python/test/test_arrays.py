@@ -486,6 +486,19 @@ class Malformed(unittest.TestCase):
             with self.assertRaisesRegex(InputError, message):
                 intrinsic.signed_distance(V, F, curve)
 
+    def test_empty_lists_have_no_rows(self):
+        T = intrinsic.Triangulation(V, F)
+        self.assertEqual(intrinsic.geodesics(V, F, []), [])
+        self.assertEqual(intrinsic.geodesics(V, F, np.zeros(0)), [])
+        for faces, coordinates in (([], []), ([], np.zeros((0, 3)))):
+            self.assertEqual(T.positions((faces, coordinates)).shape, (0, 3))
+            self.assertEqual(T.transfer((faces, coordinates))[1].shape, (0, 3))
+        self.assertEqual(intrinsic.convex_polyhedron(V, F, glue=[]).kind,
+                         intrinsic.convex_polyhedron(V, F).kind)
+        for bad in ([0], [[]], np.zeros((0, 3), int)):
+            with self.assertRaisesRegex(ArrayError, "pairs has the shape"):
+                intrinsic.geodesics(V, F, bad)
+
     def test_indices_without_positions(self):
         """Memory is proportional to the arrays, not to an index."""
         lengths = intrinsic.Triangulation(V, F).face_lengths
