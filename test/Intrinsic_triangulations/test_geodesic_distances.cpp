@@ -264,6 +264,21 @@ TEST(Geodesic_distances, estimates_are_true)
   }
 }
 
+TEST(Geodesic_distances, estimate_for_heat_distances)
+{
+  Triangulation t(perturbed(embedded_torus(20, 12), 0.3, 1));
+  IT::make_Delaunay(t);
+  const IT::Heat_distance<> heat(t.intrinsic());
+  const auto distance = heat.distances(vertex(7));
+  const auto error = IT::estimate_error(t.intrinsic(), vertex(7), distance);
+  EXPECT_EQ(error.number_of_vertices, 239u);
+  EXPECT_GT(error.mean, 0);
+  EXPECT_LT(error.mean, 0.2);
+  const auto same = IT::estimate_error(t.intrinsic(), vertex(7),
+                                       std::vector<double>(distance.begin(), distance.end()));
+  EXPECT_EQ(same.greatest, error.greatest);
+}
+
 // Only distances that are known exactly are compared.
 TEST(Geodesic_distances, estimates_leave_out_what_is_not_known)
 {

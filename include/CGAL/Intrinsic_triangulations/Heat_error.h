@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -30,12 +31,15 @@ struct Heat_error
   Heat_error() = default;
 
   /// compares distances with exact distances that are at most `final_length`. Complexity: linear.
-  Heat_error(const std::vector<FT>& distance, const std::vector<FT>& exact, const FT& final_length)
+  /// \tparam Distances a vector of Eigen or of the standard library
+  template <typename Distances = std::vector<FT>>
+  Heat_error(const Distances& distance, const std::vector<FT>& exact, const FT& final_length)
   {
+    typedef std::decay_t<decltype(distance.size())> Index;
     std::vector<FT> errors;
     for(std::size_t v = 0; v < exact.size(); ++v)
       if(exact[v] > 0 && exact[v] <= final_length && CGAL::is_finite(exact[v])) {
-        errors.push_back(CGAL::abs(distance[v] - exact[v]) / exact[v]);
+        errors.push_back(CGAL::abs(FT(distance[static_cast<Index>(v)] - exact[v])) / exact[v]);
         greatest_distance = (std::max)(greatest_distance, exact[v]);
         mean += errors.back();
       }

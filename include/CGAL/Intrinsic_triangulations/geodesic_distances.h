@@ -214,10 +214,9 @@ distances_by_windows(Exact_distances<Surface>& exact, Distance_method method, Vi
   return Geodesic_distances<Length_of<Surface>>{exact.distances(), Distance_method::exact};
 }
 
-template <typename Surface, typename Visitor>
+template <typename Surface, typename Distances, typename Visitor>
 Heat_error<Length_of<Surface>> heat_error(Exact_distances<Surface>& exact,
-                                          const std::vector<Length_of<Surface>>& distance,
-                                          Visitor& visitor)
+                                          const Distances& distance, Visitor& visitor)
 {
   if(!exact.has_run())
     exact.run(most_compared_windows(), visitor);
@@ -334,14 +333,17 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// compares distances of all vertices, however they were computed, with exact distances at the
 /// vertices nearest to the sources, as `geodesic_distances()` does with heat.
+/// \tparam Distances a vector of Eigen or of the standard library with numbers of the type of the
+///         lengths
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param sources as for `geodesic_distances()`
-/// \param distance the distances by the index of the vertex
+/// \param distance the distances by the index of the vertex, such as the result of
+///        `Heat_distance::distances()`
 ///
 /// Complexity: an exact search of at most \f$2^{22}\f$ windows, see `Shortest_paths`.
-template <typename Surface, typename Sources>
+template <typename Surface, typename Sources, typename Distances = std::vector<Length_of<Surface>>>
 Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sources& sources,
-                                              const std::vector<Length_of<Surface>>& distance)
+                                              const Distances& distance)
 {
   Distance_sources<Surface> all(surface);
   all.add(sources);
