@@ -6,13 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,22 +19,52 @@ namespace {
 // These keywords begin a group of faces. Each group lasts until the next line with its keyword.
 constexpr std::array<std::string_view, 3> group_keywords = {"o", "g", "usemtl"};
 
-// Returns the index of texture coordinates or a normal, as an offset from the first one. Returns
-// nothing without an index.
-std::optional<std::int64_t> offset(std::string_view index, std::size_t number_so_far)
+// Reads indices of one kind of elements. Elements can follow their indices in the file, so the
+// greatest index is checked at the end.
+class Index_reader
 {
-  std::int64_t i = 0;
-  const auto [last, error] = std::from_chars(index.data(), index.data() + index.size(), i);
-  if(error != std::errc() || i == 0)
-    return std::nullopt;
-  return i > 0 ? i - 1 : i + static_cast<std::int64_t>(number_so_far);
-}
+public:
+  explicit Index_reader(const char* element) : m_element(element) {}
+
+  // Reads an index, and returns the offset from the first element. A negative index counts back
+  // from the last of the elements so far.
+  std::size_t operator()(Scanner& in, std::size_t number_so_far)
+  {
+    const Scanner::Place start = in.place();
+    const std::int64_t i = in.integer(), n = static_cast<std::int64_t>(number_so_far);
+    if(i == 0 || i < -n) {
+      in.return_to(start);
+      in.fail("there is no " + m_element + " " + std::to_string(i) +
+              "; count from 1, or backwards from -1 for the last element before");
+    }
+    const auto offset = static_cast<std::size_t>(i > 0 ? i - 1 : n + i);
+    if(offset >= m_end) {
+      m_end = offset + 1;
+      m_place = start;
+    }
+    return offset;
+  }
+
+  // Fails where the greatest index stands if it names none of the elements.
+  void check(Scanner& in, std::size_t number_of_elements) const
+  {
+    if(m_end <= number_of_elements)
+      return;
+    in.return_to(m_place);
+    in.fail("there is no " + m_element + " " + std::to_string(m_end) + "; the file has " +
+            std::to_string(number_of_elements));
+  }
+
+private:
+  std::string m_element; // its name in messages
+  std::size_t m_end = 0; // the greatest index, counted from 1
+  Scanner::Place m_place = nullptr;
+};
 
 // Stores texture coordinates or normals, which corners refer to by indices.
 struct Indexed_coordinates
 {
-  std::vector<Corner_data_builder::Coordinates> all;
-  std::vector<Polygons::Index> number; // of those of each corner, as far as there were any
+  explicit Indexed_coordinates(const char* element) : read_index(element) {}
 
   void add(const std::vector<double>& numbers)
   {
@@ -45,13 +73,22 @@ struct Indexed_coordinates
     all.push_back(numbers.empty() ? Corner_data_builder::missing : c);
   }
 
-  void set_corner(std::size_t corner, std::string_view index)
+  // Reads the index of a corner, which may be empty.
+  void read_corner(std::size_t corner, std::string_view index, Scanner& in)
   {
-    const std::optional<std::int64_t> i = offset(index, all.size());
-    if(!i || *i < 0 || *i >= Polygons::none)
+    if(index.empty())
       return;
+    in.return_to(index.data());
+    const std::size_t i = read_index(in, all.size());
     number.resize(corner + 1, Polygons::none);
-    number[corner] = static_cast<Polygons::Index>(*i);
+    number[corner] = static_cast<Polygons::Index>((std::min)(i, std::size_t(Polygons::none)));
+  }
+
+  // Ignores the indices if the file has no coordinates: some programs omit these alone.
+  void check(Scanner& in) const
+  {
+    if(!all.empty())
+      read_index.check(in, all.size());
   }
 
   Corner_data_builder::Coordinates operator()(std::size_t corner) const
@@ -59,6 +96,10 @@ struct Indexed_coordinates
     return corner < number.size() && number[corner] < all.size() ? all[number[corner]]
                                                                  : Corner_data_builder::missing;
   }
+
+  std::vector<Corner_data_builder::Coordinates> all;
+  std::vector<Polygons::Index> number; // of those of each corner, as far as there were any
+  Index_reader read_index;
 };
 
 // Reads the groups of polygons.
@@ -136,6 +177,9 @@ public:
     m_in.join_lines('#');
     for(m_in.skip_comments('#'); !m_in.at_end(); m_in.skip_comments('#'))
       read_line();
+    m_read_vertex.check(m_in, m_soup.points.size());
+    m_texture.check(m_in);
+    m_normals.check(m_in);
     add_data();
   }
 
@@ -180,7 +224,7 @@ private:
   {
     while(!m_in.at_line_end('#')) {
       const std::size_t corner = polygons.number_of_corners();
-      polygons.add_corner(read_index());
+      polygons.add_corner(m_read_vertex(m_in, m_soup.points.size()));
       const std::string_view data = m_in.take_rest_of_word();
       if(have_data && !data.empty() && data[0] == '/')
         read_indices_of_data(corner, data.substr(1));
@@ -188,27 +232,14 @@ private:
     polygons.close();
   }
 
-  // Reads an index. A negative index counts back from the last vertex so far. A positive one may
-  // refer to a later vertex.
-  std::size_t read_index()
-  {
-    const Scanner::Place start = m_in.place();
-    const std::int64_t i = m_in.integer(), n = static_cast<std::int64_t>(m_soup.points.size());
-    if(i == 0 || i < -n) {
-      m_in.return_to(start);
-      m_in.fail("there is no vertex " + std::to_string(i) +
-                "; count from 1, or backwards from -1 for the last element before");
-    }
-    return static_cast<std::size_t>(i > 0 ? i - 1 : n + i);
-  }
-
-  // Reads indices of data. Invalid indices are ignored.
   void read_indices_of_data(std::size_t corner, std::string_view texture)
   {
+    const Scanner::Place next = m_in.place();
     const std::size_t slash = texture.find('/');
-    m_texture.set_corner(corner, texture.substr(0, slash));
+    m_texture.read_corner(corner, texture.substr(0, slash), m_in);
     if(slash != texture.npos)
-      m_normals.set_corner(corner, texture.substr(slash + 1));
+      m_normals.read_corner(corner, texture.substr(slash + 1), m_in);
+    m_in.return_to(next);
   }
 
   // ---- Data ----
@@ -250,7 +281,8 @@ private:
   Scanner& m_in;
   Polygon_soup& m_soup;
   Polygons* m_lines;
-  Indexed_coordinates m_texture, m_normals;
+  Index_reader m_read_vertex{"vertex"};
+  Indexed_coordinates m_texture{"texture coordinate"}, m_normals{"normal"};
   Groups_reader m_groups;
   std::vector<std::vector<double>> m_colors = std::vector<std::vector<double>>(3);
 };

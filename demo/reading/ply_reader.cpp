@@ -81,6 +81,7 @@ public:
   void operator()()
   {
     read_header();
+    m_number_of_vertices = number_of_vertices();
     for(const Element& element : m_elements)
       read_element(element);
     m_in.expect_end("the last element");
@@ -186,6 +187,20 @@ private:
                                                               : Polygons::none;
   }
 
+  // Reads the index of a vertex of `what`. Vertices may come after it.
+  std::size_t read_vertex_index(Number_type type, const char* what)
+  {
+    const Scanner::Place start = m_in.place();
+    const std::size_t result = read_index(type);
+    if(result < m_number_of_vertices)
+      return result;
+    m_in.return_to(start);
+    if(!m_is_binary)
+      m_in.skip_space();
+    m_in.fail(std::string(what) + " names a vertex that does not exist; there are " +
+              std::to_string(m_number_of_vertices));
+  }
+
   std::size_t read_size(Number_type type)
   {
     const std::size_t size = read_index(type);
@@ -225,7 +240,7 @@ private:
       m_soup.polygons.reserve(expected_count(element), 3 * expected_count(element));
       read_lists(element, [this](std::size_t size, Number_type type) {
         for(std::size_t k = 0; k < size; ++k)
-          m_soup.polygons.add_corner(read_index(type));
+          m_soup.polygons.add_corner(read_vertex_index(type, "a face"));
         m_soup.polygons.close();
       });
     } else if(element.name == "tristrips")
@@ -383,31 +398,16 @@ private:
     const std::array ends{element.position("vertex1"), element.position("vertex2")};
     if(!element.has(ends[0], false) || !element.has(ends[1], false))
       m_in.fail_as_a_whole("edges have no properties 'vertex1' and 'vertex2'");
-    const std::size_t number_of_points = number_of_vertices();
     for(std::size_t i = 0; i < element.count; ++i) {
       std::array<std::size_t, 2> edge{};
       for(std::size_t p = 0; p < element.properties.size(); ++p)
         if(const auto end = std::find(ends.begin(), ends.end(), p); end != ends.end())
           edge[static_cast<std::size_t>(end - ends.begin())] =
-            read_end(element.properties[p].type, number_of_points);
+            read_vertex_index(element.properties[p].type, "an edge");
         else
           read_or_skip(element.properties[p]);
       m_lines->push_back(edge);
     }
-  }
-
-  // Reads an end of an edge. Vertices may come after the edges.
-  std::size_t read_end(Number_type type, std::size_t number_of_points)
-  {
-    const Scanner::Place start = m_in.place();
-    const std::size_t result = read_index(type);
-    if(result < number_of_points)
-      return result;
-    m_in.return_to(start);
-    if(!m_is_binary)
-      m_in.skip_space();
-    m_in.fail("an edge names a vertex that does not exist; there are " +
-              std::to_string(number_of_points));
   }
 
   std::size_t number_of_vertices() const
@@ -424,6 +424,7 @@ private:
   Polygons* m_lines; // edges, unless it is null
   bool m_is_binary = false, m_is_big_endian = false;
   std::vector<Element> m_elements;
+  std::size_t m_number_of_vertices = 0;              // of all elements
   std::map<std::string, Corner_list> m_corner_lists; // by the names of the properties
 };
 

@@ -105,12 +105,9 @@ Polylines read_polylines(const std::string& path)
   Polygon_soup soup;
   Polygons lines;
   read_points_and_lines(in, soup, lines);
-  for(const Polygons::Polygon& line : lines) {
+  for(const Polygons::Polygon& line : lines)
     if(line.size() < 2)
       in.fail_as_a_whole("a polyline has less than two points");
-    if(*std::max_element(line.begin(), line.end()) >= soup.points.size())
-      in.fail_as_a_whole("a polyline names a point that does not exist");
-  }
   if(lines.empty())
     in.fail_as_a_whole("has no polylines (elements l of .obj, edges of .ply, Lines of .vtp)");
   return {soup.points, lines};

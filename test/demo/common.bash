@@ -167,6 +167,7 @@ printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >truncated.mesh.off
 printf 'OFF\n3 1 0\n0 0 0\n1 oops 0\n0 1 0\n3 0 1 2\n' >garbage.mesh.off
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >no_faces.mesh.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n' >index.mesh.obj
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n' >index.mesh.ply
 printf 'v -1e308 0 0\nv 1e308 0 0\nv 0 1 0\nf 1 2 3\n' >overflow.mesh.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2 3/3\n' >good.mesh.obj
 printf 'not a mesh\n' >words.mesh.obj

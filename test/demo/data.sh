@@ -176,7 +176,7 @@ expect 0 delaunay a.mesh.ply -o a.vtp
 grep -q 'Name="&#60;a&#38;b&#62;"' a.vtp
 
 # A crease: normals differ at the points of the diagonal. A corner has no texture coordinates.
-printf 'v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nvn 0 0 1\nvn 0 1 0\nvt 1 2\nvt 3 4\nf 1/1/1 2/2/1 3//1\nf 1/1/2 3/9/2 4/2/2\n' >a.mesh.obj
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nvn 0 0 1\nvn 0 1 0\nvt 1 2\nvt 3 4\nf 1/1/1 2/2/1 3//1\nf 1/1/2 3//2 4/2/2\n' >a.mesh.obj
 expect 0 delaunay a.mesh.obj -o a.ply
 claim "f = ply('a.ply').face" "f['normal'] == [[0, 0, 1] * 3, [0, 1, 0] * 3]" "sorted(map(sorted, f['texcoord'])) == [[0, 0, 1, 2, 3, 4]] * 2"
 expect 0 delaunay a.mesh.obj -o a.obj

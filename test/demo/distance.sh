@@ -462,7 +462,7 @@ printf 'v 0 0 0\nl 1 9\n' >bad.mesh.obj
 printf 'v 0 0 0\nv 0 0 1\nl 1 2\n' >far.mesh.obj
 refuses_curve 'none.mesh.obj: has no polylines' square.mesh.off --curve none.mesh.obj
 refuses_curve 'one.mesh.obj: a polyline has less than two points' square.mesh.off --curve one.mesh.obj
-refuses_curve 'names a point that does not exist' square.mesh.off --curve bad.mesh.obj
+refuses_curve 'bad.mesh.obj: line 2 cannot be understood: there is no vertex 9; the file has 1' square.mesh.off --curve bad.mesh.obj
 refuses_curve 'far.mesh.obj: point 2 is 1.000000 away from the surface' square.mesh.off --curve far.mesh.obj
 refuses_curve 'curves are read from .obj, .ply, .vtp and .xyz' square.mesh.off --curve square.mesh.off
 refuses_curve 'nothing.obj: no such file' square.mesh.off --curve nothing.obj

@@ -42,7 +42,8 @@ broken overflow.mesh.obj 'invalid edge length: 1, first between vertices 0 and 1
 off huge '0 0 0,1e40 0 0,0 1e40 0' '0 1 2'
 broken huge.mesh.off 'edge length outside 2^-127 to 2^127'
 says 'scale the mesh'
-broken index.mesh.obj 'face index out of range: 1, first at face 0'
+broken index.mesh.obj 'line 4 cannot be understood: there is no vertex 4; the file has 3'
+broken index.mesh.ply 'face index out of range: 1, first at face 0'
 broken index.mesh.off 'line 6 cannot be understood'
 broken nan.mesh.off 'line 4 cannot be understood'
 broken garbage.mesh.off 'line 4 cannot be understood'
@@ -58,7 +59,7 @@ expect 0 info good.mesh.off --json
 says '"euler_characteristic": 2'
 says '"defects": []'
 refuses '"is_valid": false' info bow_tie.mesh.off --json
-refuses '"min_angle_degrees": null' info index.mesh.obj --json
+refuses '"min_angle_degrees": null' info index.mesh.ply --json
 
 # A vertex as near to the edge of a square as the rounding of its coordinates.
 off near '0 0 0,1 0 0,1 1 0,0 1 0,0.5 1e-16 0' '0 1 4,1 2 4,2 3 4,3 0 4'

@@ -29,7 +29,7 @@ text index.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 7'
 text half.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 1.5'
 text far.mesh.off '4OFF;3 1 0;0 0 0 0;1 0 0 1;0 1 0 1;3 0 1 2'
 text index.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 0'
-text later.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 4'
+text texture.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;vt 0 0;f 1/1 2/7 3/1'
 text word.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2;3'
 text a.mesh.ply 'plx'
 text b.mesh.ply 'ply;element vertex 3'
@@ -158,6 +158,7 @@ calls <<'TABLE'
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
 2 | there is no vertex 0 | info index.mesh.obj
+2 | line 5 cannot be understood: there is no texture coordinate 7; the file has 1 | info texture.mesh.obj
 2 | a line begins with a number; a line that continues in the next one ends with a backslash | info word.mesh.obj
 2 | 'ply' expected | info a.mesh.ply
 2 | 'format' expected | info b.mesh.ply
@@ -182,7 +183,7 @@ calls <<'TABLE'
 2 | crosses or touches itself, seen along every axis | delaunay crossed.mesh.off -o a.ply
 2 | , and cannot be split into triangles; split it in the file | delaunay line.mesh.off --repair -o a.ply
 2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
-2 | ; correct it in the file | delaunay later.mesh.obj -o a.ply
+2 | ; correct it in the file | delaunay index.mesh.ply -o a.ply
 2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply
 2 | --repair makes it a surface | delaunay edge_of_three.mesh.off -o a.ply
 2 | --repair cuts it open | delaunay moebius.mesh.off -o a.ply

@@ -47,7 +47,7 @@ rm result.off
 off flap '0 0 0,1 0 0,0 1 0,1 1 0' '0 1 2,2 1 0,3 2 1'
 mended flap.mesh.off 'degenerate or duplicate faces removed: 1'
 
-expect 2 delaunay index.mesh.obj -o result.off --repair
+expect 2 delaunay index.mesh.ply -o result.off --repair
 expect 2 delaunay overflow.mesh.obj -o result.off --repair
 expect_files
 
