@@ -695,16 +695,21 @@ class Triangulation:
     def load(
         cls, path: str | os.PathLike[str], V: Any = None, F: ArrayLike | None = None
     ) -> "Triangulation":
-        """Read a file of `save()`. With the original V and F, results have positions."""
+        """Read a file of `save()`. With the original V and F, results have positions.
+
+        V and F must have the faces and the lengths of the input. If the input was mollified, it may
+        have longer edges.
+        """
         with open(path, encoding="latin-1") as file:  # any byte can be read, for its line
             text = file.read()
-        on = None if V is None else surface(V, F)
+        on = None if V is None else surface(V, F, mollify=1)  # V may have edges without length
         try:
             result = cls._of_core(on, _core.Triangulation.from_text(text, on))
+            if on is not None:
+                _check_positions(result, on, text.rstrip().endswith("exact lengths"))
         except InputError as error:
-            raise InputError(f"{os.fspath(path)}: {error}") from None
-        if on is not None and not np.array_equal(result.input_F, on.faces()):
-            raise InputError(f"{os.fspath(path)} is of another mesh: its faces differ from F")
+            error.args = (f"{os.fspath(path)}: {error}",)
+            raise
         return result
 
     @_locked
@@ -715,6 +720,27 @@ class Triangulation:
 
     def __repr__(self) -> str:
         return f"<Triangulation: {self.n_vertices} vertices, {len(self.F)} faces>"
+
+
+def _check_positions(T: Triangulation, on: _core.Surface, can_be_mollified: bool) -> None:
+    """Raise an error unless a surface with positions has the faces and lengths of the input.
+
+    Mollification adds one number to all lengths. Positions in single precision are allowed.
+    """
+    if not np.array_equal(T.input_F, on.faces()) or (
+            on.number_of_vertices() != T._core.number_of_input_vertices()):
+        raise InputError("the faces in the file differ from F")
+    ends, lengths = T.input_E, T._core.lengths(True)
+    by_V = np.linalg.norm(np.diff(on.positions()[ends], axis=1)[:, 0], axis=1)
+    added = max(np.median(lengths - by_V), 0) if can_be_mollified else 0
+    error = np.abs(lengths - by_V - added)
+    e = int(error.argmax())
+    if error[e] > 1e-6 * lengths.max():
+        i, j = map(int, ends[e])
+        refusal = InputError(f"the length of the edge from {i} to {j} is {lengths[e]} in the file, and "
+                             f"{by_V[e]} by V")
+        refusal.edge = i, j
+        raise refusal
 
 
 def _unpickled(points: tuple[Floats, Integers] | None, text: str, exact: bool) -> Triangulation:

@@ -330,6 +330,37 @@ class Files(unittest.TestCase):
             path.write_bytes(text + b"\n\n")
             intrinsic.Triangulation.load(path)
 
+    def test_load_with_other_positions(self):
+        """Positions must have the lengths of the file, up to one number that mollification adds."""
+        V, F = support.meshes()["bumpy_grid"]
+        moved, flat = V.copy(), V.copy()
+        moved[7, 2] += 0.1
+        flat[F[3, 0]] = flat[F[3, 1]]
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "T.save")
+
+            def load(T, V):
+                T.save(path)
+                return intrinsic.Triangulation.load(path, V, F)
+
+            T = intrinsic.Triangulation(V, F)
+            load(T, V.astype(np.float32))
+            load(T, V[:, [1, 2, 0]] + 5)
+            for other in (2 * V, 0.5 * V, flat, np.vstack([V, V[:1]])):
+                with self.assertRaisesRegex(intrinsic.InputError, "T.save: the .* in the file"):
+                    load(T, other)
+            with self.assertRaisesRegex(intrinsic.InputError, r" 7 .* in the file, and .* by V") as caught:
+                load(T, moved)
+            self.assertIn(7, caught.exception.edge)
+
+            mollified = intrinsic.Triangulation(flat, F, mollify=0.01)
+            np.testing.assert_array_equal(load(mollified, flat).lengths, mollified.lengths)
+            given = intrinsic.Triangulation(None, F, lengths=T.face_lengths)
+            np.testing.assert_array_equal(load(given, V).V, V)
+            for saved in mollified, given:
+                with self.assertRaisesRegex(intrinsic.InputError, "by V"):
+                    load(saved, 2 * V)
+
     def test_constraints_that_cross_the_input(self):
         T = intrinsic.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]],
                                     [[0, 1, 2], [1, 0, 3]])
