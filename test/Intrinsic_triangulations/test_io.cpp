@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
@@ -102,6 +103,13 @@ std::size_t refused_line(const std::string& text)
   }
   ADD_FAILURE() << "not refused";
   return 0;
+}
+
+// Returns the line for which the text is rejected after a line has been replaced.
+std::size_t refused_line(Lines lines, std::size_t line, const std::string& replacement)
+{
+  lines[line - 1] = replacement;
+  return refused_line(joined(lines, '\n'));
 }
 
 std::vector<Triangulation> small_triangulations()
@@ -321,6 +329,25 @@ TEST(IO, other_numbers_of_elements)
       EXPECT_NE(outcome(joined(changed, '\n')), Outcome::valid) << counts;
     }
   }
+}
+
+TEST(IO, faces_that_share_halfedges)
+{
+  const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
+  for(std::size_t first_face : {13u, 28u})
+    for(std::size_t line = first_face + 1; line < first_face + 4; ++line)
+      EXPECT_EQ(refused_line(lines, line, lines[line - 2]), line);
+}
+
+TEST(IO, inserted_vertices_beside_their_halfedges)
+{
+  Triangulation t(tetrahedron());
+  IT::Vertex_inserter<>(t).split_edge(Halfedge_index(0), 0.5);
+  const Lines lines = lines_of(text_of(t));
+  const std::size_t line = lines.size() - 5; // positions follow
+  const std::string expected = lines[line - 1];
+  ASSERT_EQ(expected.substr(0, 2), "0 ");
+  EXPECT_EQ(refused_line(lines, line, "1" + expected.substr(1)), line);
 }
 
 TEST(IO, lengths_that_make_no_triangle)

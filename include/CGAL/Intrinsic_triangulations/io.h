@@ -187,7 +187,7 @@ private:
                                 const Delta_complex& input) const
   {
     if(input.face(h) != p.first || coordinates_from(h, p, input)[2] != 0)
-      throw Invalid_input("the position of an inserted vertex is not on its halfedge");
+      m_lines.fail("the position of an inserted vertex is not on its halfedge");
     const auto [at_source, at_target, at_apex] = coordinates_from(h, p, input);
     return Edge_location<FT>{h, {at_source, at_target}};
   }
@@ -293,12 +293,14 @@ private:
     return mesh;
   }
 
-  static void set_face(Face_index f, Halfedge_index h, Delta_complex& mesh)
+  // Sets the face of three halfedges. The last line that was read is the line of the last face.
+  void set_face(Face_index f, Halfedge_index h, Delta_complex& mesh) const
   {
     mesh.set_halfedge(f, h);
     for(int side = 0; side < 3; ++side, h = mesh.next(h)) {
       if(!mesh.is_border(h))
-        throw Invalid_input("halfedge " + std::to_string(h.idx()) + " is in two faces");
+        throw File_format_error("halfedge " + std::to_string(h.idx()) + " is in two faces",
+                                m_lines.number() + 1 + f.idx() - m_faces.size());
       mesh.set_face(h, f);
     }
   }

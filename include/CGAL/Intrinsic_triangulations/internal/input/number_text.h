@@ -92,6 +92,9 @@ public:
       fail("there is more than expected: '" + std::string(m_position, end()) + "'");
   }
 
+  // Returns the number of the current line, counted from 1.
+  std::size_t number() const { return m_number; }
+
   bool is(std::string_view line) const { return m_line == line; }
 
   void expect(std::string_view line) const
