@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -124,47 +125,62 @@ private:
   // left out. The search ends if all others are certainly out of bounds.
   void find_components_without_cones(const Vector& estimate, double bound, Any_visitor& visitor)
   {
-    const std::vector<double> excess = m_problem.curvature_excess();
-    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    std::vector<char> is_open = m_bounds.components_beyond(bound, estimate);
-    for(std::size_t c = 0; c < is_open.size(); ++c)
-      is_open[c] =
-        fixed[c] >= Doubled_problem::needed_cones(excess[c]) &&
-        (fixed[c] > 0 ? is_open[c] != 0 : farthest_from_mean(c, estimate).second > bound);
-    const auto are_beyond = [&](double bound_of_all, const Vector& u) {
-      const std::vector<char> is_beyond =
-        m_bounds.components_beyond(bound_of_all, m_bounds.centered(u));
-      return std::equal(is_open.begin(), is_open.end(), is_beyond.begin(),
-                        [](char open, char beyond) { return !open || beyond; });
-    };
+    const std::vector<char> is_open = components_in_question(estimate, bound);
     if(std::count(is_open.begin(), is_open.end(), 1) == 0)
       return;
+    const auto minimizer = Newton_minimizer().ending_where([&](const Vector& u, double step) {
+      if(!(step < bound / 10))
+        return false;
+      const std::vector<char> is_beyond =
+        m_bounds.components_beyond(bound + step / 2, m_bounds.centered(u));
+      return std::equal(is_open.begin(), is_open.end(), is_beyond.begin(),
+                        [](char open, char beyond) { return !open || beyond; });
+    });
+    try {
+      const std::optional<Vector> u = minimum_on(is_open, minimizer, visitor);
+      if(!u)
+        return;
+      const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(*u));
+      for(std::size_t c = 0; c < is_open.size(); ++c)
+        m_has_no_cones[c] = is_open[c] && !is_beyond[c];
+      m_without_cones = *u;
+    } catch(const Intrinsic_triangulations::Error&) { // the estimates decide
+    }
+  }
+
+  // Returns for each component whether it needs no cones, but would get some by its estimate.
+  std::vector<char> components_in_question(const Vector& estimate, double bound) const
+  {
+    const std::vector<double> excess = m_problem.curvature_excess();
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<char> result = m_bounds.components_beyond(bound, estimate);
+    for(std::size_t c = 0; c < result.size(); ++c)
+      result[c] =
+        fixed[c] >= Doubled_problem::needed_cones(excess[c]) &&
+        (fixed[c] > 0 ? result[c] != 0 : m_bounds.farthest_from_mean(c, estimate).second > bound);
+    return result;
+  }
+
+  // Returns scale factors at the minimum on some components, if it is found, or where the minimizer
+  // ends.
+  template <typename Minimizer>
+  std::optional<Vector> minimum_on(const std::vector<char>& components, const Minimizer& minimizer,
+                                   Any_visitor& visitor)
+  {
     Minimization_domain part = domain();
     part.is_fixed.resize(m_problem.size(), 0);
     Vector u = values();
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       if(m_problem.is_fixed()[v])
         u[Eigen::Index(v)] = m_problem.scale_factor(v);
-      part.is_fixed[v] |= !is_open[m_problem.components()[v]];
+      part.is_fixed[v] |= !components[m_problem.components()[v]];
     }
-    const auto minimizer = Newton_minimizer().ending_where([&](const Vector& x, double step) {
-      return step < bound / 10 && are_beyond(bound + step / 2, x);
-    });
-    try {
-      Energy energy =
-        symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
-      Energy_reference<Energy> any_energy(energy);
-      const Minimization_result last = minimizer(any_energy, u, part, visitor);
-      m_result = last.after(m_result);
-      if(last.status != Minimization_status::converged)
-        return;
-    } catch(const Intrinsic_triangulations::Error&) { // the estimates decide
-      return;
-    }
-    const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(u));
-    for(std::size_t c = 0; c < is_open.size(); ++c)
-      m_has_no_cones[c] = is_open[c] && !is_beyond[c];
-    m_without_cones = u;
+    Energy energy =
+      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+    Energy_reference<Energy> any_energy(energy);
+    const Minimization_result last = minimizer(any_energy, u, part, visitor);
+    m_result = last.after(m_result);
+    return last.status == Minimization_status::converged ? std::optional(u) : std::nullopt;
   }
 
   // Returns scale factors after the normalization of the map: components without prescribed scale
@@ -394,36 +410,11 @@ private:
 
   void place_first_cone(std::size_t c, Cone_placement& placement, double excess, double bound)
   {
-    const auto [v, distance] = farthest_from_mean(c, placement.estimate());
+    const auto [v, distance] = m_bounds.farthest_from_mean(c, placement.estimate());
     if(v != none && (Doubled_problem::needed_cones(excess) > 0 || distance > bound)) {
       placement.add_first(v);
       add_cone(v);
     }
-  }
-
-  // Returns the possible cone of a component whose estimate is farthest from the mean value, and
-  // its distance from the mean value.
-  std::pair<std::size_t, double> farthest_from_mean(std::size_t c, const Vector& estimate) const
-  {
-    std::size_t least = none, greatest = none;
-    double sum = 0, count = 0;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_problem.components()[v] == c) {
-        const double u = estimate[Eigen::Index(v)];
-        sum += m_problem.number_of_copies(v) * u;
-        count += m_problem.number_of_copies(v);
-        if(!m_bounds.may_be_cone()[v])
-          continue;
-        if(least == none || u < estimate[Eigen::Index(least)])
-          least = v;
-        if(greatest == none || u > estimate[Eigen::Index(greatest)])
-          greatest = v;
-      }
-    if(least == none)
-      return {none, 0};
-    const double below = sum / count - estimate[Eigen::Index(least)],
-                 above = estimate[Eigen::Index(greatest)] - sum / count;
-    return above > below ? std::pair(greatest, above) : std::pair(least, below);
   }
 
   // Returns a component with cones whose estimate is out of bounds, or that needs more cones.

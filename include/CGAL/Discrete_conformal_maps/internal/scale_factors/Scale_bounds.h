@@ -86,6 +86,31 @@ public:
     return scale;
   }
 
+  // Returns the possible cone of a component whose scale factor is farthest from the mean, and its
+  // distance from the mean.
+  std::pair<std::size_t, double> farthest_from_mean(std::size_t c, const Vector& scale) const
+  {
+    std::size_t least = none, greatest = none;
+    double sum = 0, count = 0;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_problem.components()[v] == c) {
+        const double u = scale[Eigen::Index(v)];
+        sum += m_problem.number_of_copies(v) * u;
+        count += m_problem.number_of_copies(v);
+        if(!m_may_be_cone[v])
+          continue;
+        if(least == none || u < scale[Eigen::Index(least)])
+          least = v;
+        if(greatest == none || u > scale[Eigen::Index(greatest)])
+          greatest = v;
+      }
+    if(least == none)
+      return {none, 0};
+    const double below = sum / count - scale[Eigen::Index(least)],
+                 above = scale[Eigen::Index(greatest)] - sum / count;
+    return above > below ? std::pair(greatest, above) : std::pair(least, below);
+  }
+
   // Returns the vertex that is beyond a bound at the minimum, too, if the minimum is closer to
   // `scale` than half of the last step.
   std::size_t certainly_beyond(double bound, const Vector& scale, double step) const
