@@ -173,7 +173,9 @@ TEST(Charts, fit_into_the_unit_square)
           low = (std::min)(low, x);
           high = (std::max)(high, x);
         }
+    EXPECT_GE(low, 0);
     EXPECT_NEAR(low, 0, 1e-12);
+    EXPECT_LE(high, 1);
     EXPECT_NEAR(high, 1, 1e-9);
   }
 }

@@ -12,9 +12,9 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_pieces.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Convex_polygons.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Multiply_covered_area.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <deque>
@@ -202,7 +202,7 @@ inline std::size_t cut_overlaps(Planar_conformal_map& map)
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// moves and scales the image of a map such that it lies in the unit square and touches its lower,
-/// left, and one other side. Stored scale factors do not change. Complexity: linear.
+/// left, and one other side, up to rounding. Stored scale factors do not change. Complexity: linear.
 /// \returns the factor
 /// \pre `map.is_laid_out()`
 inline double fit_into_unit_square(Planar_conformal_map& map)
@@ -215,8 +215,10 @@ inline double fit_into_unit_square(Planar_conformal_map& map)
   const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   if(!(size > 0))
     return 1;
-  const double factor = std::nexttoward(1 / size, 0); // not beyond one by rounding
-  const std::complex<double> corner(box.xmin(), box.ymin());
+  // Rounding of images must not move them out of the square.
+  const double margin = internal::tolerance::margin_of_square * size,
+               factor = 1 / (size + 2 * margin);
+  const std::complex<double> corner(box.xmin() - margin, box.ymin() - margin);
   map.transform([&](Halfedge_index, const std::complex<double>& z) { return z - corner; });
   map.scale(factor);
   return factor;

@@ -180,6 +180,9 @@ inline double next_lift(double lift) { return lift == 0 ? 1e-14 : 100 * lift; }
 // number of radians. It is ten times the error that a minimization may leave.
 constexpr double circle_angle = 1e-10;
 
+// Images keep this distance from the sides of the unit square, relative to its width.
+constexpr double margin_of_square = 0x1p-46;
+
 } // namespace tolerance
 } // namespace CGAL::Discrete_conformal_maps::internal
 
