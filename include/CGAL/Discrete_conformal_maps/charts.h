@@ -201,8 +201,8 @@ inline std::size_t cut_overlaps(Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// moves and scales the image of a map such that it lies in the unit square and touches its lower,
-/// left, and one other side, up to rounding. Stored scale factors do not change. Complexity: linear.
+/// moves and scales the image of a map such that it lies in the unit square. Up to rounding it
+/// touches the lower, left, and one other side. Scale factors do not change. Complexity: linear.
 /// \returns the factor
 /// \pre `map.is_laid_out()`
 inline double fit_into_unit_square(Planar_conformal_map& map)
