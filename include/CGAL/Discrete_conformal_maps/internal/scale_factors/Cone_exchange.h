@@ -7,6 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_placement.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_bounds.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -235,6 +238,31 @@ private:
   Eigen::MatrixXd m_inverse;
   Vector m_solution; // curvatures of cones, and the constant
 };
+
+// Returns a component without cones. `defect` is the argument of `Cone_placement::estimate()`.
+inline Cone_exchange::Component exchangeable(std::size_t c, const Doubled_problem& problem,
+                                             const Scale_bounds& bounds, Cone_placement& placement,
+                                             const Eigen::VectorXd& defect)
+{
+  Cone_exchange::Component result;
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(defect.size());
+  for(std::size_t v = 0; v < problem.size(); ++v)
+    if(problem.components()[v] == c) {
+      own[Eigen::Index(v)] = defect[Eigen::Index(v)];
+      if(bounds.may_be_cone()[v])
+        result.candidates.push_back(Eigen::Index(v));
+    }
+  result.without_cones = placement.solve_with_fixed(-own);
+  result.column = [&placement, size = defect.size()](Eigen::Index v) {
+    return placement.solve_with_fixed(Eigen::VectorXd::Unit(size, v));
+  };
+  const std::size_t fixed = problem.number_of_fixed()[c],
+                    needed = Doubled_problem::needed_cones(problem.curvature_excess()[c]);
+  if(fixed == 0)
+    result.total_curvature = own.sum();
+  result.least_number_of_cones = needed - (std::min)(needed, fixed);
+  return result;
+}
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

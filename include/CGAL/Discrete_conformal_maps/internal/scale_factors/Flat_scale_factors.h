@@ -66,7 +66,7 @@ public:
                              m_problem.order());
     placement.estimate(balanced(energy.gradient()));
     if constexpr(std::is_same_v<FT, double>)
-      find_components_without_cones(placement.estimate(), bound, visitor);
+      find_components_without_cones(placement, bound, visitor);
     place_first_cones(placement, bound);
     placement.estimate(balanced(energy.gradient()));
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
@@ -123,29 +123,58 @@ private:
   // Finds the components with estimates out of bounds whose scale factors are within bounds
   // without cones. Estimates are much too great on rough surfaces. Components that need cones are
   // left out. The search ends if all others are certainly out of bounds.
-  void find_components_without_cones(const Vector& estimate, double bound, Any_visitor& visitor)
+  void find_components_without_cones(Cone_placement& placement, double bound, Any_visitor& visitor)
   {
-    const std::vector<char> is_open = components_in_question(estimate, bound);
+    const std::vector<char> is_open = components_in_question(placement.estimate(), bound);
     if(std::count(is_open.begin(), is_open.end(), 1) == 0)
       return;
-    const auto minimizer = Newton_minimizer().ending_where([&](const Vector& u, double step) {
+    const auto are_beyond = [&](const Vector& u, double step) {
       if(!(step < bound / 10))
         return false;
       const std::vector<char> is_beyond =
         m_bounds.components_beyond(bound + step / 2, m_bounds.centered(u));
       return std::equal(is_open.begin(), is_open.end(), is_beyond.begin(),
                         [](char open, char beyond) { return !open || beyond; });
-    });
+    };
+    const Shared_order order = *m_problem.order(); // the order of further searches
     try {
-      const std::optional<Vector> u = minimum_on(is_open, minimizer, visitor);
-      if(!u)
+      if(const auto corrected = corrected_estimate(is_open, placement);
+         corrected && are_beyond(corrected->first, corrected->second))
         return;
-      const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(*u));
-      for(std::size_t c = 0; c < is_open.size(); ++c)
-        m_has_no_cones[c] = is_open[c] && !is_beyond[c];
-      m_without_cones = *u;
+      if(const auto u = minimum_on(is_open, Newton_minimizer().ending_where(are_beyond), visitor)) {
+        const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(*u));
+        for(std::size_t c = 0; c < is_open.size(); ++c)
+          m_has_no_cones[c] = is_open[c] && !is_beyond[c];
+        m_without_cones = *u;
+      }
     } catch(const Intrinsic_triangulations::Error&) { // the estimates decide
     }
+    *m_problem.order() = order;
+  }
+
+  // Returns the estimates after a further step with the same factorization, and the length of this
+  // step, if it shows that the estimates are good.
+  std::optional<std::pair<Vector, double>> corrected_estimate(const std::vector<char>& components,
+                                                              Cone_placement& placement)
+  {
+    if(has_prescribed_scale())
+      return std::nullopt;
+    Energy energy =
+      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+    const auto gradient_on_components = [&](const Vector& u) {
+      Vector result = gradient_at(u, energy);
+      for(std::size_t v = 0; v < m_problem.size(); ++v)
+        if(!components[m_problem.components()[v]])
+          result[Eigen::Index(v)] = 0;
+      return result;
+    };
+    const Vector& estimate = placement.estimate();
+    const Vector gradient = gradient_on_components(estimate), step = placement.step(gradient),
+                 result = estimate + step;
+    if(!(max_norm(step) <= tolerance::step_at_start) ||
+       !(max_norm(gradient_on_components(result)) <= tolerance::contraction * max_norm(gradient)))
+      return std::nullopt;
+    return std::pair(result, max_norm(step));
   }
 
   // Returns for each component whether it needs no cones, but would get some by its estimate.
@@ -298,36 +327,13 @@ private:
       if(!cones[c].empty()) {
         if(cones[c].size() <= tolerance::exchanged_cones)
           cones[c] =
-            Cone_exchange(exchangeable(c, placement, defect), cones[c]).cones_within(bound);
+            Cone_exchange(exchangeable(c, m_problem, m_bounds, placement, defect), cones[c])
+              .cones_within(bound);
         result.insert(result.end(), cones[c].begin(), cones[c].end());
       }
     for(std::size_t v : result)
       add_cone(v);
     placement.restart(result, defect);
-  }
-
-  // Returns a component without cones.
-  Cone_exchange::Component exchangeable(std::size_t c, Cone_placement& placement,
-                                        const Vector& defect) const
-  {
-    Cone_exchange::Component result;
-    Vector own = Vector::Zero(defect.size());
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_problem.components()[v] == c) {
-        own[Eigen::Index(v)] = defect[Eigen::Index(v)];
-        if(m_bounds.may_be_cone()[v])
-          result.candidates.push_back(Eigen::Index(v));
-      }
-    result.without_cones = placement.solve_with_fixed(-own);
-    result.column = [&placement, size = defect.size()](Eigen::Index v) {
-      return placement.solve_with_fixed(Vector::Unit(size, v));
-    };
-    const std::size_t fixed = m_problem.number_of_fixed()[c],
-                      needed = Doubled_problem::needed_cones(m_problem.curvature_excess()[c]);
-    if(fixed == 0)
-      result.total_curvature = own.sum();
-    result.least_number_of_cones = needed - (std::min)(needed, fixed);
-    return result;
   }
 
   void add_cone(std::size_t v, Cone_placement& placement)
