@@ -128,18 +128,17 @@ private:
     const std::vector<char> is_open = components_in_question(placement.estimate(), bound);
     if(std::count(is_open.begin(), is_open.end(), 1) == 0)
       return;
+    // The distance of the minimum is less than twice the last step.
     const auto are_beyond = [&](const Vector& u, double step) {
-      if(!(step < bound / 10))
-        return false;
       const std::vector<char> is_beyond =
-        m_bounds.components_beyond(bound + step / 2, m_bounds.centered(u));
+        m_bounds.components_beyond(bound + 2 * step, m_bounds.centered(u));
       return std::equal(is_open.begin(), is_open.end(), is_beyond.begin(),
                         [](char open, char beyond) { return !open || beyond; });
     };
     const Shared_order order = *m_problem.order(); // the order of further searches
     try {
       if(const auto corrected = corrected_estimate(is_open, placement);
-         corrected && are_beyond(corrected->first, corrected->second))
+         corrected && are_beyond(corrected->first, 2 * corrected->second))
         return;
       if(const auto u = minimum_on(is_open, Newton_minimizer().ending_where(are_beyond), visitor)) {
         const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(*u));
@@ -172,7 +171,7 @@ private:
     const Vector gradient = gradient_on_components(estimate), step = placement.step(gradient),
                  result = estimate + step;
     if(!(max_norm(step) <= tolerance::step_at_start) ||
-       !(max_norm(gradient_on_components(result)) <= tolerance::contraction * max_norm(gradient)))
+       !(max_norm(gradient_on_components(result)) < max_norm(gradient)))
       return std::nullopt;
     return std::pair(result, max_norm(step));
   }
