@@ -94,7 +94,7 @@ TEST(Double_double, transcendental_functions_have_all_digits)
     }
   }
   const Big pi = boost::math::constants::pi<Big>();
-  EXPECT_LE(error(IT::pi<Number>(), pi), 4);
+  EXPECT_LE(error(CGAL::Intrinsic_triangulations::pi<Number>(), pi), 4);
   EXPECT_LE(error(CGAL::Intrinsic_triangulations::internal::ln_two(), log(Big(2))), 1);
 }
 
