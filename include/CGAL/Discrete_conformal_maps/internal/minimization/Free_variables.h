@@ -33,11 +33,11 @@ template <typename Direction>
 double greatest_difference(const Eigen::SparseMatrix<double>& hessian, const Direction& direction)
 {
   typedef std::decay_t<decltype(direction[0])> FT;
+  const FT* d = direction.data();
   double result = 0;
   for(Eigen::Index column = 0; column < hessian.outerSize(); ++column)
     for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, column); i; ++i)
-      result = (std::max)(
-        result, std::abs(static_cast<double>(FT(direction[i.row()] - direction[column]))));
+      result = (std::max)(result, std::abs(static_cast<double>(FT(d[i.row()] - d[column]))));
   return result;
 }
 

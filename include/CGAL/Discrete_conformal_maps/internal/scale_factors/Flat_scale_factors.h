@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -60,24 +61,28 @@ public:
   void place_cones(const Cone_choice& choice, Any_visitor& visitor)
   {
     const double bound = choice.maximum_log_scale;
-    auto energy = symmetric_energy<FT, Flat_triangle<FT>>(m_problem, m_problem.triangulation());
-    energy.evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
-    Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
+    auto energy = energy_at_zero<FT>();
+    Cone_placement placement(energy->Hessian(), with_pins(), m_problem.components(),
                              m_problem.order());
-    placement.estimate(balanced(energy.gradient()));
-    if constexpr(std::is_same_v<FT, double>)
+    placement.estimate(balanced(energy->gradient()));
+    if constexpr(std::is_same_v<FT, double>) {
+      const auto copied_edges = [this] { return m_problem.triangulation().mesh().num_edges(); };
+      const std::size_t before = copied_edges();
       find_components_without_cones(placement, bound, visitor);
+      if(copied_edges() != before) // the second copy has been extended
+        energy = energy_at_zero<FT>();
+    }
     place_first_cones(placement, bound);
-    placement.estimate(balanced(energy.gradient()));
+    placement.estimate(balanced(energy->gradient()));
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
       const std::size_t v = placement.worst(c, m_bounds.may_be_cone());
       placement.add(v);
       add_cone(v);
     }
     if(choice.is_exchanged)
-      exchange_cones(placement, balanced(energy.gradient()), bound);
+      exchange_cones(placement, balanced(energy->gradient()), bound);
     if constexpr(std::is_same_v<FT, double>)
-      start_from_estimate(energy, placement, bound);
+      start_from_estimate(*energy, placement, bound);
   }
 
   // Makes the vertex with the greatest scale factor a cone if it is out of bounds. Returns whether
@@ -118,6 +123,16 @@ private:
   static Vertex_index vertex(std::size_t v)
   {
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
+  }
+
+  template <typename FT>
+  auto energy_at_zero()
+  {
+    typedef Symmetric_energy<Conformal_energy<FT, Flat_triangle<FT>>> Energy_in_FT;
+    auto result = std::make_unique<Energy_in_FT>(
+      symmetric_energy<FT, Flat_triangle<FT>>(m_problem, m_problem.triangulation()));
+    result->evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
+    return result;
   }
 
   // Finds the components with estimates out of bounds whose scale factors are within bounds
