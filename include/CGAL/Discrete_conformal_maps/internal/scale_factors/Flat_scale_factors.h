@@ -125,6 +125,7 @@ private:
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
   }
 
+  // Returns the energy, evaluated at scale factors of zero.
   template <typename FT>
   auto energy_at_zero()
   {

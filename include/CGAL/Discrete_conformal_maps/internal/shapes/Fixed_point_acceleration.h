@@ -61,9 +61,9 @@ private:
     m_residual = residual;
   }
 
-  // Stores differences of consecutive images and of consecutive residuals.
+  // Stores differences of images and residuals to the best ones before.
   std::deque<Vector> m_image_steps, m_residual_steps;
-  Vector m_image, m_residual;
+  Vector m_image, m_residual; // the best ones
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal
