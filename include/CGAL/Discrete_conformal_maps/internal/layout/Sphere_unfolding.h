@@ -60,7 +60,7 @@ public:
     } catch(const Intrinsic_triangulations::Error& e) {
       m_result.cause = e.what(); // an earlier result remains
     }
-    if(m_number_of_edges != m_problem.triangulation().mesh().num_edges()) {
+    if(m_version != m_problem.version()) {
       m_result.layout = Spherical_layout(); // the last layout belongs to a smaller copy
       m_result.layout.at_infinity = m_at_infinity;
     }
@@ -281,7 +281,7 @@ private:
     layout.is_extended = !std::is_same<FT, double>::value;
     layout.certificate = triangulation.certificate();
     layout.in_plane = in_range_of_squares(position);
-    m_number_of_edges = mesh.num_edges();
+    m_version = m_problem.version();
     m_result.flips = flips;
     m_result.flips.insert(m_result.flips.end(), to_convex.begin(), to_convex.end());
     m_result.log_scale =
@@ -337,7 +337,7 @@ private:
   Vertex_index m_at_infinity;
   Unfolding_use m_use;
   std::vector<double> m_u, m_above_bound; // the scale factors, and what they exceed their bounds by
-  std::size_t m_number_of_edges = 0;      // of the triangulation that was laid out
+  std::size_t m_version = 0;              // of the triangulation that was laid out
   Unfolded_sphere m_result;
 };
 

@@ -89,6 +89,9 @@ public:
   const Triangulation& triangulation() const { return m_triangulation; }
   Triangulation& triangulation() { return m_triangulation; }
 
+  // Returns a number that changes whenever T_1 and T_2 are built again.
+  std::size_t version() const { return m_version; }
+
   // Returns the elimination order of the vertices of the surface, wherever they are variables.
   const std::shared_ptr<Shared_order>& order() const { return m_order; }
 
@@ -363,6 +366,7 @@ private:
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);
+    ++m_version;
     m_triangulation =
       m_point.empty() ? surface.triangulation(m_length) : surface.triangulation(m_point);
     m_original = surface.originals();
@@ -426,7 +430,7 @@ private:
   Triangulation m_triangulation;
   std::vector<Double_double> m_precise_length;            // of T_2, if flips are exact
   mutable std::vector<Decimal_115> m_most_precise_length; // where these have too few digits
-  std::size_t m_number_of_flips = 0;
+  std::size_t m_version = 0, m_number_of_flips = 0;
   std::vector<Vertex_index> m_original;
   std::vector<Face_index> m_original_face;
   std::vector<Halfedge_index> m_flips; // to T_2

@@ -18,7 +18,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_bounds.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/component_areas.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Search_without_cones.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -61,28 +61,25 @@ public:
   void place_cones(const Cone_choice& choice, Any_visitor& visitor)
   {
     const double bound = choice.maximum_log_scale;
-    auto energy = energy_at_zero<FT>();
-    Cone_placement placement(energy->Hessian(), with_pins(), m_problem.components(),
+    auto energy = flat_energy<FT>(m_problem);
+    energy.evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
+    const Vector at_zero = energy.gradient();
+    Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
                              m_problem.order());
-    placement.estimate(balanced(energy->gradient()));
-    if constexpr(std::is_same_v<FT, double>) {
-      const auto copied_edges = [this] { return m_problem.triangulation().mesh().num_edges(); };
-      const std::size_t before = copied_edges();
-      find_components_without_cones(placement, bound, visitor);
-      if(copied_edges() != before) // the second copy has been extended
-        energy = energy_at_zero<FT>();
-    }
+    placement.estimate(balanced(at_zero));
+    if constexpr(std::is_same_v<FT, double>)
+      find_components_without_cones(energy, placement, bound, visitor);
     place_first_cones(placement, bound);
-    placement.estimate(balanced(energy->gradient()));
+    placement.estimate(balanced(at_zero));
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
       const std::size_t v = placement.worst(c, m_bounds.may_be_cone());
       placement.add(v);
       add_cone(v);
     }
     if(choice.is_exchanged)
-      exchange_cones(placement, balanced(energy->gradient()), bound);
+      exchange_cones(placement, balanced(at_zero), bound);
     if constexpr(std::is_same_v<FT, double>)
-      start_from_estimate(*energy, placement, bound);
+      start_from_estimate(energy, m_problem.free_part(at_zero), placement, bound);
   }
 
   // Makes the vertex with the greatest scale factor a cone if it is out of bounds. Returns whether
@@ -90,7 +87,7 @@ public:
   // vertices would move relatively far from them, so that their angles would be lost.
   bool add_cone_if_beyond(double bound)
   {
-    const std::size_t v = m_bounds.vertex_beyond(bound, normalized(values()));
+    const std::size_t v = m_bounds.vertex_beyond(bound, normalized(values(), m_problem, m_bounds));
     if(v == none)
       return false;
     if(m_problem.has_needles()) {
@@ -125,133 +122,14 @@ private:
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
   }
 
-  // Returns the energy, evaluated at scale factors of zero.
-  template <typename FT>
-  auto energy_at_zero()
+  void find_components_without_cones(Flat_energy& energy, Cone_placement& placement, double bound,
+                                     Any_visitor& visitor)
   {
-    typedef Symmetric_energy<Conformal_energy<FT, Flat_triangle<FT>>> Energy_in_FT;
-    auto result = std::make_unique<Energy_in_FT>(
-      symmetric_energy<FT, Flat_triangle<FT>>(m_problem, m_problem.triangulation()));
-    result->evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
-    return result;
-  }
-
-  // Finds the components with estimates out of bounds whose scale factors are within bounds
-  // without cones. Estimates are much too great on rough surfaces. Components that need cones are
-  // left out. The search ends if all others are certainly out of bounds.
-  void find_components_without_cones(Cone_placement& placement, double bound, Any_visitor& visitor)
-  {
-    const std::vector<char> is_open = components_in_question(placement.estimate(), bound);
-    if(std::count(is_open.begin(), is_open.end(), 1) == 0)
-      return;
-    // The distance of the minimum is less than twice the last step.
-    const auto are_beyond = [&](const Vector& u, double step) {
-      const std::vector<char> is_beyond =
-        m_bounds.components_beyond(bound + 2 * step, m_bounds.centered(u));
-      return std::equal(is_open.begin(), is_open.end(), is_beyond.begin(),
-                        [](char open, char beyond) { return !open || beyond; });
-    };
-    const Shared_order order = *m_problem.order(); // the order of further searches
-    try {
-      if(const auto corrected = corrected_estimate(is_open, placement);
-         corrected && are_beyond(corrected->first, 2 * corrected->second))
-        return;
-      if(const auto u = minimum_on(is_open, Newton_minimizer().ending_where(are_beyond), visitor)) {
-        const std::vector<char> is_beyond = m_bounds.components_beyond(bound, normalized(*u));
-        for(std::size_t c = 0; c < is_open.size(); ++c)
-          m_has_no_cones[c] = is_open[c] && !is_beyond[c];
-        m_without_cones = *u;
-      }
-    } catch(const Intrinsic_triangulations::Error&) { // the estimates decide
-    }
-    *m_problem.order() = order;
-  }
-
-  // Returns the estimates after a further step with the same factorization, and the length of this
-  // step, if it shows that the estimates are good.
-  std::optional<std::pair<Vector, double>> corrected_estimate(const std::vector<char>& components,
-                                                              Cone_placement& placement)
-  {
-    if(has_prescribed_scale())
-      return std::nullopt;
-    Energy energy =
-      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
-    const auto gradient_on_components = [&](const Vector& u) {
-      Vector result = gradient_at(u, energy);
-      for(std::size_t v = 0; v < m_problem.size(); ++v)
-        if(!components[m_problem.components()[v]])
-          result[Eigen::Index(v)] = 0;
-      return result;
-    };
-    const Vector& estimate = placement.estimate();
-    const Vector gradient = gradient_on_components(estimate), step = placement.step(gradient),
-                 result = estimate + step;
-    if(!(max_norm(step) <= tolerance::step_at_start) ||
-       !(max_norm(gradient_on_components(result)) < max_norm(gradient)))
-      return std::nullopt;
-    return std::pair(result, max_norm(step));
-  }
-
-  // Returns for each component whether it needs no cones, but would get some by its estimate.
-  std::vector<char> components_in_question(const Vector& estimate, double bound) const
-  {
-    const std::vector<double> excess = m_problem.curvature_excess();
-    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    std::vector<char> result = m_bounds.components_beyond(bound, estimate);
-    for(std::size_t c = 0; c < result.size(); ++c)
-      result[c] =
-        fixed[c] >= Doubled_problem::needed_cones(excess[c]) &&
-        (fixed[c] > 0 ? result[c] != 0 : m_bounds.farthest_from_mean(c, estimate).second > bound);
-    return result;
-  }
-
-  // Returns scale factors at the minimum on some components, if it is found, or where the minimizer
-  // ends.
-  template <typename Minimizer>
-  std::optional<Vector> minimum_on(const std::vector<char>& components, const Minimizer& minimizer,
-                                   Any_visitor& visitor)
-  {
-    Minimization_domain part = domain();
-    part.is_fixed.resize(m_problem.size(), 0);
-    Vector u = values();
-    for(std::size_t v = 0; v < m_problem.size(); ++v) {
-      if(m_problem.is_fixed()[v])
-        u[Eigen::Index(v)] = m_problem.scale_factor(v);
-      part.is_fixed[v] |= !components[m_problem.components()[v]];
-    }
-    Energy energy =
-      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
-    Energy_reference<Energy> any_energy(energy);
-    const Minimization_result last = minimizer(any_energy, u, part, visitor);
-    m_result = last.after(m_result);
-    return last.status == Minimization_status::converged ? std::optional(u) : std::nullopt;
-  }
-
-  // Returns scale factors after the normalization of the map: components without prescribed scale
-  // factors keep their area. If their area is out of range, zero is in the middle instead.
-  Vector normalized(const Vector& u)
-  {
-    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    if(std::count(fixed.begin(), fixed.end(), 0) == 0)
-      return u;
-    Vector result = m_bounds.centered(u);
-    try {
-      const auto& Delaunay = m_problem.triangulation();
-      const std::vector<double> curved =
-        component_areas(m_problem, Delaunay.mesh(),
-                        [&](Halfedge_index h) { return Delaunay.length(Edge_index(h)); });
-      Energy energy = symmetric_energy<double, Flat_triangle<double>>(m_problem, Delaunay);
-      energy.evaluate(u);
-      const auto& scaled = energy.energy();
-      const std::vector<double> flat = component_areas(
-        m_problem, scaled.surface().mesh(), [&](Halfedge_index h) { return scaled.length(h); });
-      for(std::size_t v = 0; v < m_problem.size(); ++v)
-        if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
-          if(const double change = std::log(curved[c] / flat[c]) / 2; std::isfinite(change))
-            result[Eigen::Index(v)] = u[Eigen::Index(v)] + change;
-    } catch(const Intrinsic_triangulations::Error&) { // lengths are out of range
-    }
-    return result;
+    Search_without_cones search(m_problem, m_bounds, energy, bound);
+    search.run(placement, domain(), values(), visitor);
+    m_has_no_cones = search.components();
+    m_without_cones = search.log_scale();
+    m_result = search.minimization().after(m_result);
   }
 
   // Returns the vertices with prescribed scale factors, and one of every component without them.
@@ -271,37 +149,22 @@ private:
     m_cones.push_back(vertex(v));
   }
 
-  typedef Symmetric_energy<Conformal_energy<>> Energy;
-
-  // Returns the gradient with respect to the variables.
-  Vector free_gradient(const Energy& energy) const
-  {
-    Vector result = energy.gradient();
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_problem.is_fixed()[v])
-        result[Eigen::Index(v)] = 0;
-    return result;
-  }
-  Vector gradient_at(const Vector& u, Energy& energy) const
-  {
-    energy.evaluate(u);
-    return free_gradient(energy);
-  }
-
-  // Starts from the estimate, the first step of Newton's method from scale factors of zero, at
-  // which the energy is evaluated. If its slope lets the minimizer accept it, it need not be
+  // Starts from the estimate, the first step of Newton's method from scale factors of zero, where
+  // the energy has the gradient `at_zero`. If its slope lets the minimizer accept it, it need not be
   // computed again.
-  void start_from_estimate(Energy& energy, Cone_placement& placement, double bound)
+  void start_from_estimate(Flat_energy& energy, const Vector& at_zero, Cone_placement& placement,
+                           double bound)
   {
-    if(m_problem.flipping() == Flipping::none || !values().isZero(0) || has_prescribed_scale())
+    if(m_problem.flipping() == Flipping::none || !values().isZero(0) ||
+       m_problem.has_prescribed_scale())
       return;
     Vector start = placement.estimate();
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_has_no_cones[m_problem.components()[v]])
         start[Eigen::Index(v)] = m_without_cones[Eigen::Index(v)];
     Free_variables(domain(), m_problem.size()).remove_means(start);
-    const double slope = free_gradient(energy).dot(start);
-    if(gradient_at(start, energy).dot(start) <= -slope / 2)
+    const double slope = at_zero.dot(start);
+    if(energy.free_gradient_at(start).dot(start) <= -slope / 2)
       start_near(start, energy, placement, bound);
   }
 
@@ -310,8 +173,7 @@ private:
   // prevents the cone.
   bool start_with_cone(std::size_t v, double bound)
   {
-    auto energy =
-      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+    Flat_energy energy = flat_energy<double>(m_problem);
     energy.evaluate(values());
     try {
       Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
@@ -320,8 +182,8 @@ private:
       add_cone(v, placement);
       Vector unchanged = values();
       unchanged[Eigen::Index(v)] = 0;
-      const double norm = max_norm(gradient_at(unchanged, energy));
-      if(max_norm(gradient_at(placement.estimate(), energy)) < norm)
+      const double norm = max_norm(energy.free_gradient_at(unchanged));
+      if(max_norm(energy.free_gradient_at(placement.estimate())) < norm)
         start_near(placement.estimate(), energy, placement, bound);
     } catch(const Intrinsic_triangulations::Numerical_error&) {
       return m_problem.is_fixed()[v];
@@ -364,10 +226,10 @@ private:
   // If lengths change little, the Laplacian changes little. On a smooth surface it hardly changes.
   // So the factorization of the placement finds them. Cones that are certainly needed are placed
   // meanwhile.
-  void start_near(Vector u, Energy& energy, Cone_placement& placement, double bound)
+  void start_near(Vector u, Flat_energy& energy, Cone_placement& placement, double bound)
   {
     const Free_variables variables(domain(), m_problem.size());
-    Vector gradient = free_gradient(energy);
+    Vector gradient = m_problem.free_part(energy.gradient());
     double norm = max_norm(gradient);
     for(double ratio = 0; ratio <= tolerance::contraction_at_start;) {
       Vector step = placement.step(gradient);
@@ -375,7 +237,7 @@ private:
       const double length = max_norm(step), slope = gradient.dot(step);
       if(!(length <= tolerance::step_at_start))
         break;
-      gradient = gradient_at(u + step, energy);
+      gradient = energy.free_gradient_at(u + step);
       ratio = max_norm(gradient) / norm;
       if(!(ratio < 1 && gradient.dot(step) <= -slope / 2))
         break;
@@ -387,20 +249,11 @@ private:
         placement.set_estimate(u);
         add_cone(v, placement);
         u = placement.estimate();
-        gradient = gradient_at(u, energy);
+        gradient = energy.free_gradient_at(u);
         norm = max_norm(gradient);
       }
     }
     start_from({u.begin(), u.end()});
-  }
-
-  // Returns whether a scale factor other than zero is prescribed.
-  bool has_prescribed_scale() const
-  {
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_problem.scale_factor(v) != 0)
-        return true;
-    return false;
   }
 
   // Returns `defect`, with a sum of zero on components without prescribed scale factors.

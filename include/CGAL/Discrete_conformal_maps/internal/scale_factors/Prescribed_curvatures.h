@@ -109,6 +109,22 @@ public:
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
   // Returns the prescribed scale factor, or zero if none is prescribed.
   double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
+  // Returns whether a scale factor other than zero is prescribed.
+  bool has_prescribed_scale() const
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      if(scale_factor(v) != 0)
+        return true;
+    return false;
+  }
+  // Returns a gradient by the scale factors with zeros where they are prescribed.
+  Vector free_part(Vector gradient) const
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      if(m_is_fixed[v])
+        gradient[Eigen::Index(v)] = 0;
+    return gradient;
+  }
   // Returns the free variables of an energy of scale factors: all scale factors that are not
   // prescribed. If scaling changes no angles, the variables of a component move together.
   Minimization_domain domain(bool has_similar_ones) const

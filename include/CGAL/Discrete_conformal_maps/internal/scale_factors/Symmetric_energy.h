@@ -30,8 +30,9 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // Represents half of the energy of a double, as a function of the scale factors on the surface
 // itself. Copies have equal scale factors. It is a model of `ConvexEnergy`. All faces at a vertex
-// of the surface exist. If the second copy is not deep enough for a point, it is extended. A
-// surface without boundary has its own energy.
+// of the surface exist. If the second copy is not deep enough for a point, it is extended. Then all
+// energies of the problem begin with the new triangulation at their next evaluation. A surface
+// without boundary has its own energy.
 template <typename Energy>
 class Symmetric_energy
 {
@@ -54,6 +55,7 @@ public:
     for(std::size_t v = 0; v < size(); ++v)
       m_part[Eigen::Index(v)] = problem.part(v);
     m_energy.emplace(make(triangulation));
+    m_version = problem.version();
   }
 
   std::size_t size() const { return m_problem.size(); }
@@ -68,13 +70,19 @@ public:
   void evaluate(const Vector& x)
   {
     m_has_Hessian = false;
-    evaluate_expanded(x);
-    while(has_extended()) {
-      m_energy.emplace(m_make());
-      m_energy->set_origin(m_problem.expanded(m_origin));
+    for(bool has_ended = false; !has_ended; has_ended = !has_extended()) {
+      if(m_version != m_problem.version())
+        restart();
       evaluate_expanded(x);
     }
     m_gradient = m_energy->gradient().head(x.size()).cwiseProduct(m_part);
+  }
+
+  // Returns the gradient at a point by the scale factors that are not prescribed.
+  Vector free_gradient_at(const Vector& x)
+  {
+    evaluate(x);
+    return m_problem.free_part(m_gradient);
   }
 
   void set_origin(const std::vector<FT>& origin)
@@ -165,6 +173,14 @@ public:
 private:
   static constexpr std::size_t usual_degree = 6;
 
+  // Begins with the triangulation that the problem has now.
+  void restart()
+  {
+    m_energy.emplace(m_make());
+    m_energy->set_origin(m_problem.expanded(m_origin));
+    m_version = m_problem.version();
+  }
+
   void evaluate_expanded(const Vector& x)
   {
     note_work(m_energy->surface().mesh().num_faces(),
@@ -227,7 +243,8 @@ private:
   std::function<Energy()> m_make;
   std::vector<FT> m_origin;
   std::optional<Energy> m_energy;
-  Vector m_part; // of each vertex of the double that counts for the surface
+  std::size_t m_version; // of the triangulation of the energy
+  Vector m_part;         // of each vertex of the double that counts for the surface
   Vector m_gradient;
   double m_end_of_work = tolerance::work_for_map;
   std::vector<Vertex_index> m_next_copy; // see `Doubled_problem::next_copies()`

@@ -218,17 +218,19 @@ private:
     std::size_t wide_rounds = 0;
     for(std::size_t i = 0; i < m_rounds; ++i) {
       find();
+      bool has_next = false; // angles for the next round
       if(flattening.has_succeeded()) {
         m_change = update(flat_boundary_lengths(problem, flattening.scale_factors()));
         if(m_change <= tolerance::circle_angle || (flattening.scale_factors().is_wide() &&
                                                    ++wide_rounds == greatest_number_of_wide_rounds))
           return;
-      } else if(has_started_again)
+        has_next = m_acceleration.has_best();
+      }
+      if(!has_next && has_started_again)
         return;
-      if(!has_started_again &&
-         (!flattening.has_succeeded() || i + 1 == usual_rounds || is_far_off(flattening))) {
+      if(!has_started_again && (!has_next || i + 1 == usual_rounds || is_far_off(flattening))) {
         has_started_again = true;
-        if(!start_from_hemisphere(problem, flattening) && !flattening.has_succeeded())
+        if(!start_from_hemisphere(problem, flattening, has_next) && !has_next)
           return;
       }
       if(i + 1 < m_rounds) // the last map keeps its angles
@@ -239,8 +241,9 @@ private:
   // Uses angles and scale factors of the map of the disk to a hemisphere. Unless edges of T_3 cross
   // the boundary, this map is its stereographic projection. Otherwise, the angles are close to the
   // projected angles. They are used if the search succeeds and scale factors differ by little.
-  // Returns whether the angles are used.
-  bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening)
+  // If rounds may go on without these angles, they are used only for crowded disks. Returns whether
+  // the angles are used.
+  bool start_from_hemisphere(Doubled_problem& problem, Flattening& flattening, bool may_go_on)
   {
     if(!is_disk(problem) || !(flattening.has_succeeded() || is_flat(problem)))
       return false;
@@ -250,7 +253,7 @@ private:
     if(!disk)
       return false;
     const bool is_usual = !is_flat(problem) || spread(disk->log_scale) <= usual_spread;
-    if((flattening.has_succeeded() && is_usual) || !take_angles(*disk))
+    if((may_go_on && is_usual) || !take_angles(*disk))
       return false;
     std::vector<double> log_scale;
     for(const Decimal_115& u : disk->log_scale)
