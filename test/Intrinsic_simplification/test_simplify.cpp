@@ -160,6 +160,23 @@ TEST(Simplification, starts_from_an_exactly_Delaunay_triangulation)
   }
 }
 
+// Rounding hides angles of these surfaces, at some vertices all of them.
+TEST(Simplification, of_hard_meshes)
+{
+  for(std::uint64_t seed = 0; seed < 10 * hard_families.size(); ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = hard_mesh(seed).mesh;
+    Evolving_surface surface(mesh);
+    ASSERT_NO_THROW(
+      IS::simplify(surface, IS::parameters::number_of_vertices(2 * mesh.number_of_vertices() / 5)));
+    ASSERT_TRUE(IT::is_valid_Delta_complex(surface.mesh(), true));
+    EXPECT_EQ(Euler_characteristic(surface.mesh()), Euler_characteristic(mesh));
+    expect_triangles(surface);
+    for(Edge_index e : surface.mesh().edges())
+      EXPECT_GT(surface.surface().length(e), 0);
+  }
+}
+
 TEST(Simplification, protected_vertices_stay)
 {
   Evolving_surface s(random_sphere(100, 2));

@@ -24,6 +24,8 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {
@@ -144,11 +146,10 @@ public:
   typedef Delta_complex::size_type size_type;
 
   /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`, and keeps its constrained edges.
-  /// Complexity: linear.
-  /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
+  /// The surface stores `tri` until `make_Delaunay()` has been called. Complexity: linear.
   /// \pre `tri` has no garbage
-  explicit Evolving_surface(const Triangulation& tri)
-    : m_surface(tri), m_is_protected(tri.mesh().num_vertices(), 0)
+  explicit Evolving_surface(Triangulation tri)
+    : m_surface(tri), m_start(std::move(tri)), m_is_protected(mesh().num_vertices(), 0)
   {}
 
   /// starts with a mesh. For parameters and exceptions see
@@ -186,7 +187,9 @@ public:
     return is_protected(v) ? Removal_status::protected_vertex : star.flatten(v, m_surface);
   }
 
-  /// flips edges until all are Delaunay. Complexity: linear in the edges and flips.
+  /// flips edges until all are Delaunay. If rounding of stored lengths prevents it, and the surface
+  /// has not changed before, exact decisions about the metric of its triangulation make it Delaunay
+  /// as `make_exactly_Delaunay()` does. Complexity: linear in the edges and flips.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a million flips
   ///   plus a thousand for each edge
   /// \throws Intrinsic_triangulations::Numerical_error if an edge has no positive finite length
@@ -195,9 +198,19 @@ public:
   /// After an exception the surface is valid.
   void make_Delaunay()
   {
+    std::optional<Triangulation> start = std::exchange(m_start, std::nullopt);
+    const bool can_start_again = start && m_history.size() == 0;
     for(Edge_index e : mesh().edges())
       m_waiting.push_back(e);
-    flip_waiting_edges([](Vertex_index) {});
+    try {
+      flip_waiting_edges([](Vertex_index) {});
+    } catch(const Intrinsic_triangulations::Error&) {
+      if(!can_start_again)
+        throw;
+      m_surface = Intrinsic_surface(*start);
+      m_history = Surface_history();
+      make_exactly_Delaunay(*start);
+    }
   }
 
   /// flips edges until all are Delaunay, by exact decisions about the metric of `tri`, from which
@@ -364,7 +377,8 @@ private:
 
   Intrinsic_surface m_surface;
   Surface_history m_history;
-  std::vector<char> m_is_protected; // of each vertex
+  std::optional<Triangulation> m_start; // the surface before the first flips
+  std::vector<char> m_is_protected;     // of each vertex
   internal::Star_polygon m_polygon;
   internal::Loop_flipper m_loop_flipper;
   Flattened_star m_flat_star;        // of a vertex whose loops have been flipped away

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
-#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <CGAL/assertions.h>
 
@@ -42,9 +41,10 @@ using Intrinsic_triangulations::pi;
 /// changed.
 ///
 /// Directions are complex numbers. At first they are the directions of
-/// `Intrinsic_triangulations::Tangent_frames`. After a flip or a change of lengths, a halfedge gets
-/// a direction between its two neighbors. The angles of the two corners determine the proportion.
-/// The frame of a vertex does not change.
+/// `Intrinsic_triangulations::Tangent_frames`, or in equal angles around a vertex whose rounded
+/// angles are all zero. After a flip or a change of lengths, a halfedge gets a direction between
+/// its two neighbors. The angles of the two corners determine the proportion. The frame of a vertex
+/// does not change.
 ///
 /// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
 /// \cgalModels `IntrinsicSurface`
@@ -62,7 +62,6 @@ public:
 
   /// copies the triangulation \f$T_2\f$ of `tri`, with its indices, lengths and constraints.
   /// Complexity: linear.
-  /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
   /// \pre `tri` has no garbage
   explicit Intrinsic_surface(const Triangulation& tri)
   {
@@ -79,9 +78,10 @@ public:
       }
     }
     m_mesh.set_recycle_garbage(false);
-    const IT::Tangent_frames<double> frames(*this);
-    for(Halfedge_index h : m_mesh.halfedges())
-      m_direction.push_back(std::polar(1., frames.angle(h)));
+    m_direction.resize(m_mesh.num_halfedges(), 1.);
+    for(Vertex_index v : m_mesh.vertices())
+      if(!m_mesh.is_isolated(v))
+        set_frame(v);
   }
 
   /// \name Access
@@ -171,7 +171,7 @@ public:
       set_length(m_mesh.edge(outgoing), length);
       outgoing = next_around_source(outgoing, m_mesh);
     }
-    direct_outgoing_halfedges(m_mesh.source(a));
+    direct_edges(m_mesh.source(a));
     return a;
   }
 
@@ -192,7 +192,7 @@ public:
     set_length(m_mesh.edge(next_around_source(h, m_mesh)), new_length[2]);
     if(is_constrained(m_mesh.edge(h)))
       constrain(m_mesh.edge(first), true);
-    direct_outgoing_halfedges(m_mesh.source(h));
+    direct_edges(m_mesh.source(h));
   }
 
   /// sets whether `e` is constrained.
@@ -240,17 +240,27 @@ private:
   }
 
   // Gives directions to both ends of the edges at the new vertex `v`.
-  void direct_outgoing_halfedges(Vertex_index v)
+  void direct_edges(Vertex_index v)
   {
-    double sum = 0, angle = 0;
-    for_each_outgoing_halfedge(
-      v, m_mesh, [&](Halfedge_index h) { sum += m_mesh.is_border(h) ? 0 : corner_angle(h); });
+    set_frame(v);
+    for_each_outgoing_halfedge(v, m_mesh,
+                               [&](Halfedge_index h) { place_between_neighbors(opposite(h)); });
+  }
+
+  // Gives directions to the outgoing halfedges of `v`, in the proportion of the angles between
+  // them. If rounded angles are all zero, they give no proportion.
+  void set_frame(Vertex_index v)
+  {
+    double corners = 0, sum = 0, before = 0;
+    for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
+      corners += m_mesh.is_border(h) ? 0 : 1;
+      sum += m_mesh.is_border(h) ? 0 : corner_angle(h);
+    });
     const double all = m_mesh.is_border(v) ? pi<double>() : 2 * pi<double>();
     for_each_outgoing_halfedge(v, m_mesh, [&](Halfedge_index h) {
-      set_direction(h, std::polar(1., angle));
-      if(!m_mesh.is_border(h) && sum > 0)
-        angle += corner_angle(h) * (all / sum);
-      place_between_neighbors(opposite(h));
+      set_direction(h, std::polar(1., all * (sum > 0 ? before / sum : before / corners)));
+      if(!m_mesh.is_border(h))
+        before += sum > 0 ? corner_angle(h) : 1;
     });
   }
 
