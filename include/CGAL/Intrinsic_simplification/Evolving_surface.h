@@ -187,9 +187,9 @@ public:
     return is_protected(v) ? Removal_status::protected_vertex : star.flatten(v, m_surface);
   }
 
-  /// flips edges until all are Delaunay. If rounding of stored lengths prevents it, and the surface
-  /// has not changed before, exact decisions about the metric of its triangulation make it Delaunay
-  /// as `make_exactly_Delaunay()` does. Complexity: linear in the edges and flips.
+  /// flips edges until all are Delaunay. Rounding of stored lengths may prevent it. Unless the
+  /// surface has changed before, `make_exactly_Delaunay()` is called then, with the triangulation
+  /// from which the surface was made. Complexity: linear in the edges and flips.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a million flips
   ///   plus a thousand for each edge
   /// \throws Intrinsic_triangulations::Numerical_error if an edge has no positive finite length
