@@ -35,7 +35,7 @@ std::string advice(const std::string& command, DCM::Map_status status)
   if(status == Status::triangle_inequality || status == Status::no_minimum)
     return "try --solver newton, which flips edges";
   if(status == Status::not_circular)
-    return "try `intrinsic sphere`, which maps a disk to a hemisphere";
+    return "try `intrinsic sphere` if the surface is a disk, or else --boundary free";
   if(command == "flatten")
     return status == Status::not_converged || status == Status::wrong_curvature
              ? "try --cones greedy, or another --boundary"
