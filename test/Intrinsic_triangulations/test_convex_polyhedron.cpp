@@ -258,6 +258,42 @@ TEST(Convex_polyhedron, keeps_convex_meshes)
     expect_congruent(IT::convex_polyhedron(mesh), mesh, 1e-11);
 }
 
+// Returns an ellipsoid with n rings of m faces or pairs of faces. The lengths of the axes are 2, 2
+// and 2h.
+Mesh ellipsoid(std::size_t n, std::size_t m, double h)
+{
+  std::vector<Point> points{{0, 0, h}};
+  for(std::size_t i = 1; i < n; ++i)
+    for(std::size_t j = 0; j < m; ++j) {
+      const double theta = pi * double(i) / double(n), phi = 2 * pi * double(j) / double(m);
+      points.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                          h * std::cos(theta));
+    }
+  points.emplace_back(0, 0, -h);
+  const auto at = [m](std::size_t i, std::size_t j) { return 1 + (i - 1) * m + j % m; };
+  Triangles triangles;
+  for(std::size_t j = 0; j < m; ++j) {
+    triangles.push_back({0, at(1, j), at(1, j + 1)});
+    triangles.push_back({points.size() - 1, at(n - 1, j + 1), at(n - 1, j)});
+    for(std::size_t i = 1; i + 1 < n; ++i) {
+      triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return make_mesh(points, triangles);
+}
+
+// The curvatures of most vertices are less than rounding of lengths, but not of positions.
+TEST(Convex_polyhedron, keeps_the_vertices_of_thin_ellipsoids)
+{
+  for(const double h : {1e-4, 3e-6}) {
+    const Mesh mesh = ellipsoid(12, 24, h);
+    const Polyhedron p = IT::convex_polyhedron(mesh);
+    EXPECT_TRUE(p.flat_vertices().empty());
+    expect_congruent(p, mesh, h / 1000);
+  }
+}
+
 TEST(Convex_polyhedron, takes_flat_vertices_along)
 {
   for(int n : {2, 5})

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/curvature_errors.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <algorithm>
@@ -38,42 +39,6 @@ Metric_surface precise_surface(const Intrinsic_triangulation<Traits>& tri)
   for(Edge_index e : mesh.edges())
     length[e] = precise(mesh.halfedge(e));
   return Metric_surface(mesh);
-}
-
-// Errors of curvatures are bounded by this value, because a face of nearly zero area could make
-// them infinite.
-constexpr double greatest_curvature_error() { return 1e-6; }
-
-// Returns for each vertex the greatest change of its curvature by rounding of lengths or positions
-// of `surface`. Lengths have relative errors of one rounding. Positions have errors of one rounding
-// of `coordinate`, the largest coordinate, which turn the sides of faces.
-template <typename Surface>
-std::vector<double> curvature_errors(const Surface& surface, double coordinate)
-{
-  const double unit = rounding_unit<double>();
-  const auto& mesh = surface.mesh();
-  std::vector<double> result(mesh.num_vertices(), 0.);
-  for(Face_index f : mesh.faces()) {
-    const Face_metric<double> metric(f, surface);
-    const double longest = (std::max)({metric.length(0), metric.length(1), metric.length(2)}),
-                 height = metric.doubled_area() / longest;
-    for(Halfedge_index h : sides(f, mesh))
-      result[mesh.source(h).idx()] += unit * (std::max)(longest, coordinate) / height;
-  }
-  for(double& error : result)
-    error = (std::min)(error, greatest_curvature_error());
-  return result;
-}
-
-// Returns the greatest absolute value of a coordinate of the input, zero without positions.
-template <typename Traits>
-double largest_coordinate(const Intrinsic_triangulation<Traits>& tri)
-{
-  double result = 0;
-  for(const auto& p : tri.input_metric().points)
-    for(double x : p)
-      result = (std::max)(result, std::abs(x));
-  return result;
 }
 
 // Stores the surface without its flat vertices, which rest in faces.
@@ -131,20 +96,18 @@ inline void remove_flat_vertices(Curved_vertices& curved, const std::vector<doub
   std::sort(curved.flat_vertices.begin(), curved.flat_vertices.end());
 }
 
-// Determines the flat vertices, whose curvatures are at most `tolerance`, or else at most their
-// rounding errors in T2. A negative curvature counts as zero up to the errors in T1, whose lengths
-// or positions are given.
+// Determines the flat vertices, whose curvatures are at most `error`. A negative curvature counts as
+// zero up to `tolerance`, or else up to the rounding errors in T1, whose lengths or positions are
+// given.
 template <typename Traits>
 Curved_vertices curved_vertices(const Intrinsic_triangulation<Traits>& tri,
-                                std::optional<double> tolerance)
+                                const std::vector<double>& error, std::optional<double> tolerance)
 {
   Curved_vertices result{precise_surface(tri), {}, {}, 0};
   const std::vector<double> curvature = result.surface.curvatures(),
                             in_T1 = curvature_errors(tri.input(), largest_coordinate(tri));
-  std::vector<double> error = curvature_errors(tri.intrinsic(), largest_coordinate(tri));
   std::vector<std::size_t> negative;
   for(Vertex_index v : tri.mesh().vertices()) {
-    error[v.idx()] = tolerance.value_or(error[v.idx()]);
     if(curvature[v.idx()] < -tolerance.value_or((std::max)(in_T1[v.idx()], error[v.idx()])))
       negative.push_back(v.idx());
     result.number_of_unknown += std::abs(curvature[v.idx()]) <= in_T1[v.idx()];

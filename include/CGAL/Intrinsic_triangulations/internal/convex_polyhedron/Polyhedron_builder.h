@@ -48,18 +48,11 @@ public:
   {
     check_sphere(tri.input_mesh());
     make_Delaunay(tri);
-    Curved_vertices curved = curved_vertices(tri, tolerance);
-    m_flat_vertices = std::move(curved.flat_vertices);
-    m_number_of_unknown = curved.number_of_unknown;
-    if(failure_of_polygon(curved, flat_height * flat_height).empty()) {
-      m_last_t = 0;
-      return;
-    }
-    Curvature_path path(curved.surface);
-    path.follow_to(t_at_end);
-    m_last_t = path.t();
-    m_newton_steps = path.newton_steps();
-    find(path, curved);
+    if(tolerance)
+      build(curved_vertices(tri, std::vector<double>(tri.mesh().num_vertices(), *tolerance),
+                            tolerance));
+    else
+      build_as_precisely_as_possible();
   }
 
   const std::vector<Point>& points() const { return m_points; }
@@ -86,6 +79,38 @@ private:
   static constexpr double position_error = 0x1p-50;    // relative to the largest coordinate
   static constexpr double coarse_edge_error = 0x1p-34; // of wrong edges
   static constexpr int most_fittings = 20;
+
+  // Keeps the vertices that are curved in spite of rounding of positions. If no such polyhedron is
+  // found, curvatures up to the rounding errors of lengths count as flat.
+  void build_as_precisely_as_possible()
+  {
+    try {
+      build(curved_vertices(m_tri, least_curvature_errors(m_tri), std::nullopt));
+    } catch(const Numerical_error&) {
+      const std::vector<Vertex_index> flat = m_flat_vertices;
+      make_Delaunay(m_tri);
+      Curved_vertices curved = curved_vertices(
+        m_tri, curvature_errors(m_tri.intrinsic(), largest_coordinate(m_tri)), std::nullopt);
+      if(curved.flat_vertices == flat)
+        throw;
+      build(std::move(curved));
+    }
+  }
+
+  void build(Curved_vertices curved)
+  {
+    m_flat_vertices = std::move(curved.flat_vertices);
+    m_number_of_unknown = curved.number_of_unknown;
+    if(failure_of_polygon(curved, flat_height * flat_height).empty()) {
+      m_last_t = 0;
+      return;
+    }
+    Curvature_path path(curved.surface);
+    path.follow_to(t_at_end);
+    m_last_t = path.t();
+    m_newton_steps = path.newton_steps();
+    find(path, curved);
+  }
 
   // Takes a polyhedron or a polygon, whichever measurements confirm.
   void find(const Curvature_path& path, const Curved_vertices& curved)
