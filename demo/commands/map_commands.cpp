@@ -45,7 +45,7 @@ std::string advice(const std::string& command, DCM::Map_status status)
 }
 
 // Describes the failure of a map, and possible remedies.
-std::string failure(Command_run& run, const Conformal_map& map)
+std::string failure(Command_run& run, const Conformal_map& map, bool lacks_layout)
 {
   const bool is_by_search = map.status() == DCM::Map_status::not_converged &&
                             map.minimization().status != DCM::Minimization_status::converged;
@@ -60,6 +60,8 @@ std::string failure(Command_run& run, const Conformal_map& map)
       text << "; error of " << p.name << ": " << p.error << ", at most " << p.bound;
   if(!map.cause().empty())
     text << "; " << map.cause();
+  if(lacks_layout)
+    text << "; there is no layout to write";
   text << "; " << advice(run.statistics()["command"], map.status());
   return text.str();
 }
@@ -83,11 +85,10 @@ void check_status(Command_run& run, const Conformal_map& map, bool is_laid_out)
 {
   if(map.status() == DCM::Map_status::success)
     return;
-  const std::string text = failure(run, map);
-  if(!run.options().is_failure_kept)
+  const bool is_kept = run.options().is_failure_kept;
+  const std::string text = failure(run, map, is_kept && !is_laid_out);
+  if(!is_kept || !is_laid_out)
     throw Map_failure(text);
-  if(!is_laid_out)
-    throw Map_failure(text + "; there is no layout to write");
   run.progress().clear();
   std::cerr << run.options().input << ": warning: " << text << '\n';
 }

@@ -10,6 +10,8 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -86,19 +88,11 @@ private:
   // elsewhere, because visitors are copied.
   struct Reversal_follower : PMP::Default_orientation_visitor
   {
-    Soup_repairer* repairer;
-    std::size_t* count;
+    std::vector<char>* is_reversed;
 
-    Reversal_follower(Soup_repairer& r, std::size_t& c) : repairer(&r), count(&c) {}
+    explicit Reversal_follower(std::vector<char>& r) : is_reversed(&r) {}
 
-    void polygon_orientation_reversed(std::size_t i)
-    {
-      ++*count;
-      auto& polygon = repairer->m_polygons[i];
-      std::reverse(polygon.begin(), polygon.end());
-      repairer->m_soup.is_reversed.resize(repairer->m_polygons.size());
-      repairer->m_soup.is_reversed[i].flip();
-    }
+    void polygon_orientation_reversed(std::size_t i) { (*is_reversed)[i] ^= 1; }
   };
 
   void note(const char* what, std::size_t count) { m_report.emplace_back(what, count); }
@@ -202,8 +196,8 @@ private:
   }
 
   // Calls `f(side)` with the ends of each side, the lesser first.
-  template <class Function>
-  static void for_each_side(const std::vector<Corner>& polygon, const Function& f)
+  template <class Polygon, class Function>
+  static void for_each_side(const Polygon& polygon, const Function& f)
   {
     for(std::size_t c = 0; c < polygon.size(); ++c)
       f(std::minmax({std::size_t(polygon[c]), std::size_t(polygon[(c + 1) % polygon.size()])}));
@@ -230,12 +224,21 @@ private:
   std::size_t orient(std::size_t equal)
   {
     const std::size_t points = m_soup.points.size();
-    std::size_t reversals = 0;
+    std::vector<char> is_reversed(m_polygons.size(), 0);
     std::vector<Cycle> polygons;
     for(const std::vector<Corner>& polygon : m_polygons)
       polygons.emplace_back(polygon.begin(), polygon.end());
     PMP::orient_polygon_soup(m_soup.points, polygons,
-                             CGAL::parameters::visitor(Reversal_follower(*this, reversals)));
+                             CGAL::parameters::visitor(Reversal_follower(is_reversed)));
+    reverse_few(polygons, is_reversed);
+    const auto reversals =
+      static_cast<std::size_t>(std::count(is_reversed.begin(), is_reversed.end(), 1));
+    for(std::size_t i = 0; i < is_reversed.size(); ++i)
+      if(is_reversed[i]) {
+        std::reverse(m_polygons[i].begin(), m_polygons[i].end());
+        m_soup.is_reversed.resize(m_polygons.size());
+        m_soup.is_reversed[i].flip();
+      }
     const std::size_t apart =
       equal == 0 ? 0 : (std::min)(equal, points_apart_again(polygons, points));
     for(std::size_t i = 0; i < polygons.size(); ++i)
@@ -243,6 +246,25 @@ private:
     note("faces reversed", reversals);
     note("points duplicated to make the surface manifold", m_soup.points.size() - points - apart);
     return apart;
+  }
+
+  // Reverses components of which more than half has been reversed, so that few faces are.
+  static void reverse_few(std::vector<Cycle>& polygons, std::vector<char>& is_reversed)
+  {
+    boost::disjoint_sets_with_storage<> components(polygons.size());
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> polygon_at;
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      for_each_side(polygons[i], [&](const auto& side) {
+        components.union_set(i, polygon_at.emplace(side, i).first->second);
+      });
+    std::vector<std::ptrdiff_t> excess(polygons.size(), 0); // of reversed polygons
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      excess[components.find_set(i)] += is_reversed[i] ? 1 : -1;
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      if(excess[components.find_set(i)] > 0) {
+        std::reverse(polygons[i].begin(), polygons[i].end());
+        is_reversed[i] ^= 1;
+      }
   }
 
   // Returns how many points of the input that are one of the first `n` points were merged, but are

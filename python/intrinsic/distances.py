@@ -589,6 +589,9 @@ def level_set(
 ) -> list[Path]:
     """Return the curves on which a function has a value. It is linear on the faces of F.
 
+    The program's curves of equal distance differ: there, distances are linear on the Delaunay
+    triangulation.
+
     Parameters
     ----------
     V, F, lengths, mollify
@@ -789,7 +792,8 @@ def exp_map(
     source : int
         The vertex.
     vector : complex
-        The direction and the length, as from `log_map()`.
+        The direction and the length, as from `log_map()`. A path over more than a million edges
+        raises `LimitError`.
 
     Returns
     -------

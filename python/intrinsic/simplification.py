@@ -194,7 +194,9 @@ def _checked_functions(functions: Any, weights: Any, vertices: int) -> dict[str,
 
 def _checked_sizes(n: Any) -> list[int]:
     """Return the numbers of vertices of the levels."""
-    if not isinstance(n, (Sequence, np.ndarray)) or isinstance(n, str) or np.ndim(n) == 0:
+    is_text = isinstance(n, (str, bytes))
+    is_array = isinstance(n, np.ndarray) and n.ndim > 0
+    if not is_array and (is_text or not isinstance(n, Sequence)):
         return [count(n, "n", 1)]
     sizes = [count(size, f"n[{i}]", 1) for i, size in enumerate(n)]
     if len(sizes) == 0:

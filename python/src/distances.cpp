@@ -455,6 +455,8 @@ py::tuple logarithms(const Bound_triangulation& self, std::int64_t source)
   return py::make_tuple(array_of(std::move(vectors)), array_of(std::move(statuses)));
 }
 
+constexpr std::size_t greatest_number_of_crossings = 1000000;
+
 // Returns the geodesic with a first direction: its length, the points that it crosses, and how it
 // ended.
 template <class Source>
@@ -467,6 +469,10 @@ py::tuple geodesic_from(const Bound_triangulation& self, const Source& source,
   const auto end = released([&] {
     const auto add = [&](const IT::Edge_point<double>& p) {
       watch.step();
+      if(places.size() > greatest_number_of_crossings)
+        throw IT::Overflow_error("the path crosses more than " +
+                                 std::to_string(greatest_number_of_crossings) +
+                                 " edges; shorten the vector");
       places.push_back(IT::face_location(IT::edge_location(p), mesh));
     };
     return IT::trace_geodesic(self.triangulation().input(), source, vector, IT::At_boundary::stop,

@@ -271,6 +271,11 @@ class Tangents(unittest.TestCase):
                 np.testing.assert_allclose(line.points[-1], V[target], atol=1e-6, err_msg=name)
                 np.testing.assert_allclose(line.points[0], V[source], atol=1e-12)
 
+    def test_limit(self):
+        V, F = intrinsic.shapes.icosphere(1)
+        with self.assertRaisesRegex(intrinsic.LimitError, "1000000 edges; shorten"):
+            intrinsic.exp_map(V, F, 0, 1e9)
+
     def test_boundary(self):
         V, F = intrinsic.shapes.grid(2, 2)
         line = intrinsic.exp_map(V, F, 4, 10)

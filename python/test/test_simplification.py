@@ -156,7 +156,8 @@ class Simplify(unittest.TestCase):
         x = V[:, 0]
         for given, named in [
             ({"n": []}, "n is empty"), ({"n": [9, 9]}, "n.1. is 9"), ({"n": [20, "9"]}, "n.1."),
-            ({"n": [[9]]}, "n.0."), ({"n": "9"}, "n is '9'"), ({"n": np.array([20, 9.5])}, "n.1."),
+            ({"n": [[9]]}, "n.0."), ({"n": [20, [9]]}, "n.1."), ({"n": "9"}, "n is '9'"),
+            ({"n": np.array([20, 9.5])}, "n.1."),
             ({"weights": 1}, "weights is 1"), ({"weights": {1: 1}}, "weights is"),
             ({"weights": {}}, "not a cost"), ({"weights": {"area_change": 1}}, "not a cost"),
             ({"weights": {"curvature": -1}}, "weights.'curvature'. is -1"),
@@ -258,6 +259,16 @@ class Repairs(unittest.TestCase):
         self.assertEqual((about.components, about.euler_characteristic), (1, 2))
         welded = intrinsic.repair(support.noisy(torn[0], 1e-9), torn[1], weld=1e-6)
         self.assertEqual(len(welded.V), len(V))
+
+    def test_most_faces_keep_their_orientation(self):
+        V, F = intrinsic.shapes.icosphere(1)
+        for face in (0, 5, 79):
+            turned = F.copy()
+            turned[face] = turned[face, ::-1]
+            fixed = intrinsic.repair(V, turned)
+            self.assertEqual(fixed.report, {"faces reversed": 1})
+            for a, b in zip(fixed.F, F):
+                self.assertIn(list(a), [list(np.roll(b, k)) for k in range(3)])
 
 
 if __name__ == "__main__":
