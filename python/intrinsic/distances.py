@@ -589,8 +589,8 @@ def level_set(
 ) -> list[Path]:
     """Return the curves on which a function has a value. It is linear on the faces of F.
 
-    The program's curves of equal distance differ: there, distances are linear on the Delaunay
-    triangulation.
+    The curves of equal distance of the program differ, because it interpolates distances on the
+    Delaunay triangulation.
 
     Parameters
     ----------
