@@ -118,7 +118,7 @@ public:
   Planar_conformal_map finish(Named_layout layout, const Shape& shape)
   {
     if(has_succeeded())
-      m_builder.attempt([this] { m_scale.sharpen(m_visitor); });
+      m_builder.attempt([this] { m_scale.sharpen(m_problem.triangulation(), m_visitor); });
     const auto exact = exact_promises(m_problem, [this] { return m_scale.errors(); });
     if(!exact.empty())
       m_rounded_error = exact.back().error;

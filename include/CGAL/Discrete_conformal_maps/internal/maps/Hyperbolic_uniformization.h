@@ -143,16 +143,21 @@ private:
       error = lay_out(m_builder.scaled_lengths(m_scale.precise_values<double>()));
     if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
       error = lay_out_with_more_digits<Double_double>();
-    if(!(error <= tolerance::gluing))
+    if(!(error <= tolerance::gluing)) {
+      m_scale.sharpen(m_builder.data().ab, m_visitor);
       lay_out_with_more_digits<Decimal_115>();
+    }
   }
 
-  // Lays out the faces with more digits. If a triangulation is Delaunay with rounded scale factors,
-  // precise scale factors give it another metric.
+  // Lays out the faces with more digits, which scale factors have already if the surface has
+  // needles. If a triangulation is Delaunay with rounded scale factors, precise scale factors give
+  // it another metric.
   template <typename FT>
   double lay_out_with_more_digits()
   {
-    const std::vector<FT> u = m_scale.template refine<FT>(m_builder.data().ab, m_visitor);
+    const std::vector<FT> u = m_problem.has_needles()
+                                ? m_scale.precise_values<FT>()
+                                : m_scale.template refine<FT>(m_builder.data().ab, m_visitor);
     m_builder.set_scale_factors(m_scale);
     return lay_out(m_builder.flip_again(u));
   }

@@ -52,7 +52,7 @@ public:
 
   // Eliminates the rows and columns of `order`, with `ground` added to the diagonal. Returns false
   // if the sum is singular.
-  // \pre The rows of the matrix sum to zero.
+  // \pre The rows of the matrix sum to zero, or `ground` contains their sums.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& ground, const Order& order)
   {
     m_order = order;

@@ -50,6 +50,21 @@ inline Eigen::VectorXd grounding(const Eigen::SparseMatrix<double>& hessian,
   return result;
 }
 
+// Returns the differences between the diagonal entries of a Hessian and the weights of their rows.
+// They are zero for Laplacians. For hyperbolic faces they are positive up to rounding.
+inline Eigen::VectorXd excess_of_diagonal(const Eigen::SparseMatrix<double>& hessian,
+                                          const Free_variables& variables)
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(hessian.cols());
+  if(!variables.has_zero_row_sums())
+    for(Eigen::Index column = 0; column < hessian.outerSize(); ++column) {
+      for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, column); i; ++i)
+        result[column] += i.value();
+      result[column] = (std::max)(result[column], 0.);
+    }
+  return result;
+}
+
 // Finds directions in which a convex function falls, from its gradient and Hessian.
 //
 // If the Hessian alone is singular, or gives a step that is too long (max norm), the entries |g_i|

@@ -26,8 +26,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Implements Newton's method for an energy whose Hessian is a Laplacian, with steps in the digits
-// of the energy. If vertices are much closer to each other than to all others, their scale factors
+// Implements Newton's method for an energy whose Hessian is a Laplacian, or the sum of a Laplacian
+// and a positive diagonal matrix, with steps in the digits of the energy. If vertices are much closer to each other than to all others, their scale factors
 // are nearly equal. A common step in `double` would change the differences by more than the
 // distances allow.
 //
@@ -341,7 +341,9 @@ private:
     const auto& hessian = m_energy.Hessian();
     ++m_result.factorizations;
     return m_gradient.allFinite() && hessian.coeffs().allFinite() &&
-           m_elimination.factorize(hessian, grounding(hessian, m_variables) + lift,
+           m_elimination.factorize(hessian,
+                                   grounding(hessian, m_variables) +
+                                     excess_of_diagonal(hessian, m_variables) + lift,
                                    movable(m_solver.order(hessian), position));
   }
 

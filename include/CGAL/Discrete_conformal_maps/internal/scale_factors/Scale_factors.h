@@ -94,16 +94,16 @@ public:
   }
 
   // Continues, with more digits, to scale factors with which needles on the exact surface have a
-  // layout.
+  // layout. The triangulation of the problem may have been moved to `triangulation`.
   // \pre They have been found.
-  void sharpen(Any_visitor& visitor)
+  void sharpen(const Triangulation& triangulation, Any_visitor& visitor)
   {
     if(!m_problem.has_needles())
       return;
     if(!has_115_digits())
-      sharpen_in<Double_double>(visitor);
-    if(!can_be_laid_out())
-      sharpen_in<Decimal_115>(visitor);
+      sharpen_in<Double_double>(triangulation, visitor);
+    if(!can_be_laid_out(triangulation))
+      sharpen_in<Decimal_115>(triangulation, visitor);
   }
 
   // Returns the errors of the scale factors, with more digits and with the lengths that the problem
@@ -195,8 +195,8 @@ private:
   template <typename FT>
   bool is_unknown(const Energy<FT>& energy, double tolerance)
   {
-    if(!can_descend<FT>() || (std::max)(rounding_at_short_edges<FT>(m_problem.triangulation()),
-                                        energy.gradient_error()) <= tolerance)
+    if(!can_descend() || (std::max)(rounding_at_short_edges<FT>(m_problem.triangulation()),
+                                    energy.gradient_error()) <= tolerance)
       return false;
     m_result.gradient_error = std::numeric_limits<double>::infinity();
     return true;
@@ -312,13 +312,13 @@ private:
 
   // Nothing changes unless errors become smaller. Lengths may be beyond the range of `FT`.
   template <typename FT>
-  void sharpen_in(Any_visitor& visitor)
+  void sharpen_in(const Triangulation& triangulation, Any_visitor& visitor)
   {
     const Scale_state before = state();
-    auto energy = energy_at_start<FT>(m_problem.triangulation());
+    auto energy = energy_at_start<FT>(triangulation);
     note_values(energy);
     const double error = m_max_curvature_error;
-    if(can_descend<FT>())
+    if(can_descend())
       descend(energy, tolerance::rounding_of_gradient<FT>(), end_of_part(), visitor);
     else
       approach(energy, error, visitor);
@@ -337,7 +337,7 @@ private:
     auto energy = energy_at_start<FT>(m_problem.triangulation());
     if(is_unknown(energy, tolerance))
       return;
-    if(can_descend<FT>())
+    if(can_descend())
       return descend_from_start(energy, tolerance, visitor);
     double before = 0;
     do {
@@ -375,12 +375,11 @@ private:
     m_result.gradient_error = (std::max)(m_max_curvature_error, m_result.gradient_error);
   }
 
-  // Returns whether the exact surface has needles, and similar surfaces have the same energy.
-  template <typename FT>
+  // Returns whether the exact surface has needles, and steps may have more digits than `double`.
   bool can_descend() const
   {
-    return Triangle<FT>::has_similar_ones && m_problem.has_needles() &&
-           m_problem.flipping() == Flipping::to_Delaunay;
+    return m_problem.has_needles() && m_problem.flipping() == Flipping::to_Delaunay &&
+           (Triangle<double>::has_similar_ones || !m_problem.has_radii());
   }
 
   template <typename FT>

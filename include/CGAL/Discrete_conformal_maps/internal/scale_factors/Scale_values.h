@@ -197,9 +197,9 @@ protected:
   }
 
   // Returns whether the error of curvatures moves no side in the plane by more than promised.
-  bool can_be_laid_out() const
+  bool can_be_laid_out(const Doubled_problem::Triangulation& triangulation) const
   {
-    const auto [shortest, longest] = range_of_lengths(m_problem.triangulation());
+    const auto [shortest, longest] = range_of_lengths(triangulation);
     return (std::max)(m_max_curvature_error, m_rounding_error) * longest <=
            tolerance::promised_length * shortest;
   }
