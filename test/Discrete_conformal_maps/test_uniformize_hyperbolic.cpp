@@ -2,11 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/hard_meshes.h"
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <Eigen/LU>
 
 namespace Test_uniformize_hyperbolic {
@@ -473,6 +475,26 @@ TEST(Uniformize_hyperbolic, near_degenerate_surfaces_close_up)
                        static_cast<long>(mesh.number_of_edges());
     check_group(map.group(0), static_cast<std::size_t>(1 - euler / 2));
   }
+}
+
+// Steps in `double` would change the differences of scale factors at needles by too much.
+TEST(Uniformize_hyperbolic, needles_close_up)
+{
+  std::size_t count = 0;
+  for(std::uint64_t seed = 0; seed < 6 * hard_families.size(); ++seed) {
+    const Mesh mesh = hard_mesh(seed).mesh;
+    const IT::Topological_type type = IT::topological_type(Triangulation(mesh).mesh());
+    if(type.components != 1 || 2 * type.genus + type.boundary_loops < 3)
+      continue;
+    SCOPED_TRACE(seed);
+    ++count;
+    const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    EXPECT_LE(map.max_gluing_error(), 1e-9);
+    check_group(map.group(0),
+                type.boundary_loops > 0 ? 2 * type.genus + type.boundary_loops - 1 : type.genus);
+  }
+  EXPECT_GT(count, 10u);
 }
 
 // The same surface has any triangulation with the same vertices, from few flips to a thorough mix.

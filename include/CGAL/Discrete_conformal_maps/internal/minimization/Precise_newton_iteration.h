@@ -92,7 +92,7 @@ private:
   // One step covers at least this part of the path.
   static constexpr double least_part = 1e-7;
   static constexpr double longest_step_within_bounds = 100, longest_damped_step = 10;
-  static constexpr double greatest_difference_of_neighbors = 2;
+  static constexpr double greatest_change = 2; // of scale factors in a step
   // Derivatives at bounds have this error.
   inline static const double bound_error = std::sqrt(tolerance::rounding_of_gradient<FT>());
 
@@ -255,10 +255,11 @@ private:
   {
     if(!m_gradient.allFinite())
       return;
-    const Vector wanted = position * m_start + m_removed;
+    const Vector wanted = position * m_start + m_removed,
+                 ground = excess_of_diagonal(m_energy.Hessian(), m_variables);
     std::vector<FT> u = m_energy.scale_factors();
     for(const auto& group : m_groups)
-      if(const double weight = outer_weight(group);
+      if(const double weight = outer_weight(group, ground);
          !m_energy.has_worked_enough() && (!has_bounds() || weight > tolerance::weight_of_group))
         relax(group, weight, wanted, limit / 4, u);
     move_to(u);
@@ -317,16 +318,18 @@ private:
     return u - bound <= margin ? bound : u;
   }
 
-  // Returns the sum of the weights between a group and other variables.
-  double outer_weight(std::vector<std::size_t> group) const
+  // Returns the sum of the weights between a group and other variables, or the ground.
+  double outer_weight(std::vector<std::size_t> group, const Vector& ground) const
   {
     std::sort(group.begin(), group.end());
     double result = 0;
     const auto& hessian = m_energy.Hessian();
-    for(std::size_t v : group)
+    for(std::size_t v : group) {
+      result += ground[Eigen::Index(v)];
       for(Eigen::SparseMatrix<double>::InnerIterator i(hessian, Eigen::Index(v)); i; ++i)
         if(!std::binary_search(group.begin(), group.end(), std::size_t(i.row())))
           result -= i.value();
+    }
     return result > 0 ? result : 1;
   }
 
@@ -367,14 +370,17 @@ private:
     move_to(u);
   }
 
-  // Returns whether a step is useless, because it causes very many flips. Within bounds, the length
-  // of the step decides. Otherwise the greatest difference of neighbors decides, because all
-  // variables can move far together.
+  // Returns whether a step is useless, because it causes very many flips. If all variables can move
+  // far together, the greatest difference of neighbors decides. Otherwise the length of the step
+  // decides.
   bool is_too_long(const std::vector<FT>& direction) const
   {
-    return has_bounds() ? !(length(direction) <= longest_step_within_bounds)
-                        : !(greatest_difference(m_energy.Hessian(), direction) <=
-                            greatest_difference_of_neighbors);
+    if(has_bounds())
+      return !(length(direction) <= longest_step_within_bounds);
+    const double change = m_variables.has_zero_row_sums()
+                            ? greatest_difference(m_energy.Hessian(), direction)
+                            : length(direction);
+    return !(change <= greatest_change);
   }
 
   static double length(const std::vector<FT>& direction)
