@@ -142,8 +142,8 @@ private:
 ///     \cgalParamDescription{the curvature in radians, positive or negative, up to which a vertex
 ///       counts as flat}
 ///     \cgalParamType{convertible to `double`}
-///     \cgalParamDefault{the rounding error of curvatures, by rounding of positions if there are any;
-///       the error by rounding of lengths if no polyhedron is found so}
+///     \cgalParamDefault{the rounding error of curvatures, from positions if there are any; if no
+///       polyhedron is found with it, the error from lengths}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

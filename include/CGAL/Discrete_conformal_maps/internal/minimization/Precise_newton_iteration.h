@@ -26,10 +26,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Implements Newton's method for an energy whose Hessian is a Laplacian, or the sum of a Laplacian
-// and a positive diagonal matrix, with steps in the digits of the energy. If vertices are much closer to each other than to all others, their scale factors
-// are nearly equal. A common step in `double` would change the differences by more than the
-// distances allow.
+// Implements Newton's method with steps in the digits of the energy. Its Hessian is a Laplacian, or
+// the sum of a Laplacian and a positive diagonal matrix. If vertices are much closer to each other
+// than to all others, their scale factors are nearly equal. A common step in `double` would change
+// the differences by more than the distances allow.
 //
 // A step that changes these differences by a few times as much as distances allow makes angles zero
 // or pi. Such angles do not change any more until the scale factors have returned exactly to their

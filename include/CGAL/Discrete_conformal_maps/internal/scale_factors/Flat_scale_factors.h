@@ -150,8 +150,8 @@ private:
   }
 
   // Starts from the estimate, the first step of Newton's method from scale factors of zero, where
-  // the energy has the gradient `at_zero`. If its slope lets the minimizer accept it, it need not be
-  // computed again.
+  // the energy has the gradient `at_zero`. If its slope lets the minimizer accept it, it need not
+  // be computed again.
   void start_from_estimate(Flat_energy& energy, const Vector& at_zero, Cone_placement& placement,
                            double bound)
   {

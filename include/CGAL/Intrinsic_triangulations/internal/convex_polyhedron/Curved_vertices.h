@@ -96,9 +96,9 @@ inline void remove_flat_vertices(Curved_vertices& curved, const std::vector<doub
   std::sort(curved.flat_vertices.begin(), curved.flat_vertices.end());
 }
 
-// Determines the flat vertices, whose curvatures are at most `error`. A negative curvature counts as
-// zero up to `tolerance`, or else up to the rounding errors in T1, whose lengths or positions are
-// given.
+// Determines the flat vertices, whose curvatures are at most `error`. A negative curvature counts
+// as zero up to `tolerance`, or else up to the rounding errors in T1, whose lengths or positions
+// are given.
 template <typename Traits>
 Curved_vertices curved_vertices(const Intrinsic_triangulation<Traits>& tri,
                                 const std::vector<double>& error, std::optional<double> tolerance)

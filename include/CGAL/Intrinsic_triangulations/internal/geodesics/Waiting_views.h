@@ -211,11 +211,14 @@ void separate(View<FT>& a, View<FT>& b, int order, const FT& length)
 }
 
 // Adds a view to a list, which is sorted by begins along an edge, and separates it from the last
-// views. The result of `order(a, b)` is the argument `order` of `separate()`.
+// views. The result of `order(a, b)` is the argument `order` of `separate()`. By rounding, each of
+// two views could come before the other. So views are exchanged at most `exchanges` times, and may
+// overlap afterwards.
 template <typename FT, typename Order>
-void append(View<FT> view, const Order& order, const FT& length, std::vector<View<FT>>& list)
+void append(View<FT> view, const Order& order, const FT& length, std::vector<View<FT>>& list,
+            std::size_t& exchanges)
 {
-  while(!list.empty() && list.back().end > view.begin) {
+  while(!list.empty() && list.back().end > view.begin && exchanges > 0) {
     View<FT> last = list.back();
     separate(last, view, order(last, view), length);
     const bool is_left = last.begin <= last.end;
@@ -225,12 +228,20 @@ void append(View<FT> view, const Order& order, const FT& length, std::vector<Vie
     }
     list.pop_back();
     if(is_left) {
-      append(view, order, length, list);
-      return append(last, order, length, list);
+      --exchanges;
+      append(view, order, length, list, exchanges);
+      return append(last, order, length, list, exchanges);
     }
   }
   if(view.begin <= view.end)
     list.push_back(view);
+}
+
+template <typename FT, typename Order>
+void append(const View<FT>& view, const Order& order, const FT& length, std::vector<View<FT>>& list)
+{
+  std::size_t exchanges = 1000;
+  append(view, order, length, list, exchanges);
 }
 
 // Stores views that wait at the sides through which they look, in the order along each side. Memory
