@@ -278,6 +278,29 @@ TEST(Shortest_paths, that_pass_vertices_within_rounding)
     EXPECT_TRUE(is_as_in_many_digits(hard_mesh(seed), source, 10000000));
 }
 
+// By rounding, each of two views can come before the other one, so that separating them would not
+// end. Distances are the same in both directions.
+TEST(Shortest_paths, from_all_vertices_of_Delaunay_triangulations)
+{
+  for(const std::uint64_t seed : {24u, 36u, 98u}) {
+    SCOPED_TRACE(seed);
+    Triangulation t(hard_mesh(seed).mesh);
+    IT::make_Delaunay(t);
+    std::vector<std::vector<double>> distance;
+    for(Vertex_index v : t.mesh().vertices()) {
+      IT::Shortest_paths paths(t.intrinsic());
+      paths.add_source(v);
+      paths.run();
+      distance.emplace_back();
+      for(Vertex_index w : t.mesh().vertices())
+        distance.back().push_back(paths.distance(w));
+    }
+    for(std::size_t v = 0; v < distance.size(); ++v)
+      for(std::size_t w = 0; w < v; ++w)
+        EXPECT_NEAR(distance[v][w], distance[w][v], 1e-9 * distance[v][w] + 1e-13) << v << ' ' << w;
+  }
+}
+
 // With integer coordinates, shortest paths run along edges, through flat vertices, and are not
 // unique.
 TEST(Shortest_paths, with_ties)
