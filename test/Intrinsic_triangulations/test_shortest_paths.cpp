@@ -301,6 +301,24 @@ TEST(Shortest_paths, from_all_vertices_of_Delaunay_triangulations)
   }
 }
 
+// Rounded directions miss paths on one of the two triangulations.
+TEST(Shortest_paths, of_either_triangulation)
+{
+  for(const std::uint64_t seed : {38u, 68u, 84u, 108u}) {
+    SCOPED_TRACE(seed);
+    Triangulation t(hard_mesh(seed).mesh);
+    IT::make_Delaunay(t);
+    std::vector<std::vector<double>> distance;
+    for(Vertex_index v : t.mesh().vertices())
+      distance.push_back(
+        IT::geodesic_distances(t, v, IT::parameters::distance_method(IT::Distance_method::exact))
+          .distance);
+    for(std::size_t v = 0; v < distance.size(); ++v)
+      for(std::size_t w = 0; w < v; ++w)
+        EXPECT_NEAR(distance[v][w], distance[w][v], 1e-7);
+  }
+}
+
 // With integer coordinates, shortest paths run along edges, through flat vertices, and are not
 // unique.
 TEST(Shortest_paths, with_ties)

@@ -30,6 +30,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -199,6 +200,35 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
   return result;
 }
 
+// Returns distances `f(surface, sources)`.
+template <typename Surface, typename Function>
+Geodesic_distances<Length_of<Surface>>
+least_distances(const Surface& surface, const Distance_sources<Surface>& sources, const Function& f)
+{
+  return f(surface, sources);
+}
+
+// Computes exact distances from vertices on T1 too if lengths of T2 do not determine its areas.
+// Rounded directions can miss a path on either triangulation. So the lesser distances are taken.
+template <typename Traits, typename Function>
+Geodesic_distances<typename Traits::FT>
+least_distances(const Intrinsic_triangulation<Traits>& tri,
+                const Distance_sources<Intrinsic_triangulation<Traits>>& sources, const Function& f)
+{
+  auto result = f(tri, sources);
+  if(result.method != Distance_method::exact || tri.number_of_inserted_vertices() > 0 ||
+     !Access_to_sources::curve(sources).empty() || !has_unresolved_areas(tri.intrinsic()))
+    return result;
+  const auto input = tri.input();
+  Distance_sources<std::decay_t<decltype(input)>> on_input(input);
+  on_input.add(Access_to_sources::vertices(sources));
+  const auto other = f(input, on_input);
+  if(other.method == Distance_method::exact)
+    for(std::size_t v = 0; v < result.distance.size(); ++v)
+      result.distance[v] = (std::min)(result.distance[v], other.distance[v]);
+  return result;
+}
+
 // Returns nothing if heat is to be used. `exact` then contains the distances found so far.
 template <typename Surface, typename Visitor>
 std::optional<Geodesic_distances<Length_of<Surface>>>
@@ -270,9 +300,10 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// number of windows for exact distances, and one factorization for heat.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating-point lengths, an
-///   `Intrinsic_triangulation`, or a `Tufted_surface`, which has heat alone. With an
-///   `Intrinsic_triangulation`, heat flows in the exact metric if lengths do not determine it
-///   (`with_resolved_areas()`)
+///   `Intrinsic_triangulation`, or a `Tufted_surface`, which has heat alone. Lengths of an
+///   `Intrinsic_triangulation` may not determine its areas (`has_unresolved_areas()`). Then heat
+///   flows in the exact metric. Exact distances from vertices are then the lesser ones on
+///   \f$T_1\f$ and \f$T_2\f$, unless vertices have been inserted
 /// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Surface_point`, a
 ///   `Curve_segment`, a range of one of these, such as a `Surface_curve`, or `Distance_sources`
 /// \param np
@@ -315,13 +346,15 @@ auto geodesic_distances(const Surface& surface, const Sources& sources,
   if constexpr(internal::Has_one_fan<Surface>::value) {
     Default_window_visitor silent;
     auto&& visitor = internal::visitor_of(np, silent);
-    internal::Exact_distances<Surface> exact(surface, all);
-    if(auto result = internal::distances_by_windows(exact, internal::method_of(np), visitor))
-      return std::move(*result);
-    auto result =
-      internal::distances_by_heat(surface, all, internal::positions_of(surface, np), np);
-    result.error = internal::heat_error(exact, result.distance, visitor);
-    return result;
+    return internal::least_distances(surface, all, [&](const auto& where, const auto& on_it) {
+      internal::Exact_distances<std::decay_t<decltype(where)>> exact(where, on_it);
+      if(auto result = internal::distances_by_windows(exact, internal::method_of(np), visitor))
+        return std::move(*result);
+      auto result =
+        internal::distances_by_heat(surface, all, internal::positions_of(surface, np), np);
+      result.error = internal::heat_error(exact, result.distance, visitor);
+      return result;
+    });
   } else {
     if(internal::method_of(np) == Distance_method::exact)
       throw Invalid_input(
