@@ -228,7 +228,7 @@ def _advice(status: str, function: str) -> str:
     if status in ("triangle_inequality", "no_minimum"):
         return "leave out keep_triangulation=True, so that edges are flipped"
     if status == "not_circular":
-        return "use to_sphere() if the surface is a disk, or else boundary='free'"
+        return "use to_sphere() if the surface is a disk, or else flatten() with a free boundary"
     if function != "flatten":
         return "use flatten(), which places cones"
     if status in ("not_converged", "wrong_curvature"):
