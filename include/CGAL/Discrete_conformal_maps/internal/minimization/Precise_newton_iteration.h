@@ -255,8 +255,7 @@ private:
   {
     if(!m_gradient.allFinite())
       return;
-    const Vector wanted = position * m_start + m_removed,
-                 ground = excess_of_diagonal(m_energy.Hessian(), m_variables);
+    const Vector wanted = position * m_start + m_removed, ground = ground_of(m_energy.Hessian());
     std::vector<FT> u = m_energy.scale_factors();
     for(const auto& group : m_groups)
       if(const double weight = outer_weight(group, ground);
@@ -345,9 +344,16 @@ private:
     ++m_result.factorizations;
     return m_gradient.allFinite() && hessian.coeffs().allFinite() &&
            m_elimination.factorize(hessian,
-                                   grounding(hessian, m_variables) +
-                                     excess_of_diagonal(hessian, m_variables) + lift,
+                                   grounding(hessian, m_variables) + ground_of(hessian) + lift,
                                    movable(m_solver.order(hessian), position));
+  }
+
+  // Returns the excess of the diagonal. With bounds, which only the sphere has, the Hessian is a
+  // Laplacian, and the excess is rounding.
+  Vector ground_of(const Eigen::SparseMatrix<double>& hessian) const
+  {
+    return has_bounds() ? Vector(Vector::Zero(hessian.cols()))
+                        : excess_of_diagonal(hessian, m_variables);
   }
 
   // Returns the variables of `order` that can move within their bounds.
