@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Abstract_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Any_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
@@ -22,11 +21,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -9,12 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/Metric_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polyhedron/curvature_errors.h>
