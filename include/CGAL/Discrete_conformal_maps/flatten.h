@@ -140,7 +140,7 @@ Planar_conformal_map flatten(const Graph& g,
 
 // The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Repeated_flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Free_shape.h>
 #endif
 

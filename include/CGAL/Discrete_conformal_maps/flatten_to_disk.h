@@ -76,6 +76,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
 
 // The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/maps/Repeated_flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Circular_boundary.h>
 #endif
 

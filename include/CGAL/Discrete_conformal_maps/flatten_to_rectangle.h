@@ -103,6 +103,7 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
 
 // The compiled library contains the definitions of these headers.
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Discrete_conformal_maps/internal/maps/Repeated_flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Rectangular_boundary.h>
 #endif
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Vertex_rotation.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/largest_ear.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
@@ -20,7 +21,6 @@
 
 #include <CGAL/Iterator_range.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -161,7 +161,7 @@ public:
     for(Halfedge_index h = this->mesh().next(this->mesh().next(first)); h != first;
         h = this->mesh().next(h)) {
       const std::array<double, 3> c = this->coordinates(side, h);
-      sum += relative_area(a, b, c);
+      sum += internal::relative_area(a, b, c);
       b = c;
     }
     return sum * area(side, this->parent_face(side, f));
@@ -191,13 +191,6 @@ private:
     return first != m_places_on_edges.end() && first->first.first == v;
   }
 
-  // Returns the signed area of a triangle as a part of its face.
-  static double relative_area(const std::array<double, 3>& a, const std::array<double, 3>& b,
-                              const std::array<double, 3>& c)
-  {
-    return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-  }
-
   double area(Level side, Face_index f) const
   {
     const Delta_complex& mesh = level(side).mesh();
@@ -211,8 +204,7 @@ private:
 
   // ---- Triangulation ----
 
-  // Returns the halfedge before the largest ear on the fine surface. Ears must not contain another
-  // corner. If rounding leaves no such ear, any ear counts.
+  // Returns the halfedge before the largest ear on the fine surface.
   Halfedge_index before_ear(Halfedge_index first) const
   {
     std::vector<Halfedge_index> sides;
@@ -221,29 +213,7 @@ private:
       sides.push_back(h);
       corners.push_back(this->coordinates(Level::fine, h));
     }
-    std::size_t best = 0;
-    std::pair<bool, double> quality(false, -1);
-    for(std::size_t n = 0; n < sides.size(); ++n) {
-      const std::array<std::size_t, 3> ear{n, (n + 1) % sides.size(), (n + 2) % sides.size()};
-      const std::pair<bool, double> here(
-        is_empty(ear, corners), relative_area(corners[ear[0]], corners[ear[1]], corners[ear[2]]));
-      if(here > quality) {
-        quality = here;
-        best = n;
-      }
-    }
-    return sides[best];
-  }
-
-  static bool is_empty(const std::array<std::size_t, 3>& ear,
-                       const std::vector<std::array<double, 3>>& corners)
-  {
-    const auto &a = corners[ear[0]], &b = corners[ear[1]], &c = corners[ear[2]];
-    return relative_area(a, b, c) > 0 &&
-           std::none_of(corners.begin(), corners.end(), [&](const std::array<double, 3>& p) {
-             return p != a && p != b && p != c && relative_area(a, b, p) >= 0 &&
-                    relative_area(b, c, p) >= 0 && relative_area(c, a, p) >= 0;
-           });
+    return sides[internal::largest_ear(corners)];
   }
 
   class Builder;

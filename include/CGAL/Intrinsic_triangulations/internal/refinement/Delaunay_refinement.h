@@ -16,12 +16,11 @@
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Refinement_queue.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Small_angle_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Vertex_surroundings.h>
-#include <CGAL/Intrinsic_triangulations/is_simplicial.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/superfluous_sides.h>
 
 #include <algorithm>
 #include <complex>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -86,6 +85,12 @@ public:
   }
 
 private:
+  // Returns a side of `f` whose split makes the triangulation simplicial, or null.
+  Halfedge_index side_to_split(Face_index f) const
+  {
+    return m_bounds.is_not_simplicial(f) ? superfluous_side(f, m_tri) : Halfedge_index();
+  }
+
   bool is_fixed(Halfedge_index h) const
   {
     return m_mesh.is_border(m_mesh.opposite(h)) || m_tri.is_constrained(m_mesh.edge(h));
@@ -171,39 +176,6 @@ private:
     }
     if(!split_at_middle(side_to_split(f), f).is_valid())
       fail();
-  }
-
-  // Returns whether the edge of `h` is a loop, or longer than another edge with the same ends.
-  bool is_superfluous(Halfedge_index h) const
-  {
-    const auto rank = [this](Halfedge_index x) {
-      return std::make_pair(m_tri.length(m_mesh.edge(x)), m_mesh.edge(x));
-    };
-    bool result = m_mesh.source(h) == m_mesh.target(h);
-    for_each_outgoing_halfedge(m_mesh.source(h), m_mesh, [&](Halfedge_index x) {
-      result = result || (m_mesh.target(x) == m_mesh.target(h) && rank(x) < rank(h));
-    });
-    return result;
-  }
-
-  // Returns a loop among the sides of `f`, or else the shortest superfluous side, which runs around
-  // a thin part of the surface. If such sides are split, long sides along this part are simplicial.
-  // Without superfluous sides, returns a side if another face has the same corners, or null.
-  Halfedge_index side_to_split(Face_index f) const
-  {
-    if(!m_bounds.is_not_simplicial(f))
-      return {};
-    const auto rank = [this](Halfedge_index h) {
-      return std::make_tuple(!is_superfluous(h), m_mesh.source(h) != m_mesh.target(h),
-                             m_tri.length(m_mesh.edge(h)));
-    };
-    const auto side = sides(f, m_mesh);
-    const Halfedge_index first =
-      *std::min_element(side.begin(), side.end(),
-                        [&](Halfedge_index a, Halfedge_index b) { return rank(a) < rank(b); });
-    const bool has_twin = std::all_of(
-      side.begin(), side.end(), [this](Halfedge_index h) { return is_simplicial(h, m_mesh); });
-    return has_twin || is_superfluous(first) ? first : Halfedge_index();
   }
 
   // Returns what `f` returns for the surroundings of `v`.
