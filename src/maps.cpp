@@ -7,6 +7,7 @@
 #undef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 
 #include <CGAL/Discrete_conformal_maps/internal/maps/Hyperbolic_uniformization.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Repeated_flattening.h>
 #include <CGAL/Discrete_conformal_maps/internal/maps/Sphere_mapping.h>
 #include <CGAL/Discrete_conformal_maps/internal/planar_layouts/Named_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Circular_boundary.h>

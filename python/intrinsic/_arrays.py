@@ -92,19 +92,20 @@ def _checked(is_good: Any, what: str, result: Floats, values: ArrayLike, name: s
 def unchecked_integers(
     values: ArrayLike | None, shape: tuple[int | None, ...], name: str
 ) -> tuple[NDArray[Any], Integers]:
-    """Return an array, and its numbers of type int64, stored by rows. They may be wrong if they are
-    out of range."""
+    """Return an array as it is given, and its numbers of type int64, stored by rows. They may be
+    wrong if they are out of range."""
     array = array_of(values, name)
     if array.size == 0 and array.dtype.kind == "f":  # from an empty list
         array = array.astype(np.int64)
+    in_range = array
     if array.dtype.kind == "O" and all(isinstance(i, int) for i in array.flat):
-        array = np.asarray(np.clip(array, -1, _GREATEST_INDEX + 1), np.int64)  # of huge numbers
-    if array.dtype.kind not in "iu":
+        in_range = np.asarray(np.clip(array, -1, _GREATEST_INDEX + 1), np.int64)  # of huge numbers
+    if in_range.dtype.kind not in "iu":
         hint = {"f": "; convert it by .astype(int)",
                 "b": "; np.flatnonzero() returns the indices of a mask"}.get(array.dtype.kind, "")
         raise ArrayError(f"{name} has the type {array.dtype}; it must be integers{hint}")
-    array = _shaped(array, shape, name)
-    return array, np.require(array, np.int64, ["C", "A"])
+    return (_shaped(array, shape, name),
+            np.require(_shaped(in_range, shape, name), np.int64, ["C", "A"]))
 
 
 def integers(
@@ -117,7 +118,7 @@ def integers(
     if array.size > 0 and unsigned.max() >= limit:
         row = _first_row(unsigned >= limit)
         known = f"the {what} are 0 to {limit - 1}" if limit > 0 else f"there are no {what}"
-        error = InputError(f"row {row} of {name} is {array[row]}, and {known}")
+        error = InputError(f"row {row} of {name} is {_row_text(array[row])}, and {known}")
         error.row = row
         raise error
     return result
@@ -138,9 +139,25 @@ def _scalar(value: Any, name: str, kind: str) -> Any:
     return scalar
 
 
+class _Shortener(reprlib.Repr):
+    def repr_int(self, x: int, level: int) -> str:
+        try:
+            return super().repr_int(x, level)
+        except ValueError:  # Python writes no more than 4300 digits
+            return f"an integer of {x.bit_length()} bits"
+
+
 def shortened(value: Any) -> str:
     """Return the representation of a value in a message."""
-    return reprlib.repr(value)
+    return _Shortener().repr(value)
+
+
+def _row_text(row: Any) -> str:
+    """Return an integer or a row of an array in a message."""
+    if isinstance(row, int):
+        return shortened(row)
+    is_huge = isinstance(row, np.ndarray) and row.dtype == object
+    return shortened(row.tolist()) if is_huge else str(row)
 
 
 def number(

@@ -12,7 +12,7 @@ import warnings
 from typing import Any, Callable, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import (Floats, Integers, array_of, floats, integers, number, shortened,
@@ -91,12 +91,22 @@ def arrays(V: Any, F: ArrayLike | None) -> tuple[Floats, Integers]:
 
 def _unchecked_arrays(V: Any, F: Any) -> tuple[Floats, Integers]:
     """Return arrays (n, 3) and (m, 3), whose values the compiled part checks."""
-    return (unchecked_floats(V, (None, 3), "V"), unchecked_integers(F, (None, 3), "F")[1])
+    return (unchecked_floats(V, (None, 3), "V"),
+            unchecked_integers(triangles(F), (None, 3), "F")[1])
+
+
+def triangles(F: Any) -> NDArray[Any]:
+    """Return F as an array. Quadrilaterals are refused, with the way to split them."""
+    faces = array_of(F, "F")
+    if faces.ndim == 2 and faces.shape[1] == 4:
+        raise ArrayError(f"F has the shape {faces.shape}; it must be (m, 3). Split quads into "
+                         "triangles: np.vstack([F[:, [0, 1, 2]], F[:, [0, 2, 3]]])")
+    return faces
 
 
 def _faces(F: Any, size: int | None) -> Integers:
     try:
-        return integers(F, (None, 3), "F", size, "vertices")
+        return integers(triangles(F), (None, 3), "F", size, "vertices")
     except InputError as error:
         if error.row is not None:
             error.face = error.row

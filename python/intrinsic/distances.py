@@ -17,7 +17,7 @@ from . import _core
 from ._arrays import (Complexes, Floats, Integers, array_of, choice, complexes, count, flag,
                       floats_or_infinity, integers, number, points_on, shortened)
 from ._arrays import vertices as vertices_of
-from ._meshes import Result, check_progress, level_of_caller, surface
+from ._meshes import Result, check_progress, level_of_caller, surface, triangles
 from .errors import AccuracyWarning, ArrayError, InputError
 from .operators import computed_on_soup
 from .simplification import simplify
@@ -110,7 +110,8 @@ def distance(
     curve : (k,) integers, pair of (k,) integers and (k, 3) floats, Path, or a list of these
         One or more polylines, as of `signed_distance()`. All their points are sources, too.
     time_step_factor : float
-        The time for which heat flows, in squared mean edge lengths. "auto" is then "heat".
+        The time for which heat flows, in squared mean edge lengths. "auto" is then "heat"; "exact"
+        has no such time.
     full : bool
         Whether the method and an estimate of the error are returned, too.
 
@@ -185,7 +186,7 @@ def _measured(
 ) -> Any:
     """Return distances, described if `full`. `mesh` has the first arguments of `computed_on()`."""
     kind = _method(method)
-    factor = _time_step_factor(time_step_factor)
+    factor = _time_step_factor(time_step_factor, kind)
     is_full = flag(full, "full")
     if factor is not None and kind == "auto":
         kind = "heat"
@@ -204,8 +205,13 @@ def _measured(
     return result if is_full else result.values
 
 
-def _time_step_factor(factor: float | None) -> float | None:
-    return None if factor is None else _given_factor(factor)
+def _time_step_factor(factor: float | None, method: str = "heat") -> float | None:
+    """Return the checked factor, or None if it is not given."""
+    if factor is None:
+        return None
+    if method == "exact":
+        raise InputError("time_step_factor is for method='heat'; leave it out")
+    return _given_factor(factor)
 
 
 def _given_factor(factor: float) -> float:
@@ -226,7 +232,7 @@ class DistanceSolver:
         "heat" factorizes two matrices now, and solves with them for each set of sources. "exact"
         searches for each set from the beginning.
     time_step_factor : float
-        The time for which heat flows, in squared mean edge lengths.
+        With "heat": the time for which heat flows, in squared mean edge lengths; 1 if not given.
 
     Examples
     --------
@@ -244,13 +250,14 @@ class DistanceSolver:
         F: ArrayLike | None = None,
         method: str = "heat",
         *,
-        time_step_factor: float = 1.0,
+        time_step_factor: float | None = None,
         lengths: ArrayLike | None = None,
         mollify: float | str = "auto",
         progress: Progress | None = None,
     ) -> None:
         choice(method, "method", ("heat", "exact"))
-        factor = _given_factor(time_step_factor)
+        given_factor = _time_step_factor(time_step_factor, method)
+        factor = 1.0 if given_factor is None else given_factor
 
         def prepared(T: Triangulation) -> tuple[Triangulation, _core.Heat | None]:
             on = T.copy() if T is V else T  # it must not change
@@ -405,7 +412,7 @@ def _on_input(V: Any, F: ArrayLike | None, lengths: ArrayLike | None, mollify: f
 
 def vertex_point(F: ArrayLike, vertex: int) -> SurfacePoints:
     """Return a vertex as a point of a surface: a face (1,) and coordinates (1, 3)."""
-    faces = integers(F, (None, 3), "F", None, "vertices")
+    faces = integers(triangles(F), (None, 3), "F", None, "vertices")
     found = np.argwhere(faces == count(vertex, "vertex", 0))
     if len(found) == 0:
         raise InputError(f"vertex {vertex} has no face")
@@ -828,7 +835,7 @@ def transport(
     V, F, lengths, mollify, progress
         As of `laplacian()`.
     vertices : (k,) integers
-        The vertices of the given vectors.
+        The vertices of the given vectors. A vertex has only one vector.
     vectors : (k,) complex numbers
         The vectors, with the angles of `tangent_frames()`.
     time_step_factor : float
@@ -862,7 +869,16 @@ def _vectors_at(sources: Integers, vectors: Any) -> Complexes:
     if len(sources) == 0:
         raise InputError("vertices are missing; give at least one, with its vector")
     given = array_of(vectors, "vectors")
-    return complexes(given[None] if given.ndim == 0 else given, sources.shape, "vectors")
+    result = complexes(given[None] if given.ndim == 0 else given, sources.shape, "vectors")
+    first, of_source = np.unique(sources, return_index=True, return_inverse=True)[1:]
+    differs = result != result[first[of_source]]
+    if differs.any():
+        row = int(np.argmax(differs))
+        error = InputError(f"vertex {sources[row]} has different vectors, in rows "
+                           f"{first[of_source[row]]} and {row} of vectors; give one of them")
+        error.row, error.vertex = row, int(sources[row])
+        raise error
+    return result
 
 
 def _vertex(vertex: Any, T: Triangulation) -> int:

@@ -82,8 +82,8 @@ class MapSubdivision:
 class ConformalMap:
     """A discrete conformal map of a surface.
 
-    It can be called with points of the surface, faces (k,) and barycentric coordinates (k, 3), and
-    returns their images.
+    It can be called with points of the surface, and returns their images: `map(faces, barycentric)`
+    or `map((faces, barycentric))`.
     """
 
     def __init__(self, on: _core.Surface, core: Any) -> None:
@@ -134,10 +134,11 @@ class ConformalMap:
             d["sphere" if is_sphere else "texture"],
             d["homogeneous" if is_sphere else "homogeneous_texture"])
 
-    def __call__(self, faces: ArrayLike, barycentric: ArrayLike) -> Floats:
-        """Return the images (k, 2) or (k, 3) of points: faces and barycentric coordinates, in the
-        order of the corners of each face."""
-        given = points_on((faces, barycentric), self._surface.number_of_faces(), "points")
+    def __call__(self, faces: Any, barycentric: ArrayLike | None = None) -> Floats:
+        """Return the images (k, 2) or (k, 3) of points. Points are faces (k,) and barycentric
+        coordinates (k, 3), in the order of the corners of each face, or the pair of both arrays."""
+        points = faces if barycentric is None else (faces, barycentric)
+        given = points_on(points, self._surface.number_of_faces(), "points")
         images: Floats = self._core.images(*given)
         return images
 
@@ -152,11 +153,15 @@ class FlatMap(ConformalMap):
     of the input.
     """
 
+    def __init__(self, on: _core.Surface, core: Any, prescribed: Integers | None = None) -> None:
+        super().__init__(on, core)
+        self._prescribed = np.zeros(0, np.int64) if prescribed is None else prescribed
+
     @property
     def cones(self) -> Integers:
-        """The vertices at which cones were placed."""
-        cones: Integers = self._core.cones()
-        return cones
+        """The inner vertices with cones: cones that were placed, or prescribed angle defects that are
+        not zero."""
+        return np.concatenate([self._core.cones(), self._prescribed])
 
     @property
     def radii(self) -> Floats:
@@ -283,11 +288,13 @@ def _conditions(
         raise InputError(f"boundary is {boundary!r}, and the surface has no boundary")
     if not isinstance(cones, str):
         vertices, defects = _vertex_values(cones, n, "cones")
-        is_wrong = np.isin(vertices, border) & (defects != 0)
+        is_inside = np.isin(vertices, on.faces()) & ~np.isin(vertices, border)
+        is_wrong = ~is_inside & (defects != 0)
         if is_wrong.any():
-            error = InputError(f"cones has a value at vertex {vertices[np.argmax(is_wrong)]}, "
-                               "which is on the boundary")
-            error.vertex = int(vertices[np.argmax(is_wrong)])
+            wrong = int(vertices[np.argmax(is_wrong)])
+            where = "is on the boundary" if wrong in border else "has no face"
+            error = InputError(f"cones has a value at vertex {wrong}, which {where}")
+            error.vertex = wrong
             raise error
         prescribed[vertices] = defects
     if boundary == "free":
@@ -329,7 +336,7 @@ def flatten(
     Parameters
     ----------
     V, F, lengths, mollify
-        As of `laplacian()`.
+        As of `laplacian()`, but V is no Triangulation.
     cones : "greedy", "exchanged", "none", mapping or (n,) floats
         "greedy" places cones inside until scale factors are within `max_log_scale`; the default,
         except for disks and rectangles. "exchanged" drops and moves greedy cones; often fewer
@@ -348,7 +355,7 @@ def flatten(
         may overlap by 1e-8 of the distance of their centers.
     max_log_scale : float
         The bound of absolute logarithmic scale factors, at inner vertices, for greedy and exchanged
-        cones; 5 if not given.
+        cones; 5 if not given. Disks and rectangles need `cones`, too.
     max_area_distortion : float
         The same bound as the factor, above 1, by which areas may grow or shrink. If both are
         given, the stricter bound counts.
@@ -394,12 +401,14 @@ def flatten(
         raise InputError("boundary_values are for the boundaries 'scale' and 'curvature'")
     has_bound = max_log_scale is not None or max_area_distortion is not None
     if cones is None:
-        cones = "greedy" if has_bound or boundary not in _SHAPES else "none"
+        cones = "none" if boundary in _SHAPES else "greedy"
     if isinstance(cones, str) and cones not in ("greedy", "exchanged", "none"):
         raise InputError(
             f"cones is {shortened(cones)}; it must be 'greedy', 'exchanged', 'none' or have values")
     if has_bound and not (isinstance(cones, str) and cones != "none"):
-        raise InputError("max_log_scale and max_area_distortion are for greedy and exchanged cones")
+        name = "max_area_distortion" if max_log_scale is None else "max_log_scale"
+        given = "cones='none'" if isinstance(cones, str) else "prescribed cones"
+        raise InputError(f"{name} is for cones='greedy' or 'exchanged', not for {given}")
     log_scale = area_distortion = np.inf
     if max_log_scale is not None:
         log_scale = number(max_log_scale, "max_log_scale", 0, is_open=True)
@@ -410,13 +419,14 @@ def flatten(
     check_progress(progress)
     on = surface(V, F, lengths, mollify)
     kind, values = _conditions(on, cones, boundary, boundary_values)
+    prescribed_cones = np.setdiff1d(np.flatnonzero(values), on.border_vertices())
     radius = _one_for_each(on, radii, "radii")
 
     def compute(slack: float) -> FlatMap:
         core = _core.flatten(on, cones if isinstance(cones, str) else "none", log_scale,
                              area_distortion, boundary, layout, keeps_triangulation,
                              is_exact, slack, kind, values, radius, progress)
-        return _checked(FlatMap(on, core), "flatten")
+        return _checked(FlatMap(on, core, prescribed_cones), "flatten")
 
     result = attempt(mollify, compute)
     if cuts_overlaps:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, integers
-from ._meshes import surface
+from ._meshes import surface, triangles
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +72,7 @@ def pack_circles(V: Any, F: ArrayLike | None = None) -> CirclePacking:
     (True, False)
     """
     if V is None:
-        faces = integers(F, (None, 3), "F", None, "vertices")
+        faces = integers(triangles(F), (None, 3), "F", None, "vertices")
         on = surface(None, faces, np.ones(faces.shape))
     else:
         on = surface(V, F)

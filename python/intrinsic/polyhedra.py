@@ -78,7 +78,7 @@ def convex_polyhedron(
     Parameters
     ----------
     V, F, lengths
-        As of `laplacian()`.
+        As of `laplacian()`, but V is no Triangulation.
     flatness : float
         The curvature, in radians, up to which a vertex counts as flat; by default the rounding
         error.

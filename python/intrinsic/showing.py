@@ -74,7 +74,7 @@ def show(
     Parameters
     ----------
     V : (n, 3) array of floats, a mesh object, a Triangulation, or a map
-        Positions, or an object with a surface and positions. A triangulation is drawn with edges of
+        Positions, or an object with a surface and positions. A Triangulation is drawn with edges of
         both triangulations, a map with its image.
     F : (m, 3) array of integers
         The corners of each face, if V are positions.

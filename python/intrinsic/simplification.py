@@ -98,6 +98,24 @@ class Simplification:
         return result
 
     @property
+    def status(self) -> str:
+        """"reached", or "nothing_removable" if more vertices are left than n or ratio wants. With
+        max_cost it is always "reached". Vertices inserted for min_angle do not count."""
+        return self._core.status()
+
+    @property
+    def refinement_status(self) -> str | None:
+        """How the refinement for min_angle has ended, as `status` of `Triangulation.refine()`: for
+        example "bounds_met" or "insertion_limit". None without min_angle."""
+        return self._core.coarse_refinement()
+
+    @property
+    def input_refinement_status(self) -> str | None:
+        """How the refinement of the input by `refine` has ended, in the same words. None without
+        `refine`."""
+        return self._core.fine_refinement()
+
+    @property
     def removed(self) -> int:
         """The number of vertices that have been removed."""
         return self._core.removed()
@@ -231,7 +249,7 @@ def simplify(
     Parameters
     ----------
     V, F, lengths, mollify
-        As of `laplacian()`.
+        As of `laplacian()`, but V is no Triangulation.
     n : int or sequence of ints
         The number of vertices to be left. Vertices without faces stay and do not count. A
         decreasing sequence makes a level for each number.
@@ -247,13 +265,14 @@ def simplify(
         Functions at the vertices that have weights. More vertices stay where their gradients
         change.
     refine : float
-        If positive, vertices are inserted first, until all angles have this many degrees. At most
-        30.
+        If positive, vertices are inserted first, so that angles have this many degrees. At most 30.
+        The result has the `input_refinement_status`.
     min_angle : float
-        If positive, vertices are inserted into the coarse triangulation until all angles have this
-        many degrees. At most 60.
+        If positive, vertices are inserted into the coarse triangulation, so that angles have this
+        many degrees. At most 60. The result has the `refinement_status`.
     max_insertions : int
-        The greatest number of insertions of each refinement. The default grows with the faces.
+        The greatest number of insertions of each refinement. The default grows with the faces. At
+        this limit, or at small angles of the surface, angles can remain below a bound.
     close_loops : float
         First close boundary loops up to this length by disks, in the unit of V.
     pinch_handles : float
@@ -267,7 +286,8 @@ def simplify(
     Returns
     -------
     Simplification
-        It has more vertices than n if no others can be removed, or if vertices are inserted.
+        It has more vertices than n if no others can be removed, or if vertices are inserted. Its
+        `status` distinguishes both.
 
     Examples
     --------

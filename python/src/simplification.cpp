@@ -28,6 +28,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -86,6 +87,13 @@ public:
   Bound_simplification(const Bound_simplification&) = delete;
   Bound_simplification& operator=(const Bound_simplification&) = delete;
 
+  // Returns "reached" if the last level has no more vertices than requested, or if a cost bounds it.
+  const char* status() const { return m_is_reached ? "reached" : "nothing_removable"; }
+
+  // Returns the statuses of both refinements; nothing without a refinement.
+  std::optional<std::string> fine_refinement() const { return m_fine_refinement; }
+  std::optional<std::string> coarse_refinement() const { return m_coarse_refinement; }
+
   std::size_t removed() const { return m_removed; }
   double greatest_cost() const { return m_greatest_cost; }
   std::size_t closed_loops() const { return m_closed_loops; }
@@ -132,7 +140,9 @@ private:
     IT::make_Delaunay(start, np);
     const std::size_t limit = options.maximum_number_of_insertions.value_or(
       IT::default_maximum_number_of_insertions(start, options.fine_angle, no_radius));
-    IT::refine(start, np.minimum_angle(options.fine_angle).maximum_number_of_insertions(limit));
+    m_fine_refinement = IT::to_string(
+      IT::refine(start, np.minimum_angle(options.fine_angle).maximum_number_of_insertions(limit))
+        .status);
     start.collect_garbage();
     start = IT::input_with_inserted_vertices(start);
     m_split = start;
@@ -173,6 +183,8 @@ private:
       m_greatest_cost = (std::max)(m_greatest_cost, result.greatest_cost);
       m_levels.emplace_back(*m_evolving);
     }
+    m_is_reached = std::isfinite(options.maximum_cost) ||
+                   coarse().mesh().number_of_vertices() <= options.sizes.back();
   }
 
   void refine_coarse(const Simplification_options& options, Watch& watch)
@@ -181,9 +193,11 @@ private:
     const std::size_t limit =
       options.maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
         m_evolving->mesh().number_of_faces(), options.coarse_angle, no_radius));
-    IS::refine(*m_evolving, IS::parameters::minimum_angle(options.coarse_angle)
-                              .maximum_number_of_insertions(limit)
-                              .visitor(std::ref(watch)));
+    m_coarse_refinement =
+      IT::to_string(IS::refine(*m_evolving, IS::parameters::minimum_angle(options.coarse_angle)
+                                              .maximum_number_of_insertions(limit)
+                                              .visitor(std::ref(watch)))
+                      .status);
     m_levels.back() = IS::Surface_level(*m_evolving);
   }
 
@@ -197,7 +211,9 @@ private:
   std::optional<IS::Surface_map> m_map;    // from the first to the last level
   std::size_t m_removed = 0, m_closed_loops = 0, m_pinched_handles = 0;
   double m_greatest_cost = 0;
-  std::optional<IT::Correspondence<>> m_correspondence; // of `m_split`
+  bool m_is_reached = false;
+  std::optional<std::string> m_fine_refinement, m_coarse_refinement; // statuses
+  std::optional<IT::Correspondence<>> m_correspondence;              // of `m_split`
 };
 
 // Returns the vertices of the input on each level, from the first coarse one on; -1 for others.
@@ -346,6 +362,9 @@ void bind_simplification(py::module_& module)
   typedef Bound_simplification Bound;
   py::class_<Bound>(module, "Simplification")
     .def(py::init(&simplified))
+    .def("status", &Bound::status)
+    .def("fine_refinement", &Bound::fine_refinement)
+    .def("coarse_refinement", &Bound::coarse_refinement)
     .def("removed", &Bound::removed)
     .def("greatest_cost", &Bound::greatest_cost)
     .def("closed_loops", &Bound::closed_loops)

@@ -516,6 +516,27 @@ class Malformed(unittest.TestCase):
                 intrinsic.Triangulation(V, F2)
         with self.assertRaisesRegex(InputError, "from 1 to 4294967294"):
             intrinsic.simplify(V, F, 10**30)
+        for vertices, row, text in [(2**64, 0, "18446744073709551616,"), ([3, -(2**70)], 1, str(-2**70)),
+                                    ([1, 10**5000], 1, "an integer of 16610 bits")]:
+            with self.assertRaisesRegex(InputError, f"row {row} of sources is {text}"):
+                intrinsic.distance(V, F, vertices)
+        with self.assertRaisesRegex(InputError, r"row 0 of F is \[0, 1, 18446744073709551616\]"):
+            intrinsic.laplacian(V, [[0, 1, 2**64]])
+        with self.assertRaisesRegex(InputError, "level is an integer of 16610 bits"):
+            intrinsic.shapes.icosphere(10**5000)
+
+    def test_quads(self):
+        """The message has a way to split them."""
+        V, _ = intrinsic.shapes.grid(3, 3)
+        F = np.array([[i, i + 1, i + 5, i + 4] for i in range(11) if i % 4 < 3])
+        for call in (lambda faces: intrinsic.laplacian(V, faces),
+                     lambda faces: intrinsic.repair(V, faces),
+                     lambda faces: intrinsic.pack_circles(None, faces),
+                     lambda faces: intrinsic.vertex_point(faces, 0)):
+            for faces in (F, F.tolist()):
+                with self.assertRaisesRegex(ArrayError, r"F has the shape \(9, 4\)") as caught:
+                    call(faces)
+            call(eval(str(caught.exception).partition("triangles: ")[2], {"np": np, "F": F}))
 
 
 if __name__ == "__main__":

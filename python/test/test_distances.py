@@ -120,6 +120,19 @@ class Heat(unittest.TestCase):
         self.assertEqual(intrinsic.distance(V, F, 5, full=True).method, "exact")
         self.assertEqual(intrinsic.distance(V, F, 5, time_step_factor=2, full=True).method, "heat")
 
+    def test_exact_distances_have_no_time_step(self):
+        V, F = intrinsic.shapes.icosphere(1)
+        for call in (lambda **k: intrinsic.distance(V, F, 0, "exact", **k),
+                     lambda **k: intrinsic.signed_distance(V, F, [*F[0], F[0, 0]], "exact", **k),
+                     lambda **k: intrinsic.DistanceSolver(V, F, "exact", **k)):
+            call()
+            for factor in (1, 3.0, -1):
+                with self.assertRaisesRegex(intrinsic.InputError, "time_step_factor is for"):
+                    call(time_step_factor=factor)
+        np.testing.assert_array_equal(
+            intrinsic.DistanceSolver(V, F).distance(0),
+            intrinsic.DistanceSolver(V, F, time_step_factor=1).distance(0))
+
     def test_sources(self):
         # Zero at a source, also with rounding; the distance in the face at its corners.
         V, F = intrinsic.shapes.cube()
@@ -394,6 +407,16 @@ class Transport(unittest.TestCase):
         # The grid has the same edges at all vertices inside: frames are parallel. At the boundary
         # they are not, which has an effect on heat nearby.
         np.testing.assert_allclose(field[inside], 1j, atol=0.05)
+
+    def test_one_vector_for_each_vertex(self):
+        V, F = intrinsic.shapes.icosphere(2)
+        once = intrinsic.transport(V, F, [4, 0], [1j, 1])
+        np.testing.assert_allclose(intrinsic.transport(V, F, [4, 0, 4], [1j, 1, 1j]), once, atol=1e-9)
+        for vertices, vectors, rows in (([0, 0], [1, 1j], "0 and 1"), ([4, 0, 4], [1j, 1, 1], "0 and 2")):
+            with self.assertRaisesRegex(intrinsic.InputError, "different vectors, in rows " + rows) as caught:
+                intrinsic.transport(V, F, vertices, vectors)
+            self.assertEqual(caught.exception.vertex, vertices[0])
+            self.assertEqual(caught.exception.row, len(vertices) - 1)
 
     def test_solver_keeps_its_triangulation(self):
         V, F = support.meshes()["bumpy_grid"]

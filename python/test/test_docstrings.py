@@ -9,6 +9,7 @@ import importlib
 import inspect
 import os
 import pkgutil
+import re
 import shutil
 import subprocess
 import unittest
@@ -31,6 +32,33 @@ class Docstrings(unittest.TestCase):
             self.assertEqual(result.failed, 0, name)
             count += result.attempted
         self.assertGreater(count, 60)
+
+    def test_triangulations_as_surfaces(self):
+        """The text about V mentions a Triangulation if the function takes it."""
+        T, count = intrinsic.Triangulation(*intrinsic.shapes.icosphere(1)), 0
+        more = {"simplify": {"n": 9}, "show": {"open": False}}
+        for name in intrinsic.__all__:
+            thing = getattr(intrinsic, name)
+            is_called = inspect.isfunction(thing) or name in ("DistanceSolver", "Triangulation")
+            if not is_called or "V" not in inspect.signature(thing).parameters:
+                continue
+            try:
+                thing(T, **more.get(name, {}))
+                is_taken = True
+            except intrinsic.IntrinsicError as error:
+                is_taken = "takes a mesh" not in str(error)
+            text = self.about_surface(name)
+            if text:
+                count += 1
+                admits = "Triangulation" in text and "no Triangulation" not in text
+                self.assertEqual(admits, is_taken, f"{name}: {text}")
+        self.assertGreater(count, 20)
+
+    def about_surface(self, name):
+        """Return the text of a docstring about V, with the texts to which it refers."""
+        found = re.search(r"^V\b.*\n((?:    .*\n)+)", inspect.getdoc(getattr(intrinsic, name)), re.M)
+        text = found[1] if found else ""
+        return text + "".join(map(self.about_surface, re.findall(r"As of `(\w+)\(\)`", text)))
 
     def test_everything_is_described(self):
         for name in intrinsic.__all__:

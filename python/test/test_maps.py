@@ -64,8 +64,32 @@ class Flat(unittest.TestCase):
         everywhere[list(cones)] = np.pi
         again = intrinsic.flatten(V, F, cones=everywhere)
         np.testing.assert_array_equal(again.subdivision.image, S.image)
+        self.assertEqual(m.cones.tolist(), [3, 50, 200, 400])
+        self.assertEqual(again.cones.tolist(), [3, 50, 200, 400])
         with self.assertRaises(intrinsic.InputError):
             intrinsic.flatten(V, F, cones={3: np.pi})  # Gauss-Bonnet
+
+    def test_cones_are_inside(self):
+        V, F = intrinsic.shapes.grid(10, 10)
+        V = np.vstack([V, [[9, 9, 9]]])  # without a face
+        m = intrinsic.flatten(V, F, cones={61: 0, 60: 1, 0: 0, 121: 0})
+        self.assertEqual(m.cones.tolist(), [60])
+        for vertex, where in ((0, "is on the boundary"), (121, "has no face")):
+            with self.assertRaisesRegex(intrinsic.InputError, f"vertex {vertex}, which {where}") as caught:
+                intrinsic.flatten(V, F, cones={60: 1, vertex: 1})
+            self.assertEqual(caught.exception.vertex, vertex)
+
+    def test_bounds_are_for_placed_cones(self):
+        V, F = support.meshes()["bumpy_grid"]
+        inside = ((V[:, :2] > 0) & (V[:, :2] < 1)).all(axis=1)
+        for bound in ({"max_log_scale": 0.3}, {"max_area_distortion": 2}):
+            name = next(iter(bound))
+            for given in ({"boundary": "disk"}, {"boundary": "rectangle"}, {"cones": "none"},
+                          {"cones": {40: 1}}):
+                with self.assertRaisesRegex(intrinsic.InputError, f"{name} is for cones='greedy'"):
+                    intrinsic.flatten(V, F, **given, **bound)
+            m = intrinsic.flatten(V, F, boundary="disk", cones="greedy", **bound)
+            self.assertLessEqual(abs(m.log_scale[inside]).max(), 0.35)
 
     def test_plane_stays(self):
         flat, faces = support.turned(*intrinsic.shapes.grid(4, 6))
@@ -108,6 +132,11 @@ class Flat(unittest.TestCase):
         images = {}
         for corner, image in zip(S.corners, S.corner_image):
             images.setdefault(int(corner), set()).add(int(image))
+        where = np.arange(len(F)), np.full((len(F), 3), 1 / 3)
+        np.testing.assert_array_equal(m(where), m(*where))
+        for wrong in ((where[0],), (where[0], None), (None,), (0,)):
+            with self.assertRaisesRegex(intrinsic.ArrayError, "points"):
+                m(*wrong)
         for k in range(3):
             at_corners = m(np.arange(len(F)), np.eye(3)[np.full(len(F), k)])
             for vertex, z in zip(F[:, k], at_corners):

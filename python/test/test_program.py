@@ -233,6 +233,17 @@ class Program(unittest.TestCase):
         for V, F in self.each():
             self.compare_flat(V, F, intrinsic.flatten(V, F))
 
+    def test_prescribed_cones(self):
+        for V, F in support.stretched(*support.bumpy_grid(), 10):
+            sides = np.sort(F[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+            edges, number = np.unique(sides, axis=0, return_counts=True)
+            inside = np.setdiff1d(np.arange(len(V)), edges[number == 1])
+            values = {int(inside[3]): 1.0, int(inside[9]): -0.5, int(inside[20]): 0.0}
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "cones.txt")
+                path.write_text("".join(f"{v} {x!r}\n" for v, x in values.items()))
+                self.compare_flat(V, F, intrinsic.flatten(V, F, cones=values), "--cones", str(path))
+
     def test_boundaries(self):
         for V, F in self.each("cube", "sphere", "folded_sphere", "ellipsoid", "noisy_sphere",
                               "torus", "flat_torus", "two_handles"):
@@ -260,6 +271,7 @@ class Program(unittest.TestCase):
         assert_faces_equal(faces_of(S.corners, S.starts), mesh.faces)
         assert_faces_equal(faces_of(S.corner_image, S.starts), mesh.texture_faces)
         self.assertEqual(m.iterations, stats["iterations"])
+        self.assertEqual(len(m.cones), stats["cones"])
         self.assertEqual(m.log_scale.min(), stats["log_scale_min"])
 
     def test_sphere(self):
@@ -306,6 +318,9 @@ class Program(unittest.TestCase):
                                       "--coarse", "FOLDER/coarse.ply", output="out.ply",
                                       mesh="mesh.ply")
         coarse = intrinsic.simplify(V, F, n, **given)
+        self.assertEqual(coarse.status, stats["status"])
+        self.assertEqual(coarse.refinement_status, stats.get("coarse_refinement_status"))
+        self.assertEqual(coarse.input_refinement_status, stats.get("refinement_status"))
         self.assertEqual(coarse.removed, stats["removed"])
         self.assertEqual(coarse.greatest_cost, stats["greatest_cost"])
         self.assertEqual(coarse.closed_loops, stats.get("closed_loops", 0))

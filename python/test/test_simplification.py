@@ -137,6 +137,22 @@ class Simplify(unittest.TestCase):
         np.testing.assert_allclose(np.einsum("kc,kcx->kx", barycentric, V[F[faces]]), mesh.V,
                                    atol=1e-9)
 
+    def test_status(self):
+        V, F = support.meshes()["strip"]
+        coarse = intrinsic.simplify(V, F, 20, min_angle=25, max_insertions=2)
+        self.assertEqual((coarse.status, coarse.refinement_status), ("reached", "insertion_limit"))
+        self.assertIsNone(coarse.input_refinement_status)
+        coarse = intrinsic.simplify(V, F, 20, refine=25, max_insertions=2)
+        self.assertEqual(coarse.input_refinement_status, "insertion_limit")
+        self.assertIsNone(coarse.refinement_status)
+        V, F = intrinsic.shapes.icosphere(2)
+        both = intrinsic.simplify(V, F, max_cost=0.01, refine=20, min_angle=20)
+        self.assertEqual((both.status, both.input_refinement_status, both.refinement_status),
+                         ("reached", "bounds_met", "bounds_met"))
+        for n, status in ((1, "nothing_removable"), (3, "reached"), (10**6, "reached"),
+                          ([9, 1], "nothing_removable")):
+            self.assertEqual(intrinsic.simplify(V, F, n).status, status)
+
     def test_topology(self):
         V, F = support.meshes()["two_handles"]
         closed = intrinsic.simplify(V, F, len(V), pinch_handles=1e3)
