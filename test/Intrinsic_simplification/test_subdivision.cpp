@@ -277,6 +277,27 @@ TEST(Subdivision, with_vertices_as_near_as_rounding)
   EXPECT_GT(checked, 50u);
 }
 
+// Edges between inserted vertices are closer to each other than rounding. In `double`, edges of
+// some of these levels cross each other.
+TEST(Subdivision, of_refined_hard_meshes)
+{
+  for(std::uint64_t seed = 0; seed < 3 * hard_families.size(); ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = hard_mesh(seed).mesh;
+    Evolving_surface surface(mesh);
+    const Surface_level fine(surface);
+    simplify(surface, number_of_vertices(2 * mesh.number_of_vertices() / 5));
+    ASSERT_NO_THROW(
+      IS::refine(surface, IS::parameters::minimum_angle(20.).maximum_number_of_insertions(1000)));
+    const Surface_level coarse(surface);
+    const Surface_map map(surface, fine, coarse);
+    const Subdivision subdivision(map);
+    expect_polygons(subdivision);
+    expect_parents(subdivision);
+    expect_parts_of_coarse_edges(subdivision);
+  }
+}
+
 TEST(Subdivision, keeps_isolated_vertices)
 {
   Mesh mesh = random_sphere(50, 8);

@@ -54,7 +54,7 @@ public:
       change(turn, false, x);
   }
 
-  void pass(const Vertex_sectors& sectors)
+  void pass(const Vertex_sectors<>& sectors)
   {
     if(is_forward != sectors.is_insertion()) {
       const Coordinates& b = m_point.second;
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  void change(const Recorded_flip& turn, bool has_p, Patch_coordinates& x)
+  void change(const Recorded_flip<>& turn, bool has_p, Patch_coordinates& x)
   {
     turn.change_inside(x, has_p);
     move_to(turn.after(has_p), x);
@@ -100,6 +100,7 @@ Location carry_point(Location p, const Route& route)
   normalize(p.second);
   return p;
 }
+template <typename FT = double>
 class Curve_tracer;
 class Face_cutter;
 } // namespace internal
@@ -205,6 +206,7 @@ public:
   }
 
 private:
+  template <typename FT>
   friend class internal::Curve_tracer;
   friend class internal::Face_cutter;
 

@@ -59,8 +59,8 @@ enum class Level
 /// of crossings on an edge of the fine level, not the rounded positions. Positions are rounded, and
 /// in order along every edge. An edge of the coarse level runs through each vertex that it passes
 /// within rounding. It runs along an edge of the fine level if it runs through both ends. Where
-/// vertices are closer than rounding, such edges may cross each other; then no edge is moved to a
-/// vertex. Between other edges that nearly coincide, polygons can have areas as small as rounding,
+/// vertices are closer than rounding, such edges may cross each other; then edges are traced with
+/// 32 digits, and at last with 60. Between other edges that nearly coincide, polygons can have areas as small as rounding,
 /// of either sign (see `signed_area()`). They may have only two sides.
 ///
 /// The object refers to the levels of the map, and is valid during their lifetime.
@@ -88,18 +88,16 @@ public:
 
   /// builds the subdivision. Complexity: the time to trace the edges, and to sort the crossings on
   /// every edge.
-  /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level cross each
-  ///   other by rounding, or the edges around a vertex determine a coarse face far from it. Both
-  ///   need vertices as close to each other as rounding
+  /// \throws Intrinsic_triangulations::Numerical_error if edges of the coarse level cross each other
+  ///   by rounding, and change too often to be traced with more digits. This needs vertices as close
+  ///   to each other as rounding
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : Surface_subdivision(Empty(), map)
   {
-    try {
-      build(map, bends, internal::Snapping::to_near_vertices);
-    } catch(const Intrinsic_triangulations::Numerical_error&) {
-      *this = Surface_subdivision(Empty(), map);
-      build(map, bends, internal::Snapping::none);
-    }
+    using internal::Tracing_digits;
+    if(!succeeds(map, bends, Tracing_digits::of_double) &&
+       !succeeds(map, bends, Tracing_digits::of_double_double))
+      build(map, bends, Tracing_digits::decimal_60);
   }
 
   /// returns one of the levels.
@@ -175,10 +173,23 @@ private:
     : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
   {}
 
-  void build(const Surface_map& map, Bends bends, internal::Snapping snapping)
+  void build(const Surface_map& map, Bends bends, internal::Tracing_digits digits)
   {
-    const internal::Marked_fine_edges edges(map, bends == Bends::of_all_edges, snapping);
+    const internal::Marked_fine_edges edges(map, bends == Bends::of_all_edges, digits);
     Builder(edges, *this).build();
+  }
+
+  // Returns whether rounding to these digits lets no edges cross each other. Otherwise the
+  // subdivision is empty again.
+  bool succeeds(const Surface_map& map, Bends bends, internal::Tracing_digits digits)
+  {
+    try {
+      build(map, bends, digits);
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      *this = Surface_subdivision(Empty(), map);
+      return false;
+    }
   }
 
   // Stores a vertex inside an edge of the coarse level, and a part of this edge that ends at the

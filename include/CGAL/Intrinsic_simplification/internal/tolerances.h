@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_simplification::internal {
 
@@ -19,29 +20,20 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
 
-// Returns the part of a homogeneous coordinate that may be rounding error if a point reaches a
-// vertex or an edge. The coordinates of a crossing are sums of a few products.
-inline double rounding() { return 16 * rounding_unit(); }
-
-// States whether an edge runs through each vertex that it passes within rounding. Where vertices
-// are closer to each other than rounding, such edges may cross each other.
-enum class Snapping
+// Returns the part of a homogeneous coordinate of type `FT` that may be rounding error if a point
+// reaches a vertex or an edge. The coordinates of a crossing are sums of a few products.
+template <typename FT = double>
+double rounding()
 {
-  to_near_vertices,
-  none
-};
-
-// Returns the part of a homogeneous coordinate at which an edge runs through a vertex.
-inline double rounding(Snapping snapping)
-{
-  return snapping == Snapping::none ? std::numeric_limits<double>::min() : rounding();
+  return 16 * static_cast<double>(Intrinsic_triangulations::rounding_unit<FT>());
 }
 
 // Returns what replaces a part of an edge or face that rounding has made zero. The map of an
-// operation is one-to-one only if no part is zero.
-inline double least_part(Snapping snapping)
+// operation is one-to-one only if no part is zero. In `double`, edges run through vertices then.
+template <typename FT>
+double least_part()
 {
-  return snapping == Snapping::none ? rounding_unit() : 0;
+  return std::is_same_v<FT, double> ? 0 : rounding_unit();
 }
 
 // Returns the rounding error of the sum of this number of angles. Each angle is rounded to a unit
@@ -51,6 +43,10 @@ inline double angle_rounding(std::size_t number_of_angles)
   return rounding_unit() * 2 * Intrinsic_triangulations::pi<double>() *
          static_cast<double>(number_of_angles);
 }
+
+// Rounding of lengths changes the excess of angles as much as a change of the scale factor by this
+// number of rounding units. A length is the product of two rounded numbers with half of the factor.
+constexpr double roundings_of_scale = 4;
 
 // If the excess of angles is at most this number, one more step of Newton's method squares it, and
 // leaves about half of all digits. This suffices for a cost, which only determines the order of

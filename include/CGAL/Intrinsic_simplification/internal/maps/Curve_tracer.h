@@ -10,7 +10,9 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Decimal_float.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -21,29 +23,79 @@
 namespace CGAL::Intrinsic_simplification::internal {
 
 // Represents a straight piece of a curve in a face.
-struct Curve_segment
+template <typename FT>
+struct Traced_segment
 {
   Face_index face;
-  Face_point from, to;
+  Curve_point<3, FT> from, to;
 };
+
+typedef Traced_segment<double> Curve_segment;
+
+// States the numbers with which edges are traced. Each type has more digits than the one before.
+enum class Tracing_digits
+{
+  of_double,
+  of_double_double,
+  decimal_60
+};
+
+// Calls f(x), where `x` is of the type of number with these digits.
+template <typename Function>
+auto with_number(Tracing_digits digits, const Function& f)
+{
+  switch(digits) {
+    case Tracing_digits::of_double: return f(0.);
+    case Tracing_digits::of_double_double: return f(Intrinsic_triangulations::Double_double());
+    default: return f(Intrinsic_triangulations::Decimal_float<60>());
+  }
+}
+
+// Rounds a point to `double`.
+template <typename FT>
+Face_point rounded(const Curve_point<3, FT>& p)
+{
+  Face_point result{{}, p.corners, {}, p.node};
+  const FT sum = p.weight[0] + p.weight[1] + p.weight[2], all = p.along[0] + p.along[1];
+  for(std::size_t c = 0; c < 3; ++c)
+    result.weight[c] = static_cast<double>(FT(p.weight[c] / sum));
+  for(std::size_t c = 0; c < 2; ++c)
+    result.along[c] = static_cast<double>(FT(p.along[c] / all));
+  return result;
+}
+
+template <typename FT>
+Curve_segment rounded(const Traced_segment<FT>& s)
+{
+  return {s.face, rounded(s.from), rounded(s.to)};
+}
+inline const Curve_segment& rounded(const Curve_segment& s) { return s; }
 
 // Maps an edge of one level through the operations to the other level. In homogeneous coordinates
 // every operation is linear on each face, so each segment is mapped alone. A new edge cuts it, and
 // the next operation on its face determines the next step. Segments that meet on an edge agree
 // bitwise at the meeting point. The two coordinates of a point on an edge change only by operations
 // that involve the faces on both sides.
+//
+// An operation is one-to-one, but its numbers are rounded to `double`. So an edge that is straight
+// before two operations can have a bend after them. In `double` such bends are ignored, and edges
+// can cross each other where vertices are closer than rounding. With more digits they are kept
+// until the end, and edges do not cross each other.
+template <typename FT>
 class Curve_tracer
 {
+  typedef Traced_segment<FT> Segment;
+  typedef Curve_point<3, FT> Point;
+  typedef internal::Recorded_flip<FT> Recorded_flip;
+  typedef internal::Vertex_sectors<FT> Vertex_sectors;
+  typedef typename Vertex_sectors::Point Patch_point;
+
 public:
-  Curve_tracer(const Surface_map& map, bool forward, Snapping snapping = Snapping::to_near_vertices)
-    : m_route(map.route(forward)),
-      m_rounding(rounding(snapping)),
-      m_least_part(least_part(snapping))
-  {}
+  Curve_tracer(const Surface_map& map, bool forward) : m_route(map.route(forward)) {}
 
   // Traces the edge of `h`, a halfedge of the level where the curve starts, from its source to its
   // target. Faces have the indices of the evolving surface.
-  const std::vector<Curve_segment>& trace(Halfedge_index h)
+  const std::vector<Segment>& trace(Halfedge_index h)
   {
     carry_edge(h);
     join_straight_pieces();
@@ -52,10 +104,10 @@ public:
 
   // Traces the edge of `h`, and moves points of the curve within rounding of a vertex to this
   // vertex.
-  const std::vector<Curve_segment>& trace_through_near_vertices(Halfedge_index h)
+  const std::vector<Segment>& trace_through_near_vertices(Halfedge_index h)
   {
     carry_edge(h);
-    for(Curve_segment& s : m_result) {
+    for(Segment& s : m_result) {
       move_to_near_corner(s.from);
       move_to_near_corner(s.to);
     }
@@ -68,7 +120,7 @@ private:
   // in backward direction.
   struct Timed_segment
   {
-    Curve_segment segment;
+    Segment segment;
     Route::Time time;
   };
 
@@ -83,7 +135,9 @@ private:
     for(Route::Time now = earliest(); now != m_route.end().time(); now = earliest()) {
       const std::size_t most = at_once + m_carried.size();
       const std::size_t met = carry_pieces(m_route.after(now, step), most);
-      join_inside_faces();
+      limit_work(met);
+      if(is_rounded)
+        join_inside_faces();
       if(met == most)
         step = (std::max)(step / 4, Route::Time(1));
       else if(met < most / 4)
@@ -92,6 +146,15 @@ private:
     m_result.clear();
     for(const Timed_segment& s : m_carried)
       m_result.push_back(s.segment);
+  }
+
+  // Without joints, pieces can accumulate. Then tracing would take minutes.
+  void limit_work(std::size_t operations)
+  {
+    m_operations += operations;
+    if(!is_rounded && m_operations > greatest_number_of_operations)
+      throw Intrinsic_triangulations::Numerical_error(
+        "edges of the coarse level change too often to be traced with more digits");
   }
 
   // Returns the time of the next operation.
@@ -125,7 +188,7 @@ private:
   }
 
   // An edge and its reverse start in the same face.
-  Curve_segment whole_edge(Halfedge_index h) const
+  Segment whole_edge(Halfedge_index h) const
   {
     const Surface_level& level = m_route.start();
     const Delta_complex& mesh = level.mesh();
@@ -137,15 +200,15 @@ private:
     return {level.surface_face(mesh.face(inner)), corner_point(from, 0), corner_point(to, 1)};
   }
 
-  static Face_point corner_point(std::size_t corner, std::size_t end)
+  static Point corner_point(std::size_t corner, std::size_t end)
   {
-    Face_point result{{}, bit(corner), {}, end};
-    result.weight[corner] = 1;
-    result.along[end] = 1;
+    Point result{{}, bit(corner), {}, end};
+    result.weight[corner] = FT(1);
+    result.along[end] = FT(1);
     return result;
   }
 
-  Timed_segment timed(const Curve_segment& s, Route::Time now) const
+  Timed_segment timed(const Segment& s, Route::Time now) const
   {
     return {s, m_route.next(s.face, now)};
   }
@@ -172,21 +235,21 @@ private:
   }
 
   // Applies a scaling. A curve bends on an edge if the changes on its two sides differ.
-  void pass(const Scaling& scaling, Curve_segment s)
+  void pass(const Scaling& scaling, Segment s)
   {
     const Coordinates factor = m_route.factors(scaling, s.face);
-    for(Face_point* p : {&s.from, &s.to}) {
+    for(Point* p : {&s.from, &s.to}) {
       if(is_pair(p->corners))
         m_is_bend[p->node] = 1;
       for(std::size_t c = 0; c < 3; ++c)
-        p->weight[c] *= factor[c];
+        p->weight[c] *= FT(factor[c]);
     }
     m_parts.push_back(s);
   }
 
-  void pass(const Flip& flip, const Curve_segment& s)
+  void pass(const Flip& flip, const Segment& s)
   {
-    const Recorded_flip turn(flip, m_route.is_forward(), m_least_part);
+    const Recorded_flip turn(flip, m_route.is_forward(), least_part<FT>());
     const Patch_face face = turn.before(turn.has_r(s.face));
     const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
     const int from_side = turn.side(from), to_side = turn.side(to);
@@ -198,9 +261,9 @@ private:
     add_part(turn.after(to_side > 0), x, turn.turned(to));
   }
 
-  void pass(const Vertex_change& change, const Curve_segment& s)
+  void pass(const Vertex_change& change, const Segment& s)
   {
-    const Vertex_sectors sectors(change, m_least_part);
+    const Vertex_sectors sectors(change, least_part<FT>());
     if(m_route.is_forward() == sectors.is_insertion())
       return insert_vertex(sectors, s);
     const Patch_face face = sectors[sectors.sector_of(s.face)];
@@ -208,7 +271,7 @@ private:
              sectors.in_whole(face.in_patch(s.to)));
   }
 
-  void insert_vertex(const Vertex_sectors& sectors, const Curve_segment& s)
+  void insert_vertex(const Vertex_sectors& sectors, const Segment& s)
   {
     const Patch_point x = sectors.whole().in_patch(s.from), y = sectors.whole().in_patch(s.to);
     const auto from = sectors.in_sectors(x), to = sectors.in_sectors(y);
@@ -220,18 +283,20 @@ private:
     // determines the direction.
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
     const std::size_t outgoing = one_ahead ? (from.last + 1) % 3 : from.first;
+    using std::abs;
     auto [point, excess] = sectors.on_line(outgoing, x, y);
     if(sectors.is_border() ? Vertex_sectors::is_on_border_side(x, y)
-                           : std::abs(excess) <= m_rounding)
+                           : abs(excess) <= rounding<FT>())
       return pass_through_vertex(sectors, from, point, to);
     const bool is_ahead = one_ahead == (excess > 0 || sectors.is_border());
     pass_outgoing_halfedges(sectors, is_ahead, {x, y}, from, to);
   }
 
-  void pass_through_vertex(const Vertex_sectors& sectors, const Vertex_sectors::Sector_point& from,
-                           Patch_point at_vertex, const Vertex_sectors::Sector_point& to)
+  void pass_through_vertex(const Vertex_sectors& sectors,
+                           const typename Vertex_sectors::Sector_point& from, Patch_point at_vertex,
+                           const typename Vertex_sectors::Sector_point& to)
   {
-    at_vertex.weight = {0, 0, 0, at_vertex.weight[Vertex_sectors::m]};
+    at_vertex.weight = {FT(0), FT(0), FT(0), at_vertex.weight[Vertex_sectors::m]};
     at_vertex.corners = bit(Vertex_sectors::m);
     number(at_vertex);
     add_part(sectors[from.last], from.point, at_vertex);
@@ -242,8 +307,8 @@ private:
   // clockwise.
   void pass_outgoing_halfedges(const Vertex_sectors& sectors, bool is_ahead,
                                const std::array<Patch_point, 2>& ends,
-                               const Vertex_sectors::Sector_point& from,
-                               const Vertex_sectors::Sector_point& to)
+                               const typename Vertex_sectors::Sector_point& from,
+                               const typename Vertex_sectors::Sector_point& to)
   {
     Patch_point last = from.point;
     std::size_t n = is_ahead ? from.last : from.first;
@@ -259,22 +324,22 @@ private:
 
   // Moves a point between the ends that is at a corner, within rounding, to this corner. The curve
   // then runs through the vertex.
-  static void move_to_near_corner(Face_point& p)
+  static void move_to_near_corner(Point& p)
   {
     if(p.node < 2)
       return;
     const auto most = std::max_element(p.weight.begin(), p.weight.end());
     for(auto w = p.weight.begin(); w != p.weight.end(); ++w)
-      if(w != most && *w > rounding() * *most)
+      if(w != most && *w > rounding<FT>() * *most)
         return;
     p.corners = bit(static_cast<std::size_t>(most - p.weight.begin()));
     for(auto w = p.weight.begin(); w != p.weight.end(); ++w)
       if(w != most)
-        *w = 0;
+        *w = FT(0);
   }
 
   // Returns whether the curve continues straight beyond `p`, which was on an edge before.
-  bool is_straight_inside(const Face_point& p) const
+  bool is_straight_inside(const Point& p) const
   {
     return p.corners == inside && !m_is_bend[p.node];
   }
@@ -304,43 +369,47 @@ private:
         m_result[size - 1].to = m_result[n].to;
       else
         m_result[size++] = m_result[n];
-      const Curve_segment& last = m_result[size - 1];
+      const Segment& last = m_result[size - 1];
       const bool is_end = n + 1 == m_result.size();
       is_joint = is_straight_inside(last.to) || (!is_end && stays_in_face(last, m_result[n + 1]));
-      if(!is_joint && leads_back(last) && !(is_end && size == 1)) {
+      if(is_rounded && !is_joint && leads_back(last) && !(is_end && size == 1)) {
         --size;
         is_joint = is_pair(last.to.corners);
       }
     }
     m_result.resize(size);
     // Pieces omitted at a vertex were as short as rounding errors.
-    m_result.front().from.along = {1, 0, 0};
-    m_result.back().to.along = {0, 1, 0};
+    m_result.front().from.along = {FT(1), FT(0), FT(0)};
+    m_result.back().to.along = {FT(0), FT(1), FT(0)};
     for(std::size_t n = 1; n < size; ++n)
       m_result[n].from.along = m_result[n - 1].to.along;
   }
 
   // Returns whether the curve reaches a side and does not cross it.
-  static bool stays_in_face(const Curve_segment& s, const Curve_segment& next)
+  static bool stays_in_face(const Segment& s, const Segment& next)
   {
     return is_pair(s.to.corners) && next.face == s.face && next.from.corners == s.to.corners;
   }
 
   // The ends of the curve have the nodes 0 and 1.
-  static bool leads_back(const Curve_segment& s)
+  static bool leads_back(const Segment& s)
   {
     return s.from.corners == s.to.corners && s.to.corners != inside && s.from.node + s.to.node > 1;
   }
 
+  static constexpr bool is_rounded = std::is_same_v<FT, double>;
   static constexpr Corner_set inside = 7;
   static constexpr std::size_t at_once = 16; // operations in a step, beside one for each piece
+  // Some ten seconds.
+  static constexpr std::size_t greatest_number_of_operations =
+    std::is_same_v<FT, Intrinsic_triangulations::Double_double> ? 50000000 : 10000000;
 
   Route m_route;
-  double m_rounding, m_least_part;
-  std::vector<char> m_is_bend; // of each point
+  std::size_t m_operations = 0; // on pieces
+  std::vector<char> m_is_bend;  // of each point
   std::vector<Timed_segment> m_carried, m_stack;
-  std::vector<Curve_segment> m_parts; // of the segment that is being carried
-  std::vector<Curve_segment> m_result;
+  std::vector<Segment> m_parts; // of the segment that is being carried
+  std::vector<Segment> m_result;
 };
 
 } // namespace CGAL::Intrinsic_simplification::internal

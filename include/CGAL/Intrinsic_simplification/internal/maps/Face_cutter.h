@@ -159,7 +159,7 @@ private:
     push(std::move(c.cell), c.time + 1);
   }
 
-  void pass(const Vertex_sectors& sectors, Timed_cell& c)
+  void pass(const Vertex_sectors<>& sectors, Timed_cell& c)
   {
     if(sectors.is_insertion())
       throw Intrinsic_triangulations::Invalid_input(
@@ -213,7 +213,7 @@ private:
   // Cuts the cell along the new edge. Points on the edge belong to the part of the preceding
   // points. The cell has two parts, or more if rounding has bent a side. Then the negative side is
   // cut off part by part.
-  void cut_along(const Recorded_flip& turn, Route::Time t)
+  void cut_along(const Recorded_flip<>& turn, Route::Time t)
   {
     move_to_front(1); // the last that is not on the edge is negative now
     const std::size_t edge = line_of_flip(t);
@@ -246,7 +246,7 @@ private:
   }
 
   // Returns the crossing, which is bitwise equal for both cells beside it.
-  Patch_point crossing(const Recorded_flip& turn, const Patch_point& x, const Patch_point& y)
+  Patch_point crossing(const Recorded_flip<>& turn, const Patch_point& x, const Patch_point& y)
   {
     if(x.node > y.node)
       return crossing(turn, y, x);
@@ -255,7 +255,7 @@ private:
     return numbered(turn.crossing(x, y), entry->second);
   }
 
-  void add_part(const Recorded_flip& turn, bool has_p, const Part& part, Route::Time t)
+  void add_part(const Recorded_flip<>& turn, bool has_p, const Part& part, Route::Time t)
   {
     const Patch_face after = turn.after(has_p);
     Cell result{after.face, {}, {}};

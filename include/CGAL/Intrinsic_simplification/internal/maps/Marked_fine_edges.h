@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,15 +33,16 @@ class Marked_fine_edges
 public:
   typedef Intrinsic_triangulations::Edge_marks Edge_marks;
 
-  // Finds the marks, with or without bends of edges of the fine level on the coarse surface.
-  Marked_fine_edges(const Surface_map& map, bool with_fine_bends, Snapping snapping)
+  // Finds the marks, with or without bends of edges of the fine level on the coarse surface. Edges
+  // of the coarse level are traced with these digits.
+  Marked_fine_edges(const Surface_map& map, bool with_fine_bends, Tracing_digits digits)
     : m_map(map),
       m_fine(map.fine().mesh()),
-      m_snapping(snapping),
-      m_rounding(rounding(snapping)),
+      m_digits(digits),
+      m_rounding(with_number(digits, [](auto number) { return rounding<decltype(number)>(); })),
       m_number_of_vertices(m_fine.number_of_vertices())
   {
-    Traced_curves traced(map, snapping);
+    Traced_curves traced(map, digits);
     order_crossings(traced);
     number_new_vertices();
     m_is_along.assign(m_fine.number_of_edges(), 0);
@@ -52,13 +51,13 @@ public:
     add_new_border_vertices();
     if(with_fine_bends)
       add_fine_bends();
-    order(m_marks, m_pieces);
+    sort_marks(ratios(), m_marks, m_pieces);
     number_marks();
     find_pieces_before_vertices();
   }
 
   const Surface_map& map() const { return m_map; }
-  Snapping snapping() const { return m_snapping; }
+  Tracing_digits digits() const { return m_digits; }
   Curve_index number_of_vertices() const { return m_number_of_vertices; }
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
 
@@ -149,45 +148,11 @@ private:
 
   // ---- The order ----
 
-  // Renumbers marks: mark `order[n]` becomes mark `n`.
-  static void renumber(const std::vector<Curve_index>& order, Marks& marks, Pieces& pieces)
-  {
-    Marks result;
-    std::vector<Curve_index> place(order.size());
-    for(Curve_index n = 0; n < order.size(); ++n) {
-      result.push_back(marks[order[n]]);
-      place[order[n]] = n;
-    }
-    marks.swap(result);
-    for(Coarse_piece& piece : pieces)
-      for(Curve_index& mark : piece.marks)
-        if(mark != no_index)
-          mark = place[mark];
-  }
-
-  static std::vector<Curve_index> indices(std::size_t n)
-  {
-    std::vector<Curve_index> result(n);
-    std::iota(result.begin(), result.end(), Curve_index(0));
-    return result;
-  }
-
-  // Sorts marks by their edges, and along them.
-  static void order(Marks& marks, Pieces& pieces)
-  {
-    std::vector<Curve_index> order = indices(marks.size());
-    std::stable_sort(order.begin(), order.end(), [&](Curve_index x, Curve_index y) {
-      return std::tie(marks[x].edge, marks[x].ratio) < std::tie(marks[y].edge, marks[y].ratio);
-    });
-    renumber(order, marks, pieces);
-  }
-
-  // Sorts the crossings by their positions first. The curves determine the final order. Then
+  // The curves determine the final order of crossings, which are sorted by their positions. Then
   // positions are changed to agree with it.
   void order_crossings(Traced_curves& traced) const
   {
     Marks& marks = traced.marks;
-    order(marks, traced.pieces);
     std::vector<Curve_index> order = indices(marks.size());
     Crossing_order curves(traced, m_map);
     const auto are_exchanged = [&](Curve_index x, Curve_index y) {
@@ -200,6 +165,15 @@ private:
     for(std::size_t n = 1; n < marks.size(); ++n)
       if(marks[n].edge == marks[n - 1].edge)
         marks[n].ratio = (std::max)(marks[n].ratio, marks[n - 1].ratio);
+  }
+
+  std::vector<double> ratios() const
+  {
+    std::vector<double> result;
+    result.reserve(m_marks.size());
+    for(const Curve_mark& mark : m_marks)
+      result.push_back(mark.ratio);
+    return result;
   }
 
   void number_marks()
@@ -342,7 +316,7 @@ private:
 
   const Surface_map& m_map;
   const Delta_complex& m_fine;
-  Snapping m_snapping;
+  Tracing_digits m_digits;
   double m_rounding;
   Curve_index m_number_of_vertices, m_first_fine_bend = no_index;
   std::vector<Vertex_index> m_vertex_of_coarse; // of each vertex of the coarse level

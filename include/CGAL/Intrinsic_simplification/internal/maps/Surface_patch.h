@@ -50,13 +50,13 @@ inline bool is_pair(Corner_set corners)
 // Represents a point of a curve or polygon, seen from a face of `n` corners with homogeneous
 // coordinates. The set of its corners determines whether it is at a corner, on a side or inside.
 // Rounding never does.
-template <std::size_t n>
+template <std::size_t n, typename FT = double>
 struct Curve_point
 {
-  std::array<double, n> weight;
+  std::array<FT, n> weight;
   Corner_set corners;
-  Coordinates along; // on the edge that is traced, or in the face that is cut; homogeneous
-  std::size_t node;  // the index of the point
+  std::array<FT, 3> along; // on the edge that is traced, or in the face that is cut; homogeneous
+  std::size_t node;        // the index of the point
 };
 
 typedef Curve_point<3> Face_point;
@@ -77,34 +77,38 @@ struct Patch_face
 
   Corner_set corners() const { return bit(corner[0]) | bit(corner[1]) | bit(corner[2]); }
 
-  Patch_coordinates in_patch(const Coordinates& b) const
+  template <typename FT>
+  std::array<FT, 4> in_patch(const std::array<FT, 3>& b) const
   {
-    Patch_coordinates result{};
+    std::array<FT, 4> result{};
     for(std::size_t n = 0; n < 3; ++n)
       result[corner[n]] = b[in_face(n)];
     return result;
   }
 
-  Coordinates in_face(const Patch_coordinates& x) const
+  template <typename FT>
+  std::array<FT, 3> in_face(const std::array<FT, 4>& x) const
   {
-    Coordinates result{};
+    std::array<FT, 3> result{};
     for(std::size_t n = 0; n < 3; ++n)
       result[in_face(n)] = x[corner[n]];
     return result;
   }
 
-  Patch_point in_patch(const Face_point& p) const
+  template <typename FT>
+  Curve_point<4, FT> in_patch(const Curve_point<3, FT>& p) const
   {
-    Patch_point result{in_patch(p.weight), 0, p.along, p.node};
+    Curve_point<4, FT> result{in_patch(p.weight), 0, p.along, p.node};
     for(std::size_t n = 0; n < 3; ++n)
       if(p.corners & bit(in_face(n)))
         result.corners |= bit(corner[n]);
     return result;
   }
 
-  Face_point in_face(const Patch_point& p) const
+  template <typename FT>
+  Curve_point<3, FT> in_face(const Curve_point<4, FT>& p) const
   {
-    Face_point result{in_face(p.weight), 0, p.along, p.node};
+    Curve_point<3, FT> result{in_face(p.weight), 0, p.along, p.node};
     for(std::size_t n = 0; n < 3; ++n)
       if(p.corners & bit(corner[n]))
         result.corners |= bit(in_face(n));
@@ -114,11 +118,13 @@ struct Patch_face
 
 // Returns the zero of a linear function between p and q, given the absolute values of the function
 // at p and q.
-inline Patch_point between(const Patch_point& p, const Patch_point& q, double at_p, double at_q)
+template <typename FT>
+Curve_point<4, FT> between(const Curve_point<4, FT>& p, const Curve_point<4, FT>& q, const FT& at_p,
+                           const FT& at_q)
 {
-  const double sum = at_p + at_q;
-  const double a = sum > 0 ? at_q / sum : 0.5, b = sum > 0 ? at_p / sum : 0.5;
-  Patch_point result{};
+  const FT sum = at_p + at_q;
+  const FT a = sum > 0 ? FT(at_q / sum) : FT(0.5), b = sum > 0 ? FT(at_p / sum) : FT(0.5);
+  Curve_point<4, FT> result{};
   for(std::size_t c = 0; c < 4; ++c)
     result.weight[c] = a * p.weight[c] + b * q.weight[c];
   for(std::size_t c = 0; c < 3; ++c)
@@ -134,8 +140,13 @@ inline double proper_part(double part, double least)
 }
 
 // Represents a flip or its inverse: the faces pqr and qpo become orp and roq.
+// The points have coordinates of type `FT`.
+template <typename FT = double>
 class Recorded_flip
 {
+  typedef std::array<FT, 4> Coordinates;
+  typedef Curve_point<4, FT> Point;
+
 public:
   enum Corner : std::size_t
   {
@@ -149,8 +160,8 @@ public:
   {
     const auto& [left, right] = flip.corners;
     const Face_corner first(left.face(), 0), second(right.face(), 0);
-    const double s = proper_part(flip.crossing_before, least_part),
-                 t = proper_part(flip.crossing_after, least_part);
+    const FT s = proper_part(flip.crossing_before, least_part),
+             t = proper_part(flip.crossing_after, least_part);
     if(forward) {
       m_before = {left, right};
       m_after = {first, second};
@@ -178,32 +189,32 @@ public:
   }
 
   // Returns whether a point of the faces before the flip belongs to the face with p after it.
-  bool is_beside_p(const Patch_coordinates& x) const
+  bool is_beside_p(const Coordinates& x) const
   {
     return x[p] * m_crossing[q] > x[q] * m_crossing[p];
   }
 
   // Changes the coordinates for the face with p or for the face with q; one of the two may be
   // negative. Replaces p and q by the crossing as far as possible, and the crossing by o and r.
-  void change(Patch_coordinates& x, bool has_p) const
+  void change(Coordinates& x, bool has_p) const
   {
     const Corner left_over = has_p ? p : q, used_up = has_p ? q : p;
-    const double all = m_crossing[used_up] > 0 ? x[used_up] / m_crossing[used_up] : 0;
+    const FT all = m_crossing[used_up] > 0 ? FT(x[used_up] / m_crossing[used_up]) : FT(0);
     x[left_over] -= all * m_crossing[left_over];
     x[used_up] = 0;
     add_crossing(all, x);
   }
 
   // Changes the coordinates of a point of one of these faces, which are nonnegative.
-  void change_inside(Patch_coordinates& x, bool has_p) const
+  void change_inside(Coordinates& x, bool has_p) const
   {
     change(x, has_p);
-    x[has_p ? p : q] = (std::max)(x[has_p ? p : q], 0.);
+    x[has_p ? p : q] = (std::max)(x[has_p ? p : q], FT(0));
   }
 
   // Returns 1 if a point belongs to the face with p, -1 if it belongs to the face with q, and 0 for
   // both.
-  int side(const Patch_point& x) const
+  int side(const Point& x) const
   {
     if(is_on_or_in_diamond(x))
       return is_beside_p(x.weight) ? 1 : -1;
@@ -211,7 +222,7 @@ public:
   }
 
   // Returns the point in the faces after the flip.
-  Patch_point turned(Patch_point x) const
+  Point turned(Point x) const
   {
     if(is_on_or_in_diamond(x)) {
       const bool has_p = is_beside_p(x.weight);
@@ -222,18 +233,18 @@ public:
   }
 
   // Returns whether the point is on the edge up to rounding.
-  bool is_near_diagonal(const Patch_point& x) const
+  bool is_near_diagonal(const Point& x) const
   {
-    const double sum = x.weight[p] + x.weight[q] + x.weight[o] + x.weight[r];
-    return is_on_or_in_diamond(x) && distance(x) <= rounding() * sum;
+    const FT sum = x.weight[p] + x.weight[q] + x.weight[o] + x.weight[r];
+    return is_on_or_in_diamond(x) && distance(x) <= rounding<FT>() * sum;
   }
 
   // Returns the point where the segment from x to y, seen from before the flip, crosses the edge
   // or.
-  Patch_point crossing(const Patch_point& x, const Patch_point& y) const
+  Point crossing(const Point& x, const Point& y) const
   {
-    Patch_point result = between(x, y, distance(x), distance(y));
-    const double all = result.weight[p] + result.weight[q];
+    Point result = between(x, y, distance(x), distance(y));
+    const FT all = result.weight[p] + result.weight[q];
     result.weight[p] = result.weight[q] = 0;
     add_crossing(all, result.weight);
     result.corners = bit(o) | bit(r);
@@ -242,31 +253,34 @@ public:
 
 private:
   // Points on pq, and points inside of the faces, must be compared with the other diagonal.
-  static bool is_on_or_in_diamond(const Patch_point& x)
+  static bool is_on_or_in_diamond(const Point& x) { return is_subset(bit(p) | bit(q), x.corners); }
+
+  FT distance(const Point& x) const
   {
-    return is_subset(bit(p) | bit(q), x.corners);
+    using std::abs;
+    return abs(FT(x.weight[p] * m_crossing[q] - x.weight[q] * m_crossing[p]));
   }
 
-  double distance(const Patch_point& x) const
-  {
-    return std::abs(x.weight[p] * m_crossing[q] - x.weight[q] * m_crossing[p]);
-  }
-
-  void add_crossing(double amount, Patch_coordinates& x) const
+  void add_crossing(const FT& amount, Coordinates& x) const
   {
     x[o] += amount * m_crossing[o];
     x[r] += amount * m_crossing[r];
   }
 
   std::array<Face_corner, 2> m_before, m_after; // at p and q, and at o and r
-  Patch_coordinates m_crossing;                 // of p and q, and of o and r
+  Coordinates m_crossing;                       // of p and q, and of o and r
 };
 
 // Represents the removal of a vertex, or its inverse, an insertion. The sectors m01, m12 and m20
 // together are the face 012; at the boundary m20 is missing.
+// The points have coordinates of type `FT`.
+template <typename FT = double>
 class Vertex_sectors
 {
+  typedef std::array<FT, 4> Coordinates;
+
 public:
+  typedef Curve_point<4, FT> Point;
   static constexpr std::size_t m = 3;
 
   Vertex_sectors(const Vertex_change& o, double least_part = 0)
@@ -293,7 +307,7 @@ public:
   }
 
   // Expresses the vertex by the corners of the whole face.
-  void merge(Patch_coordinates& x) const
+  void merge(Coordinates& x) const
   {
     for(std::size_t c = 0; c < 3; ++c)
       x[c] += x[m] * m_vertex[c];
@@ -303,18 +317,18 @@ public:
   // Replaces corners by the vertex as far as the coordinates of a point of the whole face permit.
   // One coordinate becomes zero, and the point is in the sector opposite to its corner. Returns the
   // index of the corner.
-  std::size_t split(Patch_coordinates& x) const
+  std::size_t split(Coordinates& x) const
   {
     const std::size_t used_up = corner_used_up(x);
-    const double at_vertex = x[used_up] / m_vertex[used_up];
+    const FT at_vertex = x[used_up] / m_vertex[used_up];
     for(std::size_t c = 0; c < 3; ++c)
-      x[c] = c == used_up ? 0 : (std::max)(x[c] - at_vertex * m_vertex[c], 0.);
+      x[c] = c == used_up ? FT(0) : (std::max)(FT(x[c] - at_vertex * m_vertex[c]), FT(0));
     x[m] = at_vertex;
     return used_up;
   }
 
   // Returns a point of a sector, seen from the whole face.
-  Patch_point in_whole(Patch_point x) const
+  Point in_whole(Point x) const
   {
     if((x.corners & bit(m)) == 0)
       return x;
@@ -328,14 +342,14 @@ public:
   // next to each other.
   struct Sector_point
   {
-    Patch_point point;
+    Point point;
     std::size_t first, last;
 
     bool is_in(std::size_t n) const { return n == first || n == last; }
   };
 
   // Returns a point of the whole face, seen from the sectors.
-  Sector_point in_sectors(Patch_point x) const
+  Sector_point in_sectors(Point x) const
   {
     if(x.corners == whole_face() || (m_is_border && x.corners == border_side())) {
       const std::size_t used_up = split(x.weight);
@@ -356,28 +370,28 @@ public:
   // whole face.
   struct Line_point
   {
-    Patch_point point; // of the edge from m to the corner
-    double excess;     // negative beyond m; as a part of the coordinates
+    Point point; // of the edge from m to the corner
+    FT excess;   // negative beyond m; as a part of the coordinates
   };
 
-  Line_point on_line(std::size_t outgoing, const Patch_point& x, const Patch_point& y) const
+  Line_point on_line(std::size_t outgoing, const Point& x, const Point& y) const
   {
     const std::size_t a = (outgoing + 1) % 3, c = (outgoing + 2) % 3;
-    Patch_point result = between(x, y, distance(a, c, x), distance(a, c, y));
+    Point result = between(x, y, distance(a, c, x), distance(a, c, y));
     auto& w = result.weight;
-    const double sum = w[0] + w[1] + w[2];
+    const FT sum = w[0] + w[1] + w[2];
     const std::size_t greater = m_vertex[a] > m_vertex[c] ? a : c;
-    const double at_vertex = m_vertex[greater] > 0 ? w[greater] / m_vertex[greater] : 0;
-    const double rest = w[outgoing] - at_vertex * m_vertex[outgoing];
-    w[a] = w[c] = 0;
-    w[outgoing] = (std::max)(rest, 0.);
+    const FT at_vertex = m_vertex[greater] > 0 ? FT(w[greater] / m_vertex[greater]) : FT(0);
+    const FT rest = w[outgoing] - at_vertex * m_vertex[outgoing];
+    w[a] = w[c] = FT(0);
+    w[outgoing] = (std::max)(rest, FT(0));
     w[m] = at_vertex;
     result.corners = bit(m) | bit(outgoing);
-    return {result, rest / sum};
+    return {result, FT(rest / sum)};
   }
 
   // Returns whether a segment between two such points runs along the boundary.
-  static bool is_on_border_side(const Patch_point& x, const Patch_point& y)
+  static bool is_on_border_side(const Point& x, const Point& y)
   {
     return is_subset(x.corners | y.corners, border_side());
   }
@@ -388,9 +402,9 @@ private:
 
   // Returns the corner whose coordinate in a point is least, compared with the vertex. The point
   // and this corner are on opposite sides of the vertex.
-  std::size_t corner_used_up(const Patch_coordinates& x) const
+  std::size_t corner_used_up(const Coordinates& x) const
   {
-    const Coordinates& w = m_vertex;
+    const std::array<FT, 3>& w = m_vertex;
     auto used_up = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
     for(std::size_t c = 0; c < 3; ++c)
       if(w[c] > 0 && x[c] * w[used_up] < x[used_up] * w[c])
@@ -398,14 +412,15 @@ private:
     return used_up;
   }
 
-  double distance(std::size_t a, std::size_t c, const Patch_point& x) const
+  FT distance(std::size_t a, std::size_t c, const Point& x) const
   {
-    return std::abs(m_vertex[a] * x.weight[c] - m_vertex[c] * x.weight[a]);
+    using std::abs;
+    return abs(FT(m_vertex[a] * x.weight[c] - m_vertex[c] * x.weight[a]));
   }
 
   bool m_is_border, m_is_insertion;
-  Coordinates m_vertex; // in the whole face
-  Face_corner m_whole;  // 0
+  std::array<FT, 3> m_vertex; // in the whole face
+  Face_corner m_whole;        // 0
   std::array<Face_corner, 3> m_sector;
 };
 

@@ -19,7 +19,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -40,7 +42,11 @@ inline Curve_index checked_index(std::size_t n)
 // The following functions return whether a point of a curve is at a corner, on a side, or inside
 // its face, where the curve bends.
 inline bool is_at_corner(const Face_point& p) { return is_single(p.corners); }
-inline bool is_on_side(const Face_point& p) { return is_pair(p.corners); }
+template <typename FT>
+bool is_on_side(const Curve_point<3, FT>& p)
+{
+  return is_pair(p.corners);
+}
 inline bool is_bend(const Face_point& p) { return !is_at_corner(p) && !is_on_side(p); }
 
 inline std::size_t corner_number(const Face_point& p)
@@ -48,14 +54,16 @@ inline std::size_t corner_number(const Face_point& p)
   return p.corners == bit(0) ? 0 : p.corners == bit(1) ? 1 : 2;
 }
 
-inline std::size_t side_number(const Face_point& p)
+template <typename FT>
+std::size_t side_number(const Curve_point<3, FT>& p)
 {
   return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
 }
 
 // Returns the side of the face of a segment on which one of its ends lies.
-inline Halfedge_index side_of_end(const Curve_segment& s, const Face_point& end,
-                                  const Delta_complex& mesh)
+template <typename FT>
+Halfedge_index side_of_end(const Traced_segment<FT>& s, const Curve_point<3, FT>& end,
+                           const Delta_complex& mesh)
 {
   return Intrinsic_triangulations::sides(s.face, mesh)[side_number(end)];
 }
@@ -70,13 +78,15 @@ inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::
 
 // Returns the edge on which an end of a segment lies. Also returns the ratio of its distances from
 // the source and the target of the first halfedge.
-inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Face_point& end,
-                                                const Delta_complex& mesh)
+template <typename FT>
+std::pair<Edge_index, FT> edge_ratio(const Traced_segment<FT>& s, const Curve_point<3, FT>& end,
+                                     const Delta_complex& mesh)
 {
   const std::size_t n = side_number(end);
   const Halfedge_index h = side_of_end(s, end, mesh);
-  const double from = end.weight[n], to = end.weight[(n + 1) % 3];
-  return {Edge_index(h), Intrinsic_triangulations::is_first_halfedge(h) ? to / from : from / to};
+  const FT &from = end.weight[n], &to = end.weight[(n + 1) % 3];
+  return {Edge_index(h),
+          FT(Intrinsic_triangulations::is_first_halfedge(h) ? to / from : from / to)};
 }
 
 // Represents a straight part of an edge of the coarse level in a face of the fine level. Stores the
@@ -99,46 +109,89 @@ struct Curve_mark
   Vertex_index vertex;
 };
 
-// Stores the edges of the coarse level as chains of pieces, and their marks on edges of the fine
-// level, in the order of tracing. Pieces of one edge are consecutive.
+inline std::vector<Curve_index> indices(std::size_t n)
+{
+  std::vector<Curve_index> result(n);
+  std::iota(result.begin(), result.end(), Curve_index(0));
+  return result;
+}
+
+// Renumbers marks: mark `order[n]` becomes mark `n`.
+inline void renumber(const std::vector<Curve_index>& order, std::vector<Curve_mark>& marks,
+                     std::vector<Coarse_piece>& pieces)
+{
+  std::vector<Curve_mark> result;
+  std::vector<Curve_index> place(order.size());
+  for(Curve_index n = 0; n < order.size(); ++n) {
+    result.push_back(marks[order[n]]);
+    place[order[n]] = n;
+  }
+  marks.swap(result);
+  for(Coarse_piece& piece : pieces)
+    for(Curve_index& mark : piece.marks)
+      if(mark != no_index)
+        mark = place[mark];
+}
+
+// Sorts marks by their edges, and by their ratios along them. The ratios may have more digits than
+// the marks.
+template <typename FT>
+void sort_marks(const std::vector<FT>& ratio, std::vector<Curve_mark>& marks,
+                std::vector<Coarse_piece>& pieces)
+{
+  std::vector<Curve_index> order = indices(marks.size());
+  std::stable_sort(order.begin(), order.end(), [&](Curve_index x, Curve_index y) {
+    return std::tie(marks[x].edge, ratio[x]) < std::tie(marks[y].edge, ratio[y]);
+  });
+  renumber(order, marks, pieces);
+}
+
+// Stores the edges of the coarse level as chains of pieces. Pieces of one edge are consecutive.
+// Their marks on edges of the fine level are sorted along these edges.
 struct Traced_curves
 {
   std::vector<Coarse_piece> pieces;
   std::vector<Curve_index> first_piece; // of each edge of the coarse level, and the end
   std::vector<Curve_mark> marks;
 
-  Traced_curves(const Surface_map& map, Snapping snapping)
+  Traced_curves(const Surface_map& map, Tracing_digits digits)
   {
-    Curve_tracer tracer(map, false, snapping);
+    with_number(digits, [&](auto number) { trace<decltype(number)>(map); });
+  }
+
+private:
+  template <typename FT>
+  void trace(const Surface_map& map)
+  {
+    Curve_tracer<FT> tracer(map, false);
+    std::vector<FT> ratio; // of each mark
     for(Edge_index e : map.coarse().mesh().edges()) {
       first_piece.push_back(checked_index(pieces.size()));
       const auto& segments = tracer.trace(Intrinsic_triangulations::first_halfedge(e));
       Curve_index mark = no_index;
       for(std::size_t n = 0; n < segments.size(); ++n)
-        add_piece(segments[n], e, n + 1 < segments.size(), mark, map.fine());
+        add_piece(segments[n], e, n + 1 < segments.size(), mark, map.fine(), ratio);
     }
     first_piece.push_back(checked_index(pieces.size()));
+    sort_marks(ratio, marks, pieces);
   }
 
-private:
   // Adds a piece. `mark` is the mark at its start, and becomes the mark at its end. An edge may end
   // at a vertex on a side, which is not a crossing.
-  void add_piece(Curve_segment s, Edge_index e, bool is_followed, Curve_index& mark,
-                 const Surface_level& fine)
+  template <typename FT>
+  void add_piece(Traced_segment<FT> s, Edge_index e, bool is_followed, Curve_index& mark,
+                 const Surface_level& fine, std::vector<FT>& ratio)
   {
     s.face = fine.level_face(s.face);
     const Curve_index from = std::exchange(mark, no_index);
     if(is_followed && is_on_side(s.to)) {
       mark = checked_index(marks.size());
-      add_crossing(s, fine.mesh());
+      const auto [edge, at] = edge_ratio(s, s.to, fine.mesh());
+      ratio.push_back(at);
+      marks.push_back(
+        {edge, static_cast<double>(at), checked_index(pieces.size()), Vertex_index()});
     }
-    pieces.push_back({s, e, {from, mark}, Vertex_index()});
-  }
-
-  void add_crossing(const Curve_segment& s, const Delta_complex& fine)
-  {
-    const auto [edge, ratio] = edge_ratio(s, s.to, fine);
-    marks.push_back({edge, ratio, checked_index(pieces.size()), Vertex_index()});
+    pieces.push_back({rounded(s), e, {from, mark}, Vertex_index()});
   }
 };
 

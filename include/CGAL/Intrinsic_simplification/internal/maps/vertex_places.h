@@ -70,15 +70,15 @@ inline double place_of_end(const Coarse_piece& piece)
 inline Level_point image_of_removed_vertex(Vertex_index v, const Marked_fine_edges& edges)
 {
   const Surface_map& map = edges.map();
-  if(edges.snapping() != Snapping::none)
+  if(edges.digits() == Tracing_digits::of_double)
     return image_of_vertex(v, map);
-  const Curve_segment first =
-    Curve_tracer(map, true, Snapping::none)
-      .trace(Intrinsic_triangulations::first_outgoing_halfedge(v, map.fine().mesh()))
-      .front();
-  Surface_map::Location p{map.coarse().level_face(first.face), first.from.weight};
-  normalize(p.second);
-  return p;
+  return with_number(edges.digits(), [&](auto number) {
+    Curve_tracer<decltype(number)> tracer(map, true);
+    const Curve_segment first =
+      rounded(tracer.trace(Intrinsic_triangulations::first_outgoing_halfedge(v, map.fine().mesh()))
+                .front());
+    return Surface_map::Location(map.coarse().level_face(first.face), first.from.weight);
+  });
 }
 
 // Returns the position of a vertex of the subdivision on the coarse level.
