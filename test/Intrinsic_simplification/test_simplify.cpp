@@ -177,6 +177,25 @@ TEST(Simplification, of_hard_meshes)
   }
 }
 
+// Interior and boundary vertices of flat strips are ties: they lie on diagonals of thin faces.
+TEST(Simplification, keeps_the_corners_of_thin_strips)
+{
+  for(const std::size_t columns : {2u, 3u, 5u, 8u})
+    for(const double height : {0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) {
+      const Mesh mesh = grid(columns, 2, [&, n = double(columns)](double x, double y) {
+        return Point(x / n, height * y / 2, 0);
+      });
+      SCOPED_TRACE(std::to_string(columns) + " columns of height " + std::to_string(height));
+      Evolving_surface surface(mesh);
+      simplify(surface, number_of_vertices(std::size_t(4)));
+      std::set<Point> corners;
+      for(Vertex_index v : surface.mesh().vertices())
+        corners.insert(mesh.point(v));
+      EXPECT_EQ(corners, (std::set<Point>{{0, 0, 0}, {1, 0, 0}, {0, height, 0}, {1, height, 0}}));
+      EXPECT_NEAR(area_of(surface), height, 1e-9 * height);
+    }
+}
+
 TEST(Simplification, protected_vertices_stay)
 {
   Evolving_surface s(random_sphere(100, 2));

@@ -137,6 +137,9 @@ public:
   /// returns the scale factor \f$u\f$; exactly zero if the center is flat up to rounding.
   double scale_factor() const { return m_u; }
 
+  /// returns the rounding error of the sum of angles at the center. It is large if faces are thin.
+  double angle_rounding() const { return rounding_of(excess()); }
+
   /// returns the increase of the area of the star by flattening, to about half of the digits.
   double area_change() const { return m_area_change; }
 
@@ -275,6 +278,16 @@ private:
            (p + q) * product / 2;
   }
 
+  // Returns the rounding error of an excess. On thin faces, rounding of their lengths changes it
+  // most. An error that lengths cannot have, see `length_rounding`, does not count.
+  double rounding_of(const Angle_excess& e) const
+  {
+    const double by_lengths =
+      internal::roundings_of_scale * internal::rounding_unit() * std::abs(e.derivative);
+    return (std::max)(internal::angle_rounding(size()),
+                      (std::min)(by_lengths, internal::length_rounding));
+  }
+
   // Applies Newton's method, restricted to the interval in which the excess changes its sign. A
   // last step squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0
   // or pi, so that the excess is continuous and decreases everywhere.
@@ -283,7 +296,7 @@ private:
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for(int step = 0; step < 100; ++step) {
       const Angle_excess e = excess();
-      if(std::abs(e.value) <= internal::angle_rounding(size()))
+      if(std::abs(e.value) <= rounding_of(e))
         return is_solution(e);
       (e.value > 0 ? low : high) = m_u;
       set_scale(next_scale(e, low, high));

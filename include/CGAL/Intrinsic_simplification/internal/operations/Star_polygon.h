@@ -37,21 +37,12 @@ struct Star_flip
 class Star_polygon
 {
 public:
-  // Lays out the star and chooses the flips. Returns whether possible flips exist.
+  // Lays out the star and chooses the flips. Returns whether possible flips exist. On thin faces,
+  // rounding may have moved the center across cuts on which it lies.
   bool plan(const Flattened_star& star)
   {
     lay_out(star);
-    m_flips.clear();
-    std::size_t rest = star.size();
-    for(std::size_t n = 0; n < star.size(); ++n)
-      rate(n);
-    for(; rest > 3; --rest) {
-      const std::size_t ear = best_ear();
-      if(ear == m_corners.size())
-        return false;
-      cut(ear);
-    }
-    return set_last_three();
+    return plan(star, rounding_unit()) || plan(star, star.angle_rounding());
   }
 
   const std::vector<Star_flip>& flips() const { return m_flips; }
@@ -74,6 +65,24 @@ private:
 
   static constexpr double never() { return -std::numeric_limits<double>::infinity(); }
 
+  // Chooses the flips, with this error of the angles at the center.
+  bool plan(const Flattened_star& star, double angle_error)
+  {
+    m_angle_error = angle_error;
+    join_all_corners(star);
+    m_flips.clear();
+    std::size_t rest = star.size();
+    for(std::size_t n = 0; n < star.size(); ++n)
+      rate(n);
+    for(; rest > 3; --rest) {
+      const std::size_t ear = best_ear();
+      if(ear == m_corners.size())
+        return false;
+      cut(ear);
+    }
+    return set_last_three();
+  }
+
   void lay_out(const Flattened_star& star)
   {
     m_corners.resize(star.size());
@@ -81,14 +90,19 @@ private:
     Plane_vector direction{1, 0};
     for(std::size_t n = 0; n < star.size(); ++n) {
       const double length = star.flat_length(n);
-      m_corners[n] = {{length * direction.x, length * direction.y},
-                      star[n].halfedge,
-                      n == 0 ? star.size() - 1 : n - 1,
-                      star.next(n),
-                      never()};
+      m_corners[n].point = {length * direction.x, length * direction.y};
+      m_corners[n].outgoing = star[n].halfedge;
       if(n < star.number_of_corners())
         direction =
           turned(direction, length, star.flat_length(star.next(n)), star.flat_opposite_length(n));
+    }
+  }
+
+  void join_all_corners(const Flattened_star& star)
+  {
+    for(std::size_t n = 0; n < star.size(); ++n) {
+      m_corners[n].previous = n == 0 ? star.size() - 1 : n - 1;
+      m_corners[n].next = star.next(n);
     }
     m_first = 0;
   }
@@ -114,7 +128,7 @@ private:
     const double area = cross(j - l, k - j);
     const double inside = cross(l, k);
     const double unit = std::sqrt(norm(l) * norm(k));
-    if(area > rounding_unit() * unit && inside >= -rounding_unit() * unit)
+    if(area > rounding_unit() * unit && inside >= -m_angle_error * unit)
       corner.power = -incircle(l, j, k) / area;
   }
 
@@ -163,9 +177,10 @@ private:
     const Plane_vector &p = m_corners[a].point, &q = m_corners[b].point, &r = m_corners[c].point;
     m_last = {m_corners[a].outgoing, m_corners[b].outgoing, m_corners[c].outgoing};
     const std::array<double, 3> area{cross(q, r), m_is_border ? 0 : cross(r, p), cross(p, q)};
+    const std::array<double, 3> unit{norm(q) * norm(r), norm(r) * norm(p), norm(p) * norm(q)};
     const double sum = area[0] + area[1] + area[2];
     for(std::size_t n = 0; n < 3; ++n) {
-      if(!(area[n] >= -rounding_unit() * sum))
+      if(!(area[n] >= -m_angle_error * std::sqrt(unit[n])))
         return false;
       m_weight[n] = (std::max)(area[n], 0.) / sum;
     }
@@ -177,6 +192,7 @@ private:
   std::array<Halfedge_index, 3> m_last;
   std::array<double, 3> m_weight;
   std::size_t m_first = 0;
+  double m_angle_error = 0; // at the center
   bool m_is_border = false;
 };
 
