@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -91,16 +92,23 @@ public:
   }
 
   // Returns whether the edge of `h` is locally Delaunay, independently of the stored lengths. An
-  // undecided edge counts as a tie, and certificates list it; exact traits leave none undecided.
+  // edge that all digits and few roots leave undecided counts as a tie: it remains. Certificates
+  // decide it with many roots. Exact traits leave none undecided.
   bool is_exactly_Delaunay(Halfedge_index h, bool has_exact_squares = false)
   {
-    try {
+    const auto is_Delaunay = [&] {
       return (has_exact_squares ? Delaunay_sign_by_squares(h) : Delaunay_sign(h)) != NEGATIVE;
-    } catch(const Numerical_error&) {
-      if(Is_exact<Traits>::value)
-        throw;
-      return true;
+    };
+    if(Is_exact<Traits>::value)
+      return is_Delaunay();
+    bool result = true;
+    const std::size_t most = std::exchange(m_most_roots, few_roots);
+    try {
+      result = is_Delaunay();
+    } catch(const Numerical_error&) { // result stays true
     }
+    m_most_roots = most;
+    return result;
   }
 
   // Returns the sign of pi minus the sum of the angles opposite to the edge of `h`: ZERO is a tie.
