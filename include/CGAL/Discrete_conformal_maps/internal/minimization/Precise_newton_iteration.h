@@ -136,11 +136,13 @@ private:
   }
 
   // Moves to a point of the path that is closer to its end. The better the previous step has been,
-  // the farther away the point may be.
+  // the farther away the point may be. While all variables are above their bounds, they can move
+  // together, the Hessian is singular, and no path exists.
   Minimization_status step()
   {
     if(!factorize(m_position))
-      return Minimization_status::not_finite;
+      return has_bounds() && take_damped_step() ? Minimization_status::converged
+                                                : Minimization_status::not_finite;
     const std::vector<FT> base = m_energy.scale_factors();
     const Vector gradient = m_gradient;
     const auto to_start = m_elimination.solve(m_start), to_minimum = m_elimination.solve(-gradient);
