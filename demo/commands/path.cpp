@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -179,7 +180,8 @@ private:
       throw Program_error("--from is missing; say where the path starts, or ask for --homology");
     if(m_options.straightest) {
       if(m_options.straightest->second < 0)
-        throw Program_error("--straightest: the length is negative; turn the angle by 180 degrees");
+        throw Program_error("--straightest: the length is negative; turn the angle by half of the "
+                            "angle around the start");
       if(!m_options.to.empty() || !m_options.via.empty() || uses_flips())
         throw Program_error(
           "--straightest starts at --from, and takes no other points; leave them out");
@@ -316,18 +318,27 @@ private:
     return result;
   }
 
-  // Returns the vector. Angles are measured from the first side of the face, or at a corner from
-  // the side that leaves it.
-  std::complex<double> straightest_vector(const Surface_location& start,
-                                          const Triangulation& triangulation) const
+  // Calls trace(start, vector). The angle is measured from the first side of the face, or at a
+  // vertex from the side that leaves it, along all faces of the vertex.
+  template <typename Trace>
+  IT::Geodesic<double> from_start(const Surface_location& start, const Triangulation& triangulation,
+                                  const Trace& trace) const
   {
     const auto [degrees, length] = *m_options.straightest;
+    const double angle = degrees * (std::acos(-1.) / 180);
     const IT::Delta_complex& mesh = triangulation.input_mesh();
-    const IT::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
     const Place p = IT::surface_point(start, mesh);
-    const std::size_t side = IT::is_at_vertex(p) ? IT::side_number(IT::halfedge_of(p), mesh) : 0;
-    return face.direction(side) *
-           std::polar(length, std::remainder(degrees, 360.) * std::acos(-1.) / 180);
+    if(!IT::is_at_vertex(p)) {
+      const IT::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
+      return trace(start, face.direction(0) * std::polar(length, angle));
+    }
+    const Halfedge side = IT::halfedge_of(p);
+    const IT::Vertex_index v = mesh.source(side);
+    const IT::Tangent_frames<double> frames(triangulation.input());
+    const double normalized = frames.angle(side) + angle * frames.scale(v);
+    if(mesh.is_border(v) && std::abs(normalized - std::acos(-1.) / 2) > std::acos(-1.) / 2 + 1e-12)
+      leads_out(start);
+    return trace(v, std::polar(length, normalized));
   }
 
   Found_path straightest_path(const Triangulation& triangulation) const
@@ -343,8 +354,10 @@ private:
     };
     const Surface_location start = start_of_straightest(mesh);
     const auto end =
-      IT::trace_geodesic(input, start, straightest_vector(start, triangulation),
-                         IT::At_boundary::stop, boost::make_function_output_iterator(add));
+      from_start(start, triangulation, [&](const auto& from, const std::complex<double>& vector) {
+        return IT::trace_geodesic(input, from, vector, IT::At_boundary::stop,
+                                  boost::make_function_output_iterator(add));
+      });
     if(end.status == IT::Geodesic_status::stopped_at_boundary)
       check_length(end.length, start, triangulation);
     Path path{end.length, {IT::surface_point(start, mesh)}};
@@ -363,11 +376,16 @@ private:
   {
     const auto h = triangulation.input_mesh().halfedge(start.first);
     if(length <= IT::Flat_face<double>(h, triangulation.input()).tolerance())
-      throw Program_error("'" + m_options.from +
-                          "' is on the boundary, and this direction leads "
-                          "out of the surface; angles are counterclockwise "
-                          "from a side of face " +
-                          std::to_string(start.first.idx()) + ", choose another");
+      leads_out(start);
+  }
+
+  [[noreturn]] void leads_out(const Surface_location& start) const
+  {
+    throw Program_error("'" + m_options.from +
+                        "' is on the boundary, and this direction leads "
+                        "out of the surface; angles are counterclockwise "
+                        "from a side of face " +
+                        std::to_string(start.first.idx()) + ", choose another");
   }
 
   // ---- Output ----
@@ -453,11 +471,11 @@ void add_path_points(CLI::App& command, Path_options& options)
                    "Shorten a path along edges to a geodesic nearby, by flips");
   command.add_flag("--loop", options.is_loop,
                    "Shorten the loop from --from through all --via, by flips");
-  add_number(
-    command, "--straightest", options.straightest,
-    "Go straight instead, by this angle in degrees and this length. The angle is "
-    "counterclockwise from the first side of the face at --from, or the side that leaves a vertex",
-    finite_number());
+  add_number(command, "--straightest", options.straightest,
+             "Go straight instead, by this angle in degrees and this length. The angle is "
+             "counterclockwise from the first side of the face at --from. At a vertex it is "
+             "counterclockwise from the side that leaves it in its first face, along all its faces",
+             finite_number());
   command.add_flag("--homology", options.is_homology_basis,
                    "Shortest geodesic loops around all handles and holes, by flips");
 }

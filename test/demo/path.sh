@@ -64,6 +64,34 @@ claim "s, m = json('a.json'), ply('a.ply')" 'near(s.length, 0.1, 1e-15)' 'dist(m
 rm -f a.*
 expect 2 path roof.mesh.off --from 0 --straightest 93 0.1 -o a.ply
 
+# Angles are measured along all faces of a vertex: of 270 degrees inside and on the boundary, and of
+# eight times 60 degrees. From the middle of a face, lines are in the direction of its edges.
+python3 - <<'END'
+from math import cos, pi, sin, sqrt
+def fan(name, corners, closed):
+    faces = [(0, i + 1, i + 2) for i in range(len(corners) - 1)] + [(0, len(corners), 1)] * closed
+    with open(name, "w") as file:
+        print("OFF\n%d %d 0\n0 0 0" % (len(corners) + 1, len(faces)), file=file)
+        for p in corners: print(*map(repr, p), file=file)
+        for f in faces: print(3, *f, file=file)
+h = sqrt((sqrt(.5) - .5) / 1.5)
+fan("cone.mesh.off", [(1., 0., 0.), (0., 1., 0.), (0., 0., 1.)], True)
+fan("saddle.mesh.off", [(cos(k * pi / 4), sin(k * pi / 4), h * (-1)**k) for k in range(8)], True)
+fan("reflex.mesh.off", [(cos(k * pi / 4), sin(k * pi / 4), 0.) for k in range(7)], False)
+END
+for call in 'cone 135 0 1 1' 'cone 225 1 0 1' 'cone -45 1 0 1' 'cone 405 0 1 1' 'saddle 210 -1.7071067811865475 0.7071067811865475 0' \
+  'saddle 450 1.7071067811865475 -0.7071067811865475 0' 'saddle -30 1.7071067811865475 -0.7071067811865475 0' \
+  'reflex 225 -1 -1 0' 'reflex 270 0 -1 0'; do
+  read -r mesh degrees x y z <<<"$call"
+  expect 0 path $mesh.mesh.off --from 0 --straightest "$degrees" 0.125 -o a.ply
+  claim "m = ply('a.ply'); r = dist((0, 0, 0), ($x, $y, $z))" \
+    "dist(m.points[-1], (0.125 * $x / r, 0.125 * $y / r, 0.125 * $z / r)) < 1e-15"
+  rm -f a.*
+done
+for degrees in 270.001 -0.001 360 400; do
+  refuses 'leads out of the surface' path reflex.mesh.off --from 0 --straightest "$degrees" 0.1 -o a.ply
+done
+
 # Any angle, in turns; no length that would take all memory.
 for options in '--straightest 390 0.25' '--straightest -330 0.25'; do
   expect 0 path square.mesh.off --from 0.5,0.5,0 $options -o b.ply --stats b.json
