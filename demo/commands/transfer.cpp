@@ -58,16 +58,25 @@ void write(Text& text, const Surface_location& p)
        << p.second[2];
 }
 
-// Returns the first or the last word of each line.
-std::vector<std::string> read_words(const std::string& path, bool is_last)
+// Calls use(text) with the point of each line, or with the last one of two points, as this command
+// writes them. Errors name the line.
+template <typename Use>
+void for_each_point(const std::string& path, bool is_last, const Use& use)
 {
-  std::vector<std::string> result;
-  for_each_line(path, [&](const std::vector<std::string>& words, std::size_t) {
-    result.push_back(is_last ? words.back() : words.front());
+  bool is_empty = true;
+  for_each_line(path, [&](const std::vector<std::string>& words, std::size_t line) {
+    is_empty = false;
+    try {
+      if(words.size() > 2 || (words.size() == 2 && words[1].find(':') == std::string::npos))
+        throw Program_error("'" + words[1] + "' follows a point; coordinates have commas and no " +
+                            "blanks between them, such as 1,0,2.5");
+      use(is_last ? words.back() : words.front());
+    } catch(const Program_error& e) {
+      throw Program_error(path + ": line " + std::to_string(line) + ": " + e.what());
+    }
   });
-  if(result.empty())
+  if(is_empty)
     throw Program_error(path + ": has no points; write one in each line");
-  return result;
 }
 
 class Transfer_command
@@ -127,27 +136,31 @@ private:
 
   void transfer_points(const Correspondence& correspondence)
   {
-    const auto words = read_words(m_options.points, m_options.is_back);
     double error = 0;
-    for(const std::string& word : words) {
-      const Surface_location here = point(word, correspondence);
-      const Surface_location there = IT::point_across(correspondence, m_side, here);
-      const Surface_location back = IT::point_across(correspondence, other(), there);
-      const Surface_location& on_input = m_options.is_back ? there : here;
-      const Surface_location again =
-        m_options.is_back ? IT::point_across(correspondence, m_side, back) : back;
-      const Mesh& mesh = m_run.input().mesh;
-      error = (std::max)(
-        error, std::sqrt(CGAL::squared_distance(position(on_input, mesh), position(again, mesh))));
-      m_points.push_back(on_input);
-      write(m_text, m_run.input().as_read(on_input));
-      m_text << ' ';
-      write(m_text, m_options.is_back ? here : there);
-      m_text << '\n';
-    }
-    m_run.statistics()["points"] = words.size();
+    for_each_point(m_options.points, m_options.is_back, [&](const std::string& text) {
+      error = (std::max)(error, transfer_point(point(text, correspondence), correspondence));
+    });
+    const std::size_t number = m_points.size();
+    m_run.statistics()["points"] = number;
     m_run.statistics()["greatest_error_there_and_back"] = error;
-    m_summary = std::to_string(words.size()) + " points";
+    m_summary = std::to_string(number) + " points";
+  }
+
+  // Writes a point and its image. Returns how far it is from the image of its image.
+  double transfer_point(const Surface_location& here, const Correspondence& correspondence)
+  {
+    const Surface_location there = IT::point_across(correspondence, m_side, here);
+    const Surface_location back = IT::point_across(correspondence, other(), there);
+    const Surface_location& on_input = m_options.is_back ? there : here;
+    const Surface_location again =
+      m_options.is_back ? IT::point_across(correspondence, m_side, back) : back;
+    m_points.push_back(on_input);
+    write(m_text, m_run.input().as_read(on_input));
+    m_text << ' ';
+    write(m_text, m_options.is_back ? here : there);
+    m_text << '\n';
+    const Mesh& mesh = m_run.input().mesh;
+    return std::sqrt(CGAL::squared_distance(position(on_input, mesh), position(again, mesh)));
   }
 
   // ---- Functions ----

@@ -189,7 +189,7 @@ Surface_location surface_point(const std::string& text, const Input_mesh& input,
   const std::vector<double> list = numbers(text, text);
   if(list.size() == 3)
     return nearest(list, mesh, text, reach);
-  if(list.size() != 1)
+  if(list.size() != 1 || text.find_first_of(".eE") != std::string::npos)
     refuse(text, advice);
   return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(
                      index(list[0], mesh.number_of_vertices(), "vertices", text))),

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <cstddef>

@@ -55,4 +55,9 @@ refuses "'99999' is not a point of the mesh" transfer sheared.mesh.off --points 
 printf '0,0,99\n' >wrong.mesh.txt
 expect 2 transfer sheared.mesh.off --points wrong.mesh.txt -o a.txt
 refuses 'give FACE:a,b,c' transfer sheared.mesh.off --points wrong.mesh.txt --back -o a.txt
+# Words behind a point are no part of it.
+for line in '1.0 0.2 0.3' '0.1, 0.2, 0.3' '60 abc' '3:0.2,0.3,0.5 junk' '0 1 1' '1.0' '1e0'; do
+  printf '# points\n0\n%s\n' "$line" >wrong.mesh.txt
+  refuses 'wrong.mesh.txt: line 3: ' transfer sheared.mesh.off --points wrong.mesh.txt -o a.txt
+done
 expect_files
