@@ -34,7 +34,9 @@ int exit_code(const CLI::App& app, const CLI::ParseError& e, int argc, const cha
 {
   if(e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
     return app.exit(e);
-  const std::string unknown = unknown_word(app, argc, argv);
+  std::string unknown = unknown_word(app, argc, argv);
+  if(unknown.empty() && e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+    unknown = unexpected_words(app, argc, argv);
   return report(std::runtime_error((unknown.empty() ? e.what() : unknown) +
                                    "\nRun with --help for more information."),
                 2);

@@ -5,8 +5,11 @@
 #include "commands/Command_line.h"
 
 #include "Program_error.h"
+#include "commands/unknown_words.h"
 
 #include <CGAL/version.h>
+
+#include <cstddef>
 
 namespace {
 
@@ -37,6 +40,33 @@ Edges must be between 2^-127 and 2^127 (5.9e-39 and 1.7e38) long.
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong. It is 3 if
 --keep-going wrote a map that failed, or left out a component.)";
 
+// Formats the help. Options that take one value at a time are repeatable. Pairs have no brackets
+// and no comma, because spaces separate their values.
+class Help_formatter : public CLI::Formatter
+{
+public:
+  std::string make_option_opts(const CLI::Option* option) const override
+  {
+    std::string result = CLI::Formatter::make_option_opts(option);
+    if(is_repeatable(*option))
+      replace(result, " ...", " (repeatable)");
+    if(const std::string type = option->get_type_name(); type.compare(0, 1, "[") == 0) {
+      std::string values = type.substr(1);
+      replace(values, ",", " ");
+      replace(values, "]", "");
+      replace(result, type, values);
+    }
+    return result;
+  }
+
+private:
+  static void replace(std::string& text, const std::string& part, const std::string& by)
+  {
+    if(const std::size_t position = text.find(part); position != text.npos)
+      text.replace(position, part.size(), by);
+  }
+};
+
 // Lets all options of an application, its commands and groups refuse empty texts.
 void refuse_empty_values(CLI::App& app)
 {
@@ -53,6 +83,7 @@ void refuse_empty_values(CLI::App& app)
 
 Command_line::Command_line()
 {
+  m_app.formatter(std::make_shared<Help_formatter>());
   m_app.description("Intrinsic triangulations of surface meshes");
   m_app.set_version_flag("--version", version);
   m_app.add_flag("-q,--quiet", m_common.is_quiet, "Print errors and repairs only");
@@ -105,7 +136,8 @@ void add_common_options(CLI::App& command, Common_options& options)
   command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
   command
     .add_option("--section", options.section,
-                "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius")
+                "Draw the surface around a point (a vertex, FACE:a,b,c or x,y,z) up to a radius")
+    ->type_name("POINT RADIUS")
     ->needs(command.get_option("--picture"));
   add_mollification(command, options);
   add_repair(command, options);

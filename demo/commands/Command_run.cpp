@@ -37,8 +37,7 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
     m_progress(options.is_quiet)
 {
   m_options.are_soups_allowed = are_soups_allowed;
-  if(!options.view.empty())
-    View_page::check_available();
+  View_page::check_available("--view", options.view);
   check_picture_available("--picture", options.picture);
   read(options.is_quiet);
   if(!options.section.first.empty())

@@ -18,6 +18,7 @@ zero. The statistics list the vertices that others hide.
 
 Examples:
   intrinsic delaunay bunny.obj -o subdivision.vtp --constrain-angle 40
+  intrinsic delaunay bunny.obj -o subdivision.ply --picture near.svg --section 17 0.05
   intrinsic delaunay disks.ply -o subdivision.vtp --weights squared_radius)";
 
 std::string summary_of_flips(Command_run& run)

@@ -120,6 +120,10 @@ numbers are equal if a chart overlaps itself. With --no-overlap, charts are cut 
 flat triangulation until no chart overlaps itself, and packed. With --unit-square, all texture
 coordinates are multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
 
+The last line has two numbers of flips, "flips" and "ptolemy_flips" in the statistics. Flips lead to
+the intrinsic Delaunay triangulation, Ptolemy flips from this one to the flat triangulation. At a
+boundary, both include flips in the mirror image, as far as it is used.
+
 A map that misses a promise is not written, and the message names what can be tried. Promises are
 about curvatures, exterior angles, the shape of the boundary, length cross ratios and orientation.
 With --keep-going the map is written, with exit code 3. "promises" in the statistics has all errors.
@@ -134,17 +138,26 @@ Examples:
   intrinsic flatten bunny.obj -o atlas.obj --no-overlap --unit-square
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
-// Checks that bounds of the distortion are for cones that are placed.
+// Returns the first option that bounds the distortion, or an empty text if none is given.
+std::string bound_of_cones(const Flatten_options& options)
+{
+  if(options.maximum_log_scale)
+    return "--max-log-scale";
+  return options.maximum_area_distortion ? "--max-area-distortion" : "";
+}
+
+// Checks that bounds of the distortion are for cones that are placed. `options` are as given.
 void check_bounds_of_cones(const Flatten_options& options)
 {
-  if(places_cones(options.cones))
+  const std::string bound = bound_of_cones(options);
+  if(bound.empty() || places_cones(options.cones))
     return;
-  if(options.maximum_log_scale)
-    throw Program_error("--max-log-scale is for --cones greedy or exchanged, not for --cones " +
+  if(!options.cones.empty())
+    throw Program_error(bound + " is for --cones greedy or exchanged, not for --cones " +
                         options.cones);
-  if(options.maximum_area_distortion)
-    throw Program_error(
-      "--max-area-distortion is for --cones greedy or exchanged, not for --cones " + options.cones);
+  if(is_shape(options.boundary))
+    throw Program_error(bound + " places cones, and --boundary " + options.boundary +
+                        " has none by default: add --cones greedy, or leave it out");
 }
 
 // Sets the default options. Cones are placed greedily, except for shapes that need no cones.
@@ -160,9 +173,9 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
   if(is_exact && options.solver == "cetm")
     throw Program_error(
       "--exact: --solver cetm makes no triangulation Delaunay; leave out one of them");
+  check_bounds_of_cones(options);
   if(options.cones.empty())
     options.cones = is_shape(options.boundary) ? "none" : "greedy";
-  check_bounds_of_cones(options);
   return options;
 }
 

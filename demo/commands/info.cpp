@@ -162,8 +162,7 @@ void print_text(const std::string& input, const Polygon_soup& soup, const Verdic
 // Returns the outputs, after their paths are checked.
 Output checked_output(const Common_options& common)
 {
-  if(!common.view.empty())
-    View_page::check_available();
+  View_page::check_available("--view", common.view);
   check_picture_available("--picture", common.picture);
   return Output(common.read_files, {common.view, common.picture});
 }

@@ -34,7 +34,8 @@ the unit circle.
 
 The output is the mesh with its vertices at the centers of their circles. .ply and .vtp have the
 radii; on the sphere, the radius is the angle between the center and the circle. --circles draws the
-circles in the plane, circles of a sphere by stereographic projection.
+circles in the plane, circles of a sphere by stereographic projection. The picture of a sphere ends
+at three times the radius of the equator, beyond which projected circles are huge.
 
 Example:
   intrinsic pack bunny.obj -o packing.ply --circles packing.svg --stats packing.json)";

@@ -57,7 +57,9 @@ disk has its image in the unit disk as texture coordinates.
 
 Long limbs have small images. Rounding of the output can flip triangles, or make edges concave:
 lost_in_output in the statistics counts such triangles. --precise writes the positions of the input
-vertices with 31 digits, on the unit sphere up to 1e-31.
+vertices with 31 digits, so that close vertices remain distinct. These positions of the computed map
+are on the unit sphere up to 1e-31. They differ from positions of the exact map by rounding errors:
+lengths of edges, and often scale factors, have the digits of `double` only.
 
 Vertices without faces have the position (0, 0, 1), or (1, 0, 0) beside a disk, with homogeneous
 coordinates zero. If the image is not convex, it is written only with --keep-going.

@@ -91,7 +91,54 @@ std::string unknown_command(const CLI::App& app, const Names& words)
   return "";
 }
 
+bool is_value(const std::string& word) { return word.compare(0, 1, "-") != 0; }
+
+// Removes the words that are not in `unexpected`. Keeps the last of equal words.
+Names in_order(const Names& words, Names unexpected)
+{
+  Names result;
+  for(auto word = words.rbegin(); word != words.rend(); ++word)
+    if(const auto found = std::find(unexpected.begin(), unexpected.end(), *word);
+       found != unexpected.end()) {
+      unexpected.erase(found);
+      result.insert(result.begin(), *word);
+    }
+  return result;
+}
+
+// Returns the first repeatable option of the command that two values follow, or an empty text.
+std::string option_with_two_values(const CLI::App& command, const Names& words)
+{
+  for(std::size_t i = 0; i + 2 < words.size(); ++i)
+    if(const CLI::Option* const option = command.get_option_no_throw(words[i]);
+       option != nullptr && !is_value(words[i]) && is_repeatable(*option) &&
+       is_value(words[i + 1]) && is_value(words[i + 2]))
+      return words[i];
+  return "";
+}
+
 } // namespace
+
+bool is_repeatable(const CLI::Option& option)
+{
+  return !option.get_positional() && !option.get_allow_extra_args() &&
+         option.get_expected_max() == CLI::detail::expected_max_vector_size;
+}
+
+std::string unexpected_words(const CLI::App& app, int argc, const char* const* argv)
+{
+  const Names words(argv + 1, argv + argc);
+  const Names unexpected = in_order(words, app.remaining(true));
+  if(unexpected.empty())
+    return "";
+  std::string result = "unexpected:";
+  for(const std::string& word : unexpected)
+    result += " " + word;
+  for(const CLI::App* command : app.get_subcommands())
+    if(const std::string option = option_with_two_values(*command, words); !option.empty())
+      result += "; " + option + " takes one value: give " + option + " again for each further one";
+  return result;
+}
 
 std::string unknown_word(const CLI::App& app, int argc, const char* const* argv)
 {

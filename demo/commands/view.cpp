@@ -34,8 +34,8 @@ Example:
 
 int view(const Common_options& common, const View_options& options)
 {
-  View_page::check_available();
   Output output(common.read_files, {options.output});
+  View_page::check_available("--output", options.output);
   View_page page;
   Statistics statistics{{"command", "view"}, {"input", options.inputs.front()}};
   for(const std::string& input : options.inputs) {

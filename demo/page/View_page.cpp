@@ -6,6 +6,7 @@
 
 #include "Program_error.h"
 #include "page/Page_arrays.h"
+#include "reading/text_encoding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -371,11 +372,16 @@ private:
 
 } // namespace
 
-void View_page::check_available()
+void View_page::check_available(const std::string& option, const std::string& path)
 {
+  if(path.empty())
+    return;
+  const std::string extension = extension_of(path);
+  if(path != "-" && extension != ".html" && extension != ".htm")
+    throw Program_error(path + ": " + option + " needs a name that ends with .html or .htm");
   if(!is_available())
-    throw Program_error("--view: this program was built without three.js, which could not be "
-                        "fetched from registry.npmjs.org when it was configured");
+    throw Program_error(option + ": this program was built without three.js, which could not be "
+                                 "fetched from registry.npmjs.org when it was configured");
 }
 
 void View_page::add_surface(const std::string& name, Output_mesh mesh)

@@ -24,8 +24,9 @@ class View_page
 public:
   // Returns whether three.js, which draws pages, was available at build time.
   static bool is_available() { return !embedded_files.empty(); }
-  // Throws Program_error if pages are not available.
-  static void check_available();
+  // Throws Program_error, with the name of the option, if the path has not the extension of a page,
+  // or if pages are not available. An empty path requests no page.
+  static void check_available(const std::string& option, const std::string& path);
 
   // Adds a surface, whose last points may have no data.
   void add_surface(const std::string& name, Output_mesh mesh);

@@ -11,8 +11,9 @@
 
 #include <string>
 
-// Adds a picture of the circles of a packing, with the unit disk and its circle, or the disk with
-// three times its radius. It is PNG if the path ends with .png, else SVG.
+// Adds a picture of the circles of a packing: of a disk with the unit circle, of a sphere within a
+// square whose sides are three times as long as the diameter of the unit circle. It is PNG if the
+// path ends with .png, else SVG.
 void write_circle_picture(Text& text, const CGAL::Discrete_conformal_maps::Circle_packing& packing,
                           const std::string& path);
 

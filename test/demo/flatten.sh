@@ -113,6 +113,7 @@ for cones in empty none; do
   claim "json('a.json').cones == 0" "near(flat_area(obj('a.obj')), area(obj('a.obj')), 1e-9)"
   expect 2 flatten regular.mesh.off -o b.obj --cones $cones
   says 'prescribed on the surface sum up to 12.5664 radians less than 2 pi times its Euler char'
+  says '(Gauss-Bonnet): cones can have the difference'
 done
 
 # Exterior angles of a triangle on the boundary of the square; straight elsewhere.
@@ -299,6 +300,9 @@ bad 'values: line 1: vertex 10 is not on the boundary' '10 1\n' square.mesh.off 
 bad 'values: line 1: vertex 10 is not on the boundary' '10 1\n' square.mesh.off --boundary curvature --boundary-values values
 bad 'sum up to 5.28319 radians less than' '0 1\n' square.mesh.off --cones none --boundary curvature --boundary-values values
 bad 'sum up to 0.716815 radians more than' '0 3\n8 3\n80 1\n' square.mesh.off --cones none --boundary curvature --boundary-values values
+bad '(Gauss-Bonnet): a cone inside or other exterior angles can have the difference' '0 1\n' square.mesh.off --cones none --boundary curvature --boundary-values values
+off fan '0 0 0.3,1 0 0,0 1 0,-1 0 0,0 -1 0' '0 1 2,0 2 3,0 3 4,0 4 1'
+bad '(Gauss-Bonnet): the cones, and vertices with prescribed scale factors, are too few' '' fan.mesh.off --boundary straight
 bad 'no angle is left at vertex 0' '0 7\n' regular.mesh.off --cones values
 
 expect_files
@@ -339,6 +343,15 @@ claim "s, m = json('b.json'), obj('b.obj')" 'overlap(m) < 1e-9' \
 expect 0 flatten slivers.mesh.off -o b.obj --no-overlap --stats b.json
 claim "json('b.json').overlap_area == 0"
 rm a.* b.* least-squares.* spectral.* incremental.*
+
+# The last line has two numbers of flips, which help explains.
+grid twisted 4 1.5
+expect 0 flatten twisted.mesh.off -o a.obj --stats a.json
+claim "s = json('a.json')" "' %d + %d flips, ' % (s.flips, s.ptolemy_flips) in open('out').read() + open('err').read()" \
+  's.flips > 0'
+expect 0 flatten --help
+says '"flips" and "ptolemy_flips" in the statistics'
+rm a.*
 
 # The bound on scale factors holds inside, and not on the boundary.
 if [ -n "$data" ]; then

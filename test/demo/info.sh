@@ -32,6 +32,9 @@ broken()
 }
 
 broken repeated.mesh.off 'face with a repeated vertex: 1, first at face 1'
+refuses 'edges                 3' info repeated.mesh.off
+says 'faces                 1'
+says 'Euler characteristic  1'
 broken edge_of_three.mesh.off 'non-manifold edge: 1, first between vertices 0 and 1 (face 0)'
 broken orientation.mesh.off 'inconsistent orientation: 1, first between vertices 0 and 2'
 off moebius '0 0 0,1 0 0,0 1 0,1 1 1,0 0 2' '0 1 2,1 3 2,2 3 4,3 0 4,4 0 1'

@@ -224,6 +224,9 @@ calls <<'TABLE'
 2 | intrinsic: Exactly 1 option from [--vertices,--ratio,--error] is required | simplify flat.mesh.off -o a.obj
 2 | intrinsic: --method excludes --exact-distance | distance flat.mesh.off --source 0 -o a.ply --method exact --exact-distance
 2 | a.jpg: --picture needs a name that ends with .svg or .png | delaunay flat.mesh.off -o a.ply --picture a.jpg
+2 | a.ply: --output needs a name that ends with .html or .htm | view flat.mesh.off -o a.ply
+2 | a.ply.txt: --view needs a name that ends with .html or .htm | delaunay flat.mesh.off -o a.ply --view a.ply.txt
+2 | no_extension: --view needs a name that ends with .html or .htm | info flat.mesh.off --view no_extension
 2 | a.txt: --circles needs a name that ends with .svg or .png | pack flat.mesh.off -o a.ply --circles a.txt
 2 | --section: the radius must be a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
 2 | --section: on triangles that are not a surface, the point must have the form x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
@@ -241,7 +244,9 @@ calls <<'TABLE'
 2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
 2 | --max-log-scale is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
-2 | --max-area-distortion is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-area-distortion 4 --boundary disk
+2 | --max-area-distortion is for --cones greedy or exchanged, not for --cones none | flatten flat.mesh.off -o a.obj --max-area-distortion 4 --cones none
+2 | --max-log-scale places cones, and --boundary disk has none by default: add --cones greedy, or leave it out | flatten flat.mesh.off -o a.obj --max-log-scale 0.3 --boundary disk
+2 | --max-area-distortion places cones, and --boundary rectangle has none by default | flatten flat.mesh.off -o a.obj --max-area-distortion 4 --boundary rectangle
 2 | --boundary: 'round' is none of free, straight, scale, curvature, rectangle and disk | flatten flat.mesh.off -o a.obj --boundary round
 2 | --boundary scale needs a file of values: add --boundary-values | flatten flat.mesh.off -o a.obj --boundary scale
 2 | needs a file of values: add --boundary-values | flatten --boundary curvature flat.mesh.off -o a.obj
@@ -261,6 +266,10 @@ calls <<'TABLE'
 2 | there is no option '--bounary'; did you mean '--boundary'? | flatten flat.mesh.off -o a.obj --bounary free
 2 | there is no option '--vertcies'; did you mean '--vertices'? | simplify flat.mesh.off -o a.ply --vertcies=9
 2 | there is no option '--thread'; did you mean '--threads'? | delaunay flat.mesh.off -o a.ply --thread 2
+2 | unexpected: 2 3; --source takes one value: give --source again for each further one | distance flat.mesh.off --source 1 2 3 -o a.ply
+2 | unexpected: flat.mesh.off; --source takes one value | distance --source 1 2 flat.mesh.off -o a.ply
+2 | unexpected: 3 4; --via takes one value | path flat.mesh.off --from 0 --to 1 --flips --via 2 3 4 -o a.obj
+2 | unexpected: one more | delaunay flat.mesh.off one -o a.ply more
 2 | there is no option '--xyzzy' | --xyzzy delaunay flat.mesh.off -o a.ply
 2 | --error: '-1' is not a number from 0 upwards | simplify flat.mesh.off -o a.ply --error -1
 2 | --error: 'nan' is not a number from 0 upwards | simplify flat.mesh.off -o a.ply --error nan
@@ -414,3 +423,16 @@ for command in delaunay refine distance path transfer operators flatten hyperbol
   ! grep -iE 'twice the time|half of the time' out || fail "$command --help has a measured time"
   ! grep -q -e '--max-insertions' out || grep -q 'at most 10,000,000' out || fail "$command --help has no greatest limit"
 done
+
+# Help shows how values are given: one by one, or two separated by a space.
+expect 0 distance --help
+says '--source TEXT (repeatable)'
+says '--level FLOAT:a finite number (repeatable)'
+expect 0 path --help
+says '--via TEXT (repeatable)'
+! grep -F '[' <(grep -- '--straightest ' out) || fail 'a pair has brackets'
+expect 0 delaunay --help
+says '--section POINT RADIUS'
+says '--section 17 0.05'
+expect 0 view --help
+says 'mesh TEXT ... REQUIRED'

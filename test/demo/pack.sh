@@ -14,6 +14,36 @@ claim "near(list(ply('good.ply').vertex['radius']), [0.9553166181245093] * 4, 1e
 [ "$(grep -c '<circle' good.svg)" -eq 4 ] || fail 'a circle is missing'
 rm good.ply good.svg good.json
 
+# The picture of a sphere shows no circle beyond its sides: large circles are cut off, and circles
+# outside are left out.
+awk 'BEGIN {
+  n = 16; m = 15; pi = atan2(0, -1)
+  print "OFF\n" n * m + 2, 2 * n * m, 0
+  for(j = 1; j <= m; ++j)
+    for(i = 0; i < n; ++i) {
+      a = pi * j / (m + 1); b = 2 * pi * (i + j / 2) / n
+      print sin(a) * cos(b), sin(a) * sin(b), cos(a)
+    }
+  print "0 0 1\n0 0 -1"
+  for(i = 0; i < n; ++i) {
+    k = (i + 1) % n
+    print 3, n * m, i, k "\n" 3, n * m + 1, n * (m - 1) + k, n * (m - 1) + i
+    for(j = 0; j < m - 1; ++j)
+      print 3, n * j + i, n * (j + 1) + i, n * j + k "\n" 3, n * j + k, n * (j + 1) + i, n * (j + 1) + k
+  }
+}' >ball.mesh.off
+expect 0 pack ball.mesh.off -o ball.ply --circles ball.svg
+python3 - <<'PYTHON' || fail 'circles are drawn beyond the picture'
+import re
+from math import hypot
+text = open("ball.svg").read()
+circles = [tuple(map(float, c)) for c in re.findall(r'cx="(.*?)" cy="(.*?)" r="(.*?)"', text)]
+assert 'clip-path="url(#c)"' in text and 100 < len(circles) < 242, len(circles)
+for x, y, r in circles:
+    assert hypot(max(0, -x, x - 1000), max(0, -y, y - 1000)) <= r
+PYTHON
+rm ball.ply ball.svg
+
 # Circles of a disk touch the unit circle, which is drawn, too.
 off hexagon '0 0 0,2 0 0,1 2 0,-1 2 0,-2 0 0,-1 -2 0,1 -2 0' \
   '0 1 2,0 2 3,0 3 4,0 4 5,0 5 6,0 6 1'

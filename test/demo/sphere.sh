@@ -222,3 +222,5 @@ assert len(set(points)) == 124
 assert len({tuple(map(float, p)) for p in points}) < 124
 PYTHON
 rm spike.*
+expect 0 sphere --help
+says 'lengths of edges, and often scale factors, have the digits of `double` only'

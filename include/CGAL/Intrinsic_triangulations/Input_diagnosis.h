@@ -140,10 +140,11 @@ public:
   /// numbers about the surface.
   struct Statistics
   {
-    std::size_t vertices = 0;       ///< number of vertices, with the isolated ones
-    std::size_t edges = 0;          ///< number of edges
-    std::size_t faces = 0;          ///< number of faces
-    long euler_characteristic = 0;  ///< of the surface alone, that is without isolated vertices
+    std::size_t vertices = 0; ///< number of vertices, with the isolated ones
+    std::size_t edges = 0;    ///< number of edges
+    /// number of faces, without faces that repeat a vertex or name one that does not exist
+    std::size_t faces = 0;
+    long euler_characteristic = 0;  ///< of these faces with their edges and vertices
     std::size_t boundary_loops = 0; ///< number of closed curves that form the boundary
     std::size_t components = 0;     ///< number of components that have a face
     /// smallest angle of a triangle in degrees, infinite if there is none

@@ -19,6 +19,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -172,10 +173,27 @@ private:
     Input_diagnosis::Statistics& s = m_diagnosis.statistics();
     s.vertices = m_complex.number_of_vertices;
     s.edges = m_complex.number_of_edges();
-    s.faces = m_complex.number_of_faces();
-    s.euler_characteristic =
-      static_cast<long>(s.vertices - m_diagnosis.count(Defect_kind::ISOLATED_VERTEX)) -
-      static_cast<long>(s.edges) + static_cast<long>(s.faces);
+    s.faces = number_of_usable_faces();
+    s.euler_characteristic = static_cast<long>(number_of_used_vertices()) -
+                             static_cast<long>(s.edges) + static_cast<long>(s.faces);
+  }
+
+  // Returns the number of faces with corners. Other faces have no edges either.
+  std::size_t number_of_usable_faces() const
+  {
+    std::size_t result = 0;
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
+      result += m_complex.degree(f) > 0;
+    return result;
+  }
+
+  // Returns the number of vertices with edges.
+  std::size_t number_of_used_vertices() const
+  {
+    std::vector<bool> is_used(m_complex.number_of_vertices, false);
+    for(const auto& ends : m_complex.edge_ends)
+      is_used[ends[0]] = is_used[ends[1]] = true;
+    return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
   }
 
   // A boundary edge follows another one if both bound the same vertex fan.

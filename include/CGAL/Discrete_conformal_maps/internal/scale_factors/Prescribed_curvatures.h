@@ -379,9 +379,19 @@ private:
     text << "the curvatures prescribed on " << name(component) << " sum up to " << std::abs(own)
          << " radians " << (own > 0 ? "more" : "less")
          << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
-         << (has_fixed ? ": vertices with prescribed scale factors cannot have the difference"
-                       : ": a cone inside or other exterior angles can have the difference");
+         << ": " << remedy(component, has_fixed);
     return text.str();
+  }
+
+  // Returns what can have the curvature that is missing in a component.
+  const char* remedy(std::size_t component, bool has_fixed) const
+  {
+    if(has_fixed)
+      return "the cones, and vertices with prescribed scale factors, are too few to have the "
+             "difference";
+    return has_boundary(component)
+             ? "a cone inside or other exterior angles can have the difference"
+             : "cones can have the difference";
   }
 
   Components m_components;
