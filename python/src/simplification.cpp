@@ -87,7 +87,7 @@ public:
   Bound_simplification(const Bound_simplification&) = delete;
   Bound_simplification& operator=(const Bound_simplification&) = delete;
 
-  // Returns "reached" if the last level has no more vertices than requested, or if a cost bounds it.
+  // Returns "reached" if the last level has no more vertices than requested, or a cost bounds it.
   const char* status() const { return m_is_reached ? "reached" : "nothing_removable"; }
 
   // Returns the statuses of both refinements; nothing without a refinement.

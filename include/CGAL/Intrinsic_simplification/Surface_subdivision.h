@@ -60,8 +60,8 @@ enum class Level
 /// in order along every edge. An edge of the coarse level runs through each vertex that it passes
 /// within rounding. It runs along an edge of the fine level if it runs through both ends. Where
 /// vertices are closer than rounding, such edges may cross each other; then edges are traced with
-/// 32 digits, and at last with 60. Between other edges that nearly coincide, polygons can have areas as small as rounding,
-/// of either sign (see `signed_area()`). They may have only two sides.
+/// 32 digits, and at last with 60. Between other edges that nearly coincide, polygons can have
+/// areas as small as rounding, of either sign (see `signed_area()`). They may have only two sides.
 ///
 /// The object refers to the levels of the map, and is valid during their lifetime.
 ///
@@ -88,9 +88,9 @@ public:
 
   /// builds the subdivision. Complexity: the time to trace the edges, and to sort the crossings on
   /// every edge.
-  /// \throws Intrinsic_triangulations::Numerical_error if edges of the coarse level cross each other
-  ///   by rounding, and change too often to be traced with more digits. This needs vertices as close
-  ///   to each other as rounding
+  /// \throws Intrinsic_triangulations::Numerical_error if edges of the coarse level cross each
+  ///   other by rounding, and change too often to be traced with more digits. This needs vertices
+  ///   as close to each other as rounding
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : Surface_subdivision(Empty(), map)
   {

@@ -34,8 +34,8 @@ inline bool is_ear(const std::array<std::size_t, 3>& triangle,
          });
 }
 
-// Returns the first corner of the largest ear of a polygon in a face. If rounding leaves no ear, the
-// largest triangle of three consecutive corners counts.
+// Returns the first corner of the largest ear of a polygon in a face. If rounding leaves no ear,
+// the largest triangle of three consecutive corners counts.
 inline std::size_t largest_ear(const std::vector<std::array<double, 3>>& corners)
 {
   std::size_t result = 0;
