@@ -289,21 +289,23 @@ private:
   }
 
   // Applies Newton's method, restricted to the interval in which the excess changes its sign. A
-  // last step squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0
-  // or pi, so that the excess is continuous and decreases everywhere.
+  // last step squares an excess of `tolerance`. On thin faces, all steps can leave a rounding
+  // error. Beyond the triangle inequality an angle counts as 0 or pi, so that the excess is
+  // continuous and decreases everywhere.
   bool solve(double tolerance)
   {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for(int step = 0; step < 100; ++step) {
       const Angle_excess e = excess();
-      if(std::abs(e.value) <= rounding_of(e))
+      if(std::abs(e.value) <= internal::angle_rounding(size()))
         return is_solution(e);
       (e.value > 0 ? low : high) = m_u;
       set_scale(next_scale(e, low, high));
       if(std::abs(e.value) <= tolerance)
         return is_solution(e);
     }
-    return false;
+    const Angle_excess last = excess();
+    return std::abs(last.value) <= rounding_of(last) && is_solution(last);
   }
 
   static bool is_solution(const Angle_excess& e)
