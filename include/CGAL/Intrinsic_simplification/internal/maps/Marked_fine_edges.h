@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/maps/Crossing_order.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 

@@ -96,15 +96,12 @@ public:
   // decide it with many roots. Exact traits leave none undecided.
   bool is_exactly_Delaunay(Halfedge_index h, bool has_exact_squares = false)
   {
-    const auto is_Delaunay = [&] {
+    if(has_exact_squares || Is_exact<Traits>::value)
       return (has_exact_squares ? Delaunay_sign_by_squares(h) : Delaunay_sign(h)) != NEGATIVE;
-    };
-    if(Is_exact<Traits>::value)
-      return is_Delaunay();
     bool result = true;
     const std::size_t most = std::exchange(m_most_roots, few_roots);
     try {
-      result = is_Delaunay();
+      result = Delaunay_sign(h) != NEGATIVE;
     } catch(const Numerical_error&) { // result stays true
     }
     m_most_roots = most;
